@@ -1,0 +1,37 @@
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(deal.II 9.4 REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(fmt REQUIRED)
+foreach(feature MPI P4EST TRILINOS HDF5)
+  if(NOT DEAL_II_WITH_${feature})
+    message(FATAL_ERROR "deal.II was built without ${feature}; install Debian's libdeal.ii-dev (scripts/setup does)")
+  endif()
+endforeach()
+
+# deal.II's own CMake macro refuses keyword-style linking and RelWithDebInfo: wrap the library once, with its
+# headers as SYSTEM, so that this project's warnings stay on.
+add_library(geneva_dealii INTERFACE)
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(geneva_dealii_library ${DEAL_II_TARGET_DEBUG})
+  target_compile_definitions(geneva_dealii INTERFACE DEBUG)
+else()
+  set(geneva_dealii_library ${DEAL_II_TARGET_RELEASE})
+endif()
+target_include_directories(geneva_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+target_link_libraries(geneva_dealii INTERFACE ${geneva_dealii_library} Eigen3::Eigen)
+# deal.II's inline functions call into Trilinos and TBB, which only libdeal.ii.so itself is linked to.
+target_link_options(geneva_dealii INTERFACE -Wl,--copy-dt-needed-entries)
+
+find_path(GENEVA_GMSH_INCLUDE gmsh.h REQUIRED)
+find_library(GENEVA_GMSH_LIBRARY gmsh REQUIRED)
+add_library(geneva_gmsh INTERFACE)
+target_include_directories(geneva_gmsh SYSTEM INTERFACE ${GENEVA_GMSH_INCLUDE})
+target_link_libraries(geneva_gmsh INTERFACE ${GENEVA_GMSH_LIBRARY})
+
+find_path(GENEVA_UDUNITS_INCLUDE udunits2.h REQUIRED)
+find_library(GENEVA_UDUNITS_LIBRARY udunits2 REQUIRED)
+add_library(geneva_udunits INTERFACE)
+target_include_directories(geneva_udunits SYSTEM INTERFACE ${GENEVA_UDUNITS_INCLUDE})
+target_link_libraries(geneva_udunits INTERFACE ${GENEVA_UDUNITS_LIBRARY})

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "fem/boundary.h"
+#include "fem/problem.h"
+
+namespace geneva::fem {
+
+using dealii::types::global_dof_index;
+
+/// u_dof = sum of coefficient * u_entry + inhomogeneity.
+struct ConstraintLine {
+  global_dof_index dof;
+  std::vector<std::pair<global_dof_index, double>> entries;
+  double inhomogeneity;
+};
+
+/// The supports as constraint lines, the same on all ranks.
+/// @throws std::invalid_argument if two supports prescribe different displacements at one node
+std::vector<ConstraintLine> support_lines(const Boundary& boundary,
+                                          const std::vector<Support>& supports,
+                                          const std::vector<std::string>& surfaces);
+
+/// A rigid tie's lines, and the unknown that carries its motion and force.
+struct TieLines {
+  std::vector<ConstraintLine> lines;
+  global_dof_index master;
+  double master_force;  ///< right-hand side entry of the master: force / (direction's component of
+                        ///< the master)
+};
+
+TieLines tie_lines(const Boundary& boundary, const RigidTie& tie,
+                   const std::vector<std::string>& surfaces);
+
+/// Index of a name in a list. @throws std::out_of_range if it is not there (a bug: names are
+/// checked before)
+unsigned int index_of(const std::vector<std::string>& names, const std::string& name);
+
+/// Hanging-node lines of this rank and the given lines, closed.
+/// @param ghosts the dofs whose lines this rank may need: locally relevant dofs and all boundary
+/// dofs
+dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>& dof_handler,
+                                                   const dealii::IndexSet& ghosts,
+                                                   const std::vector<ConstraintLine>& lines);
+
+}  // namespace geneva::fem

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <set>
+#include <vector>
+
+#include "fem/constraints.h"
+#include "fem/contact/mortar.h"
+
+namespace geneva::fem {
+
+/// One contact pair on one mesh, the same on every rank.
+struct ContactInterface {
+  Surface source;
+  Surface target;
+  std::vector<MortarRow> rows;
+  std::vector<bool> active;  ///< by row
+};
+
+/// Contact pressure and gap at the source nodes, by row.
+struct ContactState {
+  std::vector<double> pressure;  ///< >= 0 in compression
+  std::vector<double> gap;       ///< > 0 when open
+  double approach = 0.;          ///< greatest change of a gap by the displacement
+};
+
+/// The rows that touch first: those whose initial gap is the smallest.
+std::vector<bool> first_touch(const std::vector<MortarRow>& rows, double length);
+
+/// The rows between active nodes of the coarser mesh, or first_touch if there is none.
+/// @param intervals arc lengths [begin, end] of the coarser mesh's contact on the source surface
+std::vector<bool> inherited(const ContactInterface& interface,
+                            const std::vector<std::pair<double, double>>& intervals);
+
+/// Arc-length intervals of the source surface covered by active nodes.
+std::vector<std::pair<double, double>> active_intervals(const ContactInterface& interface);
+
+/// The active rows as constraint lines: gap_j(u) = 0, solved for the displacement component with
+/// the greatest share of the normal that no support holds. Rows whose components are all held are
+/// left out.
+/// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
+/// are added
+std::vector<ConstraintLine> contact_lines(const ContactInterface& interface,
+                                          std::set<global_dof_index>& held);
+
+/// Gap from the displacement; pressure from the residual K u - f, divided by D (no
+/// differentiation).
+/// @param held dofs whose residual holds reactions of supports
+ContactState evaluate(const ContactInterface& interface,
+                      const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                      const dealii::TrilinosWrappers::MPI::Vector& residual,
+                      const std::set<global_dof_index>& held);
+
+/// The primal-dual active set step (Hintermueller, Ito and Kunisch 2003): active nodes under
+/// tension open, open nodes that overlap close.
+std::vector<bool> updated(const ContactInterface& interface, const ContactState& state);
+
+}  // namespace geneva::fem

@@ -1,0 +1,99 @@
+#include "fem/contact/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace geneva::fem {
+
+using dealii::Point;
+using dealii::Tensor;
+
+namespace {
+
+/// Edges can touch only if their outward normals are opposed by more than this cosine.
+constexpr double opposed = -0.1;
+
+double cross(const Tensor<1, 2>& a, const Tensor<1, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Where the normal of a target node meets the line through a source edge: parameter along the
+/// edge, and the gap.
+struct NodeProjection {
+  double xi;
+  double gap;
+};
+
+std::optional<NodeProjection> project_node(const Surface& source, const SurfaceFace& face,
+                                           const SurfaceNode& target_node) {
+  const Point<2>& start = source.nodes[face.nodes[0]].position;
+  const Tensor<1, 2> chord = source.nodes[face.nodes[1]].position - start;
+  const double determinant = cross(chord, target_node.normal);
+  if (std::abs(determinant) < 1e-8 * chord.norm()) return std::nullopt;
+  const Tensor<1, 2> to_node = target_node.position - start;
+  return NodeProjection{cross(to_node, target_node.normal) / determinant,
+                        cross(to_node, chord) / determinant};
+}
+
+/// The share of the source edge over one target edge, or nothing.
+std::optional<Overlap> overlap_with(const Surface& source, const SurfaceFace& face,
+                                    const Surface& target, const unsigned int target_face) {
+  const SurfaceFace& other = target.faces[target_face];
+  if (chord_normal(source, face) * chord_normal(target, other) > opposed) return std::nullopt;
+  const auto first = project_node(source, face, target.nodes[other.nodes[0]]);
+  const auto second = project_node(source, face, target.nodes[other.nodes[1]]);
+  if (!first || !second) return std::nullopt;
+  const double begin = std::max(0., std::min(first->xi, second->xi));
+  const double end = std::min(1., std::max(first->xi, second->xi));
+  if (end - begin < 1e-12) return std::nullopt;
+  // An overlap of a quarter of the surface is no interference: the normal has come out on the
+  // body's far side.
+  if (std::min(first->gap, second->gap) < -0.25 * target.length) return std::nullopt;
+  return Overlap{begin, end, target_face};
+}
+
+}  // namespace
+
+Tensor<1, 2> face_normal(const Surface& surface, const SurfaceFace& face, const double eta) {
+  const Tensor<1, 2> normal =
+      (1. - eta) * surface.nodes[face.nodes[0]].normal + eta * surface.nodes[face.nodes[1]].normal;
+  return normal / normal.norm();
+}
+
+double project_on_face(const Surface& surface, const SurfaceFace& face, const Point<2>& point) {
+  const SurfaceNode& start = surface.nodes[face.nodes[0]];
+  const SurfaceNode& end = surface.nodes[face.nodes[1]];
+  const Tensor<1, 2> chord = end.position - start.position;
+  const Tensor<1, 2> normal_change = end.normal - start.normal;
+  const Tensor<1, 2> to_point = point - start.position;
+  // cross(to_point - eta chord, n_0 + eta (n_1 - n_0)) = 0, a quadratic that Newton's method solves
+  // from the chord's own projection.
+  double eta = (to_point * chord) / chord.norm_square();
+  for (unsigned int step = 0; step < 20; ++step) {
+    const Tensor<1, 2> normal = start.normal + eta * normal_change;
+    const Tensor<1, 2> distance = to_point - eta * chord;
+    const double slope = cross(distance, normal_change) - cross(chord, normal);
+    const double change = cross(distance, normal) / slope;
+    eta -= change;
+    if (std::abs(change) < 1e-15) break;
+  }
+  return eta;
+}
+
+std::vector<Overlap> overlaps(const Surface& source, const SurfaceFace& source_face,
+                              const Surface& target) {
+  std::vector<Overlap> result;
+  for (unsigned int face = 0; face < target.faces.size(); ++face)
+    if (const auto overlap = overlap_with(source, source_face, target, face))
+      result.push_back(*overlap);
+  std::sort(result.begin(), result.end(),
+            [](const Overlap& a, const Overlap& b) { return a.begin < b.begin; });
+  for (std::size_t i = 1; i < result.size(); ++i)
+    result[i].begin = std::max(result[i].begin, result[i - 1].end);
+  result.erase(
+      std::remove_if(result.begin(), result.end(),
+                     [](const Overlap& overlap) { return overlap.end - overlap.begin < 1e-12; }),
+      result.end());
+  return result;
+}
+
+}  // namespace geneva::fem

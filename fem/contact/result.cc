@@ -1,0 +1,123 @@
+#include "fem/contact/result.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace geneva::fem {
+
+namespace {
+
+/// Where the pressure falls to zero beyond the last active node `edge`: near the end of a contact
+/// between smooth bodies p^2 is linear in the distance, so the line through the two nodes inside
+/// the last one is followed to zero.
+double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
+                   const std::size_t count) {
+  if (count < 6) return nodes[edge].arc_length;
+  const auto node = [&](const int steps) -> const ContactNode& {
+    return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)];
+  };
+  const double outer = node(1).pressure * node(1).pressure;
+  const double inner = node(2).pressure * node(2).pressure;
+  if (inner <= outer) return nodes[edge].arc_length;
+  const double slope = (inner - outer) / (node(2).arc_length - node(1).arc_length);
+  const double end = node(1).arc_length - outer / slope;
+  const double outside = node(-1).arc_length;
+  return inwards > 0 ? std::clamp(end, outside, node(0).arc_length)
+                     : std::clamp(end, node(0).arc_length, outside);
+}
+
+/// Half the length of a contact interval, or all of it where the pressure peaks at one end of the
+/// surface: there the model ends at a plane or axis of symmetry.
+double half_of(const std::vector<ContactNode>& nodes, const std::size_t begin,
+               const std::size_t end) {
+  const std::size_t count = end - begin + 1;
+  const bool at_start = begin == 0;
+  const bool at_finish = end + 1 == nodes.size();
+  const double from = at_start ? nodes[begin].arc_length : contact_end(nodes, begin, 1, count);
+  const double to = at_finish ? nodes[end].arc_length : contact_end(nodes, end, -1, count);
+  double peak = 0.;
+  for (std::size_t i = begin; i <= end; ++i) peak = std::max(peak, nodes[i].pressure);
+  const bool symmetric =
+      at_start != at_finish && nodes[at_start ? begin : end].pressure > 0.99 * peak;
+  return symmetric ? to - from : (to - from) / 2.;
+}
+
+double half_width(const std::vector<ContactNode>& nodes) {
+  double widest = 0.;
+  for (std::size_t begin = 0; begin < nodes.size();) {
+    if (!nodes[begin].active) {
+      ++begin;
+      continue;
+    }
+    std::size_t end = begin;
+    while (end + 1 < nodes.size() && nodes[end + 1].active) ++end;
+    widest = std::max(widest, half_of(nodes, begin, end));
+    begin = end + 1;
+  }
+  return widest;
+}
+
+/// Circle of a surface near a point, and whether it bulges outwards.
+std::pair<int, bool> shape_at(const Surface& surface, const dealii::Point<2>& point) {
+  const SurfaceFace* nearest = nullptr;
+  double distance = std::numeric_limits<double>::max();
+  for (const SurfaceFace& face : surface.faces) {
+    const double to_face = point.distance(chord_point(surface, face, 0.5));
+    if (to_face < distance) {
+      distance = to_face;
+      nearest = &face;
+    }
+  }
+  if (nearest == nullptr || nearest->circle < 0) return {-1, false};
+  const auto& centre = surface.circles[static_cast<std::size_t>(nearest->circle)].centre;
+  const dealii::Tensor<1, 2> radial =
+      chord_point(surface, *nearest, 0.5) - dealii::Point<2>(centre[0], centre[1]);
+  return {nearest->circle, radial * chord_normal(surface, *nearest) > 0.};
+}
+
+ContactNode contact_node(const ContactInterface& interface, const std::size_t row_index,
+                         const ContactState& state, const Scales& scales) {
+  const MortarRow& row = interface.rows[row_index];
+  const SurfaceNode& node = interface.source.nodes[row.node];
+  return {node.arc_length * scales.length,
+          {node.position[0] * scales.length, node.position[1] * scales.length},
+          {row.normal[0], row.normal[1]},
+          state.pressure[row_index] * scales.stress,
+          state.gap[row_index] * scales.length,
+          row.initial_gap / row.weight * scales.length,
+          row.weight * scales.length * scales.length,
+          interface.active[row_index]};
+}
+
+}  // namespace
+
+ContactResult contact_result(const ContactPair& pair, const ContactInterface& interface,
+                             const ContactState& state, const Scales& scales) {
+  ContactResult result{};
+  result.source = pair.source;
+  result.target = pair.target;
+  dealii::Point<2> peak;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const ContactNode node = contact_node(interface, i, state, scales);
+    result.nodes.push_back(node);
+    const double normal_force = node.pressure * node.tributary;
+    for (unsigned int component = 0; component < 2; ++component)
+      result.force[component] += normal_force * node.normal[component];
+    result.moment +=
+        normal_force * (node.position[0] * node.normal[1] - node.position[1] * node.normal[0]);
+    if (node.active) ++result.active_nodes;
+    if (!node.active) result.max_penetration = std::max(result.max_penetration, -node.gap);
+    if (node.pressure > result.peak_pressure) {
+      result.peak_pressure = node.pressure;
+      peak = interface.source.nodes[interface.rows[i].node].position;
+    }
+  }
+  result.half_width = half_width(result.nodes);
+  std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
+  std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
+  return result;
+}
+
+}  // namespace geneva::fem

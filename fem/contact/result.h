@@ -1,0 +1,12 @@
+#pragma once
+
+#include "fem/contact/active_set.h"
+#include "fem/solution.h"
+
+namespace geneva::fem {
+
+/// The state of one contact pair in SI units, with its resultants.
+ContactResult contact_result(const ContactPair& pair, const ContactInterface& interface,
+                             const ContactState& state, const Scales& scales);
+
+}  // namespace geneva::fem

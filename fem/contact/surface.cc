@@ -1,0 +1,127 @@
+#include "fem/contact/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace geneva::fem {
+
+using dealii::Point;
+using dealii::Tensor;
+
+namespace {
+
+Point<2> centre_of(const mesh::Circle& circle) { return {circle.centre[0], circle.centre[1]}; }
+
+/// Faces of the surface by the boundary node they start from.
+std::map<unsigned int, BoundaryFace> faces_by_start(const Boundary& boundary,
+                                                    const unsigned int surface_id) {
+  std::map<unsigned int, BoundaryFace> faces;
+  for (const BoundaryFace& face : boundary.faces)
+    if (face.surface == surface_id) faces.emplace(face.nodes[0], face);
+  return faces;
+}
+
+/// Where to begin: the starts of open chains first, then any remaining (closed) chain, each nearest
+/// to the origin.
+unsigned int chain_start(const Boundary& boundary,
+                         const std::map<unsigned int, BoundaryFace>& faces,
+                         const Point<2>& origin) {
+  std::set<unsigned int> ends;
+  for (const auto& [start, face] : faces) ends.insert(face.nodes[1]);
+  const bool has_open_chain = std::any_of(
+      faces.begin(), faces.end(), [&](const auto& entry) { return ends.count(entry.first) == 0; });
+  unsigned int best = faces.begin()->first;
+  double best_distance = std::numeric_limits<double>::max();
+  for (const auto& [start, face] : faces) {
+    if (has_open_chain && ends.count(start) > 0) continue;
+    const double distance = origin.distance(boundary.nodes[start].position);
+    if (distance < best_distance) {
+      best = start;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+double arc_length(const Surface& surface, const SurfaceFace& face) {
+  const double chord =
+      surface.nodes[face.nodes[0]].position.distance(surface.nodes[face.nodes[1]].position);
+  if (face.circle < 0) return chord;
+  const double radius = surface.circles[static_cast<std::size_t>(face.circle)].radius;
+  return 2. * radius * std::asin(std::min(1., chord / (2. * radius)));
+}
+
+/// Normal of the true surface at a node of the face.
+Tensor<1, 2> true_normal(const Surface& surface, const SurfaceFace& face, const Point<2>& node) {
+  const Tensor<1, 2> of_chord = chord_normal(surface, face);
+  if (face.circle < 0) return of_chord;
+  const Tensor<1, 2> radial =
+      node - centre_of(surface.circles[static_cast<std::size_t>(face.circle)]);
+  return radial / radial.norm() * (radial * of_chord > 0. ? 1. : -1.);
+}
+
+void set_normals(Surface& surface) {
+  for (const SurfaceFace& face : surface.faces)
+    for (const unsigned int node : face.nodes)
+      surface.nodes[node].normal += true_normal(surface, face, surface.nodes[node].position);
+  for (SurfaceNode& node : surface.nodes) node.normal /= node.normal.norm();
+}
+
+}  // namespace
+
+Point<2> chord_point(const Surface& surface, const SurfaceFace& face, const double xi) {
+  const Point<2>& start = surface.nodes[face.nodes[0]].position;
+  return start + xi * (surface.nodes[face.nodes[1]].position - start);
+}
+
+Point<2> true_point(const Surface& surface, const SurfaceFace& face, const Point<2>& on_chord) {
+  if (face.circle < 0) return on_chord;
+  const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
+  const Tensor<1, 2> radial = on_chord - centre_of(circle);
+  return centre_of(circle) + circle.radius / radial.norm() * radial;
+}
+
+Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face) {
+  const Tensor<1, 2> tangent =
+      surface.nodes[face.nodes[1]].position - surface.nodes[face.nodes[0]].position;
+  return Tensor<1, 2>({tangent[1], -tangent[0]}) / tangent.norm();
+}
+
+Surface make_surface(const Boundary& boundary, const unsigned int surface_id,
+                     const Point<2>& origin) {
+  Surface surface;
+  surface.circles = boundary.circles;
+  auto faces = faces_by_start(boundary, surface_id);
+  std::map<unsigned int, unsigned int> local_node;
+  const auto add_node = [&](const unsigned int node, const double at) {
+    const auto [entry, is_new] =
+        local_node.emplace(node, static_cast<unsigned int>(surface.nodes.size()));
+    if (is_new)
+      surface.nodes.push_back({boundary.nodes[node].position, {}, boundary.nodes[node].dofs, at});
+    return entry->second;
+  };
+
+  while (!faces.empty()) {
+    auto next = faces.find(chain_start(boundary, faces, origin));
+    while (next != faces.end()) {
+      const BoundaryFace& face = next->second;
+      const unsigned int start = add_node(face.nodes[0], surface.length);
+      const unsigned int end_node = face.nodes[1];
+      surface.closed = local_node.count(end_node) > 0;
+      surface.faces.push_back({{start, start}, face.circle, face.cell_diameter});
+      surface.faces.back().nodes[1] = add_node(end_node, 0.);
+      const double length = arc_length(surface, surface.faces.back());
+      surface.length += length;
+      if (!surface.closed) surface.nodes.back().arc_length = surface.length;
+      faces.erase(next);
+      next = faces.find(end_node);
+    }
+  }
+  set_normals(surface);
+  return surface;
+}
+
+}  // namespace geneva::fem

@@ -1,0 +1,159 @@
+#include "fem/elasticity.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <map>
+
+namespace geneva::fem {
+
+using dealii::Point;
+using dealii::Tensor;
+
+Lame lame(const Material& material, const PlaneKind plane) {
+  const double E = material.youngs_modulus;
+  const double nu = material.poissons_ratio;
+  const double lambda = nu * E / ((1. + nu) * (1. - 2. * nu));
+  const double mu = E / (2. * (1. + nu));
+  const double lambda_plane =
+      plane == PlaneKind::plane_stress ? 2. * lambda * mu / (lambda + 2. * mu) : lambda;
+  return {lambda, mu, lambda_plane};
+}
+
+PlaneStress stress(const Lame& lame, const PlaneKind plane,
+                   const dealii::SymmetricTensor<2, 2>& strain, const double hoop_strain) {
+  const double dilatation = dealii::trace(strain) + hoop_strain;
+  PlaneStress result;
+  result.in_plane =
+      lame.lambda_plane * dilatation * dealii::unit_symmetric_tensor<2>() + 2. * lame.mu * strain;
+  result.out_of_plane = plane == PlaneKind::plane_stress
+                            ? 0.
+                            : lame.lambda_plane * dilatation + 2. * lame.mu * hoop_strain;
+  return result;
+}
+
+double out_of_plane_measure(const Problem& problem, const Point<2>& point) {
+  return problem.plane == PlaneKind::axisymmetric ? 2. * dealii::numbers::PI * point[0]
+                                                  : problem.thickness;
+}
+
+namespace {
+
+Tensor<1, 2> body_force_at(const BodyForce& force, const Point<2>& x) {
+  return Tensor<1, 2>({force.uniform[0] + force.centrifugal * x[0] + force.euler * x[1],
+                       force.uniform[1] + force.centrifugal * x[1] - force.euler * x[0]});
+}
+
+/// Integrates the cells of one mesh; holds the evaluation objects, which are expensive to make.
+class CellIntegrator {
+ public:
+  CellIntegrator(const dealii::FiniteElement<2>& element, const Problem& problem,
+                 const std::vector<std::string>& surfaces)
+      : problem_(problem),
+        cell_values_(element, dealii::QGauss<2>(element.degree + 1),
+                     dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+                         dealii::update_quadrature_points),
+        face_values_(element, dealii::QGauss<1>(element.degree + 1),
+                     dealii::update_values | dealii::update_JxW_values |
+                         dealii::update_normal_vectors | dealii::update_quadrature_points) {
+    for (const Body& body : problem.bodies) lame_.push_back(lame(body.material, problem.plane));
+    for (const SurfaceLoad& load : problem.loads)
+      for (unsigned int id = 0; id < surfaces.size(); ++id)
+        if (surfaces[id] == load.surface) surface_loads_.emplace(id, load);
+  }
+
+  CellSystem integrate(const dealii::DoFHandler<2>::active_cell_iterator& cell) {
+    const unsigned int n_dofs = cell->get_fe().n_dofs_per_cell();
+    CellSystem system{dealii::FullMatrix<double>(n_dofs), dealii::Vector<double>(n_dofs), {}};
+    system.dofs.resize(n_dofs);
+    cell->get_dof_indices(system.dofs);
+    cell_values_.reinit(cell);
+    add_stiffness(cell->material_id(), system.stiffness);
+    add_body_force(cell->material_id(), system.load);
+    if (cell->at_boundary())
+      for (const auto& face : cell->face_iterators())
+        if (face->at_boundary()) add_surface_loads(cell, face, system.load);
+    return system;
+  }
+
+ private:
+  void add_stiffness(const unsigned int body, dealii::FullMatrix<double>& stiffness) const {
+    const auto& element = cell_values_.get_fe();
+    const bool axisymmetric = problem_.plane == PlaneKind::axisymmetric;
+    const Lame& constants = lame_[body];
+    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
+      const Point<2>& x = cell_values_.quadrature_point(q);
+      const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
+      for (const unsigned int i : cell_values_.dof_indices()) {
+        const unsigned int c = element.system_to_component_index(i).first;
+        const Tensor<1, 2> grad_i = cell_values_.shape_grad(i, q);
+        const double hoop_i = axisymmetric && c == 0 ? cell_values_.shape_value(i, q) / x[0] : 0.;
+        const double dilatation_i = grad_i[c] + hoop_i;
+        for (unsigned int j = 0; j <= i; ++j) {
+          const unsigned int d = element.system_to_component_index(j).first;
+          const Tensor<1, 2> grad_j = cell_values_.shape_grad(j, q);
+          const double hoop_j = axisymmetric && d == 0 ? cell_values_.shape_value(j, q) / x[0] : 0.;
+          const double shear = grad_i[d] * grad_j[c] + (c == d ? grad_i * grad_j : 0.);
+          stiffness(i, j) +=
+              weight * (constants.lambda_plane * dilatation_i * (grad_j[d] + hoop_j) +
+                        constants.mu * (shear + 2. * hoop_i * hoop_j));
+        }
+      }
+    }
+    for (unsigned int i = 0; i < stiffness.m(); ++i)
+      for (unsigned int j = 0; j < i; ++j) stiffness(j, i) = stiffness(i, j);
+  }
+
+  void add_body_force(const unsigned int body, dealii::Vector<double>& load) const {
+    const BodyForce& force = problem_.bodies[body].force;
+    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
+      const Point<2>& x = cell_values_.quadrature_point(q);
+      const Tensor<1, 2> density = body_force_at(force, x);
+      const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
+      for (const unsigned int i : cell_values_.dof_indices())
+        load[i] += weight * density[cell_values_.get_fe().system_to_component_index(i).first] *
+                   cell_values_.shape_value(i, q);
+    }
+  }
+
+  template <typename Cell, typename Face>
+  void add_surface_loads(const Cell& cell, const Face& face, dealii::Vector<double>& load) {
+    const auto [begin, end] = surface_loads_.equal_range(face->boundary_id());
+    if (begin == end) return;
+    face_values_.reinit(cell, face);
+    for (const unsigned int q : face_values_.quadrature_point_indices()) {
+      const double weight =
+          face_values_.JxW(q) * out_of_plane_measure(problem_, face_values_.quadrature_point(q));
+      for (auto entry = begin; entry != end; ++entry) {
+        const SurfaceLoad& surface_load = entry->second;
+        const Tensor<1, 2> traction =
+            Tensor<1, 2>({surface_load.traction[0], surface_load.traction[1]}) -
+            surface_load.pressure * face_values_.normal_vector(q);
+        for (const unsigned int i : face_values_.dof_indices())
+          load[i] += weight * traction[face_values_.get_fe().system_to_component_index(i).first] *
+                     face_values_.shape_value(i, q);
+      }
+    }
+  }
+
+  const Problem& problem_;
+  dealii::FEValues<2> cell_values_;
+  dealii::FEFaceValues<2> face_values_;
+  std::vector<Lame> lame_;
+  std::multimap<unsigned int, SurfaceLoad> surface_loads_;
+};
+
+}  // namespace
+
+std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>& dof_handler,
+                                     const Problem& problem,
+                                     const std::vector<std::string>& surfaces) {
+  CellIntegrator integrator(dof_handler.get_fe(), problem, surfaces);
+  std::vector<CellSystem> systems;
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell));
+  return systems;
+}
+
+}  // namespace geneva::fem

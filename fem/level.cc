@@ -1,0 +1,193 @@
+#include "fem/level.h"
+
+#include <deal.II/base/timer.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "fem/constraints.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<2>& dof_handler,
+                                       const Boundary& boundary) {
+  dealii::IndexSet ghosts;
+  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, ghosts);
+  std::vector<global_dof_index> dofs;
+  for (const BoundaryNode& node : boundary.nodes)
+    dofs.insert(dofs.end(), node.dofs.begin(), node.dofs.end());
+  std::sort(dofs.begin(), dofs.end());
+  ghosts.add_indices(dofs.begin(), dofs.end());
+  ghosts.compress();
+  return ghosts;
+}
+
+/// The node of a surface that is farthest from the other surface: a closed surface is cut open
+/// there.
+dealii::Point<2> remotest_node(const Surface& surface, const Surface& other) {
+  dealii::Point<2> remotest;
+  double greatest = -1.;
+  for (const SurfaceNode& node : surface.nodes) {
+    double nearest = std::numeric_limits<double>::max();
+    for (const SurfaceNode& other_node : other.nodes)
+      nearest = std::min(nearest, node.position.distance_square(other_node.position));
+    if (nearest > greatest * (1. + 1e-9)) {
+      greatest = nearest;
+      remotest = node.position;
+    }
+  }
+  return remotest;
+}
+
+SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData& mesh,
+                              const Problem& problem) {
+  SurfaceOrigins origins;
+  for (const ContactPair& pair : problem.pairs) {
+    const Surface source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
+    const Surface target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
+    origins.source.push_back(remotest_node(source, target));
+    origins.target.push_back(remotest_node(target, source));
+  }
+  return origins;
+}
+
+std::vector<ContactInterface> make_interfaces(const Boundary& boundary, const mesh::MeshData& mesh,
+                                              const Problem& problem,
+                                              const SurfaceOrigins& origins) {
+  std::vector<ContactInterface> interfaces;
+  for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
+    ContactInterface interface;
+    interface.source =
+        make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
+    interface.target =
+        make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
+    interface.rows = mortar_rows(
+        interface.source, interface.target,
+        [&](const dealii::Point<2>& point) { return out_of_plane_measure(problem, point); });
+    interface.active = first_touch(interface.rows, interface.source.length);
+    interfaces.push_back(std::move(interface));
+  }
+  return interfaces;
+}
+
+void add_held_lines(Level& level, const mesh::MeshData& mesh, const Problem& problem) {
+  level.held_lines = support_lines(level.boundary, problem.supports, mesh.surfaces);
+  for (const RigidTie& tie : problem.ties) {
+    const TieLines lines = tie_lines(level.boundary, tie, mesh.surfaces);
+    level.held_lines.insert(level.held_lines.end(), lines.lines.begin(), lines.lines.end());
+    level.tie_forces.push_back({lines.master, lines.master_force});
+    level.held.insert(lines.master);
+  }
+  for (const ConstraintLine& line : level.held_lines) level.held.insert(line.dof);
+}
+
+/// K u - f with the hanging nodes' shares given to the nodes that they hang on.
+Vector residual_of(const Level& level, const MPI_Comm communicator, const Vector& displacement) {
+  Vector residual;
+  residual.reinit(level.owned, level.ghosts, communicator, true);
+  dealii::Vector<double> local;
+  dealii::Vector<double> local_residual;
+  for (const CellSystem& cell : level.cells) {
+    local.reinit(cell.load.size());
+    local_residual.reinit(cell.load.size());
+    for (unsigned int i = 0; i < local.size(); ++i) local[i] = displacement(cell.dofs[i]);
+    cell.stiffness.vmult(local_residual, local);
+    local_residual -= cell.load;
+    level.hanging.distribute_local_to_global(local_residual, cell.dofs, residual);
+  }
+  residual.compress(dealii::VectorOperation::add);
+  Vector ghosted(level.owned, level.ghosts, communicator);
+  ghosted = residual;
+  return ghosted;
+}
+
+std::vector<ConstraintLine> all_lines(const Level& level) {
+  std::vector<ConstraintLine> lines = level.held_lines;
+  std::set<global_dof_index> held = level.held;
+  for (const ContactInterface& interface : level.interfaces) {
+    const auto contact = contact_lines(interface, held);
+    lines.insert(lines.end(), contact.begin(), contact.end());
+  }
+  return lines;
+}
+
+std::vector<std::vector<bool>> active_sets(const Level& level) {
+  std::vector<std::vector<bool>> sets;
+  for (const ContactInterface& interface : level.interfaces) sets.push_back(interface.active);
+  return sets;
+}
+
+/// Takes over the next active sets. A set that has been there before means cycling: from then on
+/// nodes only close, so that the iteration ends, and the next mesh starts from there.
+bool advance(Level& level, const std::vector<ContactState>& states,
+             std::set<std::vector<std::vector<bool>>>& seen, bool& only_closing) {
+  const auto before = active_sets(level);
+  seen.insert(before);
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    ContactInterface& interface = level.interfaces[i];
+    std::vector<bool> next = updated(interface, states[i]);
+    if (only_closing)
+      for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
+    interface.active = next;
+  }
+  const auto after = active_sets(level);
+  if (after == before) return false;
+  if (seen.count(after) > 0) only_closing = true;
+  return true;
+}
+
+}  // namespace
+
+Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData& mesh,
+                 const Problem& scaled_problem, const Scales& scales,
+                 std::optional<SurfaceOrigins>& origins) {
+  Level level;
+  level.owned = dof_handler.locally_owned_dofs();
+  level.boundary = gather_boundary(dof_handler, mesh.circles, scales.length);
+  level.ghosts = relevant_and_boundary(dof_handler, level.boundary);
+  if (!origins) origins = choose_origins(level.boundary, mesh, scaled_problem);
+  level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins);
+  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
+  level.hanging = make_constraints(dof_handler, level.ghosts, {});
+  add_held_lines(level, mesh, scaled_problem);
+  return level;
+}
+
+std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<2>& dof_handler, Level& level, const Vector& guess,
+    const Settings& settings,
+    const std::function<void(unsigned int step, unsigned int iterations)>& report) {
+  const MPI_Comm communicator = dof_handler.get_communicator();
+  LevelState state;
+  state.displacement.reinit(level.owned, level.ghosts, communicator);
+  Vector displacement = guess;
+  std::set<std::vector<std::vector<bool>>> seen;
+  bool only_closing = false;
+  for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {
+    const dealii::Timer timer;
+    const auto constraints = make_constraints(dof_handler, level.ghosts, all_lines(level));
+    const LinearSystem system(dof_handler, level.ghosts, constraints, level.cells,
+                              level.tie_forces);
+    state.linear_iterations.push_back(system.solve(displacement, settings.linear_tolerance));
+    state.displacement = displacement;
+    state.assemble_and_solve_seconds = timer.wall_time();
+
+    state.residual = residual_of(level, communicator, state.displacement);
+    state.contacts.clear();
+    for (const ContactInterface& interface : level.interfaces)
+      state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
+    report(step, state.linear_iterations.back());
+    const bool changed = advance(level, state.contacts, seen, only_closing);
+    state.cycled = only_closing;
+    if (!changed) return state;
+  }
+  return std::nullopt;
+}
+
+}  // namespace geneva::fem

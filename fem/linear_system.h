@@ -1,0 +1,47 @@
+#pragma once
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <vector>
+
+#include "fem/elasticity.h"
+
+namespace geneva::fem {
+
+/// A force on one unknown.
+struct NodalForce {
+  dealii::types::global_dof_index dof;
+  double value;
+};
+
+/// Condensed stiffness system K u = f on one mesh with one set of constraints: symmetric and
+/// positive definite.
+class LinearSystem {
+ public:
+  /// Assembles the system and sets up algebraic multigrid.
+  /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
+  LinearSystem(const dealii::DoFHandler<2>& dof_handler, const dealii::IndexSet& ghosts,
+               const dealii::AffineConstraints<double>& constraints,
+               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
+
+  /// Conjugate gradients until the residual is below tolerance times the load, from the given first
+  /// guess.
+  /// @param displacement in: first guess; out: solution, with the constraints distributed (no
+  /// ghosts)
+  /// @return number of iterations
+  /// @throws dealii::SolverControl::NoConvergence after 1000 iterations
+  unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance) const;
+
+ private:
+  const dealii::AffineConstraints<double>& constraints_;
+  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  dealii::TrilinosWrappers::MPI::Vector load_;
+  dealii::TrilinosWrappers::PreconditionAMG multigrid_;
+};
+
+}  // namespace geneva::fem

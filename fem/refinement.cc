@@ -1,0 +1,149 @@
+#include "fem/refinement.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/numerics/error_estimator.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace geneva::fem {
+
+namespace {
+
+/// The contact zone is refined this far beyond its ends, as a share of its length.
+constexpr double zone_margin = 0.25;
+/// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
+constexpr double energy_share = 0.25;
+/// The side whose edges in the contact zone are shorter than this share of the other side's waits.
+constexpr double even_share = 0.6;
+
+/// An edge of the contact zone, named by the dof of its start.
+struct ZoneEdge {
+  global_dof_index start;
+  double length;
+};
+
+double edge_length(const Surface& surface, const SurfaceFace& face) {
+  return surface.nodes[face.nodes[0]].position.distance(surface.nodes[face.nodes[1]].position);
+}
+
+/// Edges of a surface within the margin of an interval of arc length.
+void add_zone_edges(const Surface& surface, const std::pair<double, double>& interval,
+                    std::vector<ZoneEdge>& edges) {
+  const auto [begin, end] = interval;
+  const auto span = [&](const SurfaceFace& face) {
+    const double from = surface.nodes[face.nodes[0]].arc_length;
+    return std::pair{from, from + edge_length(surface, face)};
+  };
+  double longest = 0.;
+  const double slack = 1e-9 * surface.length;
+  for (const SurfaceFace& face : surface.faces) {
+    const auto [from, to] = span(face);
+    if (from <= end + slack && to >= begin - slack) longest = std::max(longest, to - from);
+  }
+  const double margin = std::max(zone_margin * (end - begin), 0.5 * longest);
+  for (const SurfaceFace& face : surface.faces) {
+    const auto [from, to] = span(face);
+    if (from < end + margin && to > begin - margin)
+      edges.push_back({surface.nodes[face.nodes[0]].dofs[0], to - from});
+  }
+}
+
+/// Arc-length intervals of the target over the active source nodes.
+std::vector<std::pair<double, double>> target_intervals(const ContactInterface& interface) {
+  std::vector<std::pair<double, double>> intervals;
+  bool open = false;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    if (interface.active[i]) {
+      if (!open) intervals.emplace_back(interface.target.length, 0.);
+      for (const auto& [node, coupling] : interface.rows[i].coupling) {
+        const double at = interface.target.nodes[node].arc_length;
+        intervals.back().first = std::min(intervals.back().first, at);
+        intervals.back().second = std::max(intervals.back().second, at);
+      }
+    }
+    open = interface.active[i];
+  }
+  return intervals;
+}
+
+using Zone = std::set<std::pair<unsigned int, global_dof_index>>;  ///< (boundary id, dof of the
+                                                                   ///< edge's start)
+
+double shortest(const std::vector<ZoneEdge>& edges) {
+  double length = std::numeric_limits<double>::max();
+  for (const ZoneEdge& edge : edges) length = std::min(length, edge.length);
+  return edges.empty() ? 0. : length;
+}
+
+void add_to(Zone& zone, const unsigned int surface_id, const std::vector<ZoneEdge>& edges) {
+  for (const ZoneEdge& edge : edges) zone.emplace(surface_id, edge.start);
+}
+
+Zone zone_edges(const std::vector<ContactInterface>& interfaces,
+                const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids) {
+  Zone zone;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    std::vector<ZoneEdge> source_edges;
+    std::vector<ZoneEdge> target_edges;
+    for (const auto& interval : active_intervals(interfaces[i]))
+      add_zone_edges(interfaces[i].source, interval, source_edges);
+    for (const auto& interval : target_intervals(interfaces[i]))
+      add_zone_edges(interfaces[i].target, interval, target_edges);
+    const double source_length = shortest(source_edges);
+    const double target_length = shortest(target_edges);
+    const double longer = std::max(source_length, target_length);
+    if (source_length > even_share * longer) add_to(zone, surface_ids[i].first, source_edges);
+    if (target_length > even_share * longer) add_to(zone, surface_ids[i].second, target_edges);
+  }
+  return zone;
+}
+
+unsigned int flag_zone(dealii::DoFHandler<2>& dof_handler, const Zone& zone) {
+  unsigned int flagged = 0;
+  for (const auto& cell : dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned() || !cell->at_boundary()) continue;
+    for (const unsigned int face : cell->face_indices()) {
+      if (!cell->face(face)->at_boundary() || cell->refine_flag_set()) continue;
+      const unsigned int start =
+          dealii::GeometryInfo<2>::face_to_cell_vertices(face, face == 1 || face == 2 ? 0 : 1);
+      if (zone.count({cell->face(face)->boundary_id(), cell->vertex_dof_index(start, 0)}) > 0) {
+        cell->set_refine_flag();
+        ++flagged;
+      }
+    }
+  }
+  return flagged;
+}
+
+unsigned int flag_energy(dealii::DoFHandler<2>& dof_handler,
+                         const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+  dealii::Vector<float> indicators(dof_handler.get_triangulation().n_active_cells());
+  dealii::KellyErrorEstimator<2>::estimate(dof_handler, dealii::QGauss<1>(2), {}, displacement,
+                                           indicators);
+  const double greatest =
+      dealii::Utilities::MPI::max(indicators.linfty_norm(), dof_handler.get_communicator());
+  unsigned int flagged = 0;
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && !cell->refine_flag_set() &&
+        indicators[cell->active_cell_index()] > energy_share * greatest) {
+      cell->set_refine_flag();
+      ++flagged;
+    }
+  return flagged;
+}
+
+}  // namespace
+
+unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
+                        const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                        const std::vector<ContactInterface>& interfaces,
+                        const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
+                        const bool with_energy) {
+  unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids));
+  if (with_energy) flagged += flag_energy(dof_handler, displacement);
+  return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
+}
+
+}  // namespace geneva::fem

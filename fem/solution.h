@@ -1,0 +1,90 @@
+#pragma once
+
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem/problem.h"
+#include "fem/scaling.h"
+#include "mesh/mesh_data.h"
+
+namespace geneva::fem {
+
+/// A source node of a contact pair, SI units.
+struct ContactNode {
+  double arc_length;               ///< along the source surface [m]
+  std::array<double, 2> position;  ///< undeformed [m]
+  std::array<double, 2> normal;    ///< target's outward unit normal
+  double pressure;                 ///< >= 0 [Pa]
+  double gap;                      ///< > 0 when open [m]
+  double initial_gap;              ///< before loading [m]
+  double tributary;                ///< D_j: the area that the node stands for [m^2]
+  bool active;
+};
+
+/// What one contact pair carries, SI units.
+struct ContactResult {
+  std::string source;
+  std::string target;
+  std::vector<ContactNode> nodes;  ///< in the order of the arc length
+  std::array<double, 2> force;     ///< on the source body [N]
+  double moment;                   ///< of the pressure on the source body about the origin [N m]
+  double peak_pressure;            ///< [Pa]
+  double half_width;               ///< of the widest contact interval [m]
+  double max_penetration;          ///< greatest overlap left between inactive nodes [m]
+  unsigned int active_nodes;
+  int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight
+  int target_circle;      ///< the same of the target
+  bool source_is_convex;  ///< the source's circle bulges outwards
+  bool target_is_convex;
+};
+
+/// Reaction of a support or rigid tie: force [N] and moment about the origin [N m] that it exerts
+/// on its body.
+struct Reaction {
+  std::string surface;
+  std::array<double, 2> force{0., 0.};
+  double moment = 0.;
+};
+
+/// One mesh of the nested iteration.
+struct LevelRecord {
+  unsigned int cells;
+  unsigned int dofs;
+  std::vector<unsigned int> linear_iterations;  ///< one entry for every active-set step
+  double peak_pressure;                         ///< [Pa]
+  double error_estimate;                        ///< relative, of the peak pressure
+  unsigned int active_nodes;
+  double seconds;                     ///< since the start of the contact solve
+  double assemble_and_solve_seconds;  ///< one assembly and one linear solve on this mesh
+};
+
+/// Why the refinement ended.
+enum class Outcome { converged, level_limit, dof_limit, memory_limit, active_set_limit };
+
+/// The converged elastic state; the mesh and the displacement are in the units of `scales`.
+struct Solution {
+  Problem problem;  ///< SI units
+  Scales scales{};
+  mesh::MeshData mesh;  ///< coarse, SI units
+  std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> triangulation;
+  std::unique_ptr<dealii::FESystem<2>> element;
+  std::unique_ptr<dealii::DoFHandler<2>> dof_handler;
+  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
+
+  std::vector<ContactResult> contacts;
+  std::vector<Reaction> reactions;              ///< of supports, then ties
+  std::array<double, 2> applied_force{0., 0.};  ///< of body forces and surface loads [N]
+  double applied_moment = 0.;                   ///< about the origin [N m]
+  std::vector<LevelRecord> history;
+  double error_estimate = 0.;  ///< relative, of the peak contact pressure
+  Outcome outcome = Outcome::converged;
+  std::string message;  ///< what ended the refinement early and what to try; empty when converged
+};
+
+}  // namespace geneva::fem
