@@ -66,16 +66,16 @@ double solid_cylinder_inertia(double diameter, double length, double density);
 /// What a designer may give of a wheel; missing ones take their default.
 struct GenevaDimensionsInput {
   int stations;
-  std::optional<double> wheel_diameter, crank_radius,
-      centre_distance;                   ///< exactly one of the three [m]
-  std::optional<double> pin_diameter;    ///< [m]; default k2 D
-  std::optional<double> thickness;       ///< [m]; default k3 D
-  std::optional<double> slot_clearance;  ///< [m]; default 0
-  std::optional<double> slot_width;      ///< [m]; default pin diameter + clearance
-  std::optional<double> slot_depth;      ///< [m]; default D/2 - (c - r) + slot_width/2
-  std::optional<double> locking_radius;  ///< [m]; default k4 D
-  std::optional<double>
-      bore_radius;  ///< [m]; default min(0.1 D, half the radius of the slots' lowest point)
+  std::optional<double> wheel_diameter;   ///< [m]; exactly one of this and the next two
+  std::optional<double> crank_radius;     ///< [m]
+  std::optional<double> centre_distance;  ///< [m]
+  std::optional<double> pin_diameter;     ///< [m]; default k2 D
+  std::optional<double> thickness;        ///< [m]; default k3 D
+  std::optional<double> slot_clearance;   ///< [m]; default 0
+  std::optional<double> slot_width;       ///< [m]; default pin diameter + clearance
+  std::optional<double> slot_depth;       ///< [m]; default D/2 - (c - r) + slot_width/2
+  std::optional<double> locking_radius;   ///< [m]; default k4 D
+  std::optional<double> bore_radius;  ///< [m]; default min(0.1 D, half the slots' lowest radius)
   std::optional<double> pin_core_radius;  ///< [m]; default pin diameter/4
 };
 

@@ -242,7 +242,7 @@ TEST(Johnson, RefusesInertiaConstantThatIsNotPositive) {
 }
 
 RC_GTEST_PROP(JohnsonProperty, OptimumIsAMinimumOfEquationEight, ()) {
-  const JohnsonRow row = johnson_row(*rc::gen::inRange(3, 11));
+  const JohnsonRow row = johnson_row(test::uniform(3, 11));
   const WheelLoad load{between(1e-5, 1e-1), between(0., 10.)};
   const double speed = between(1., 100.);
   const double acceleration = row.peak_acceleration_ratio * speed * speed;

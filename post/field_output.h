@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "post/results.h"
+#include "post/units.h"
+
+namespace geneva::post {
+
+/// Writes solution.pvd, solution.pvtu, solution.N.vtu and results.h5, results.xdmf into a
+/// directory: displacement, stress tensor, out-of-plane stress, von Mises, principal stresses,
+/// greatest shear, body, McEwen's stress near the contact and the difference from it. Every rank
+/// takes part.
+/// @throws std::runtime_error if a file cannot be written
+void write_fields(const fem::Solution& solution, const Results& results, UnitSystem units,
+                  const std::filesystem::path& directory);
+
+}  // namespace geneva::post

@@ -1,0 +1,243 @@
+#include "post/stress.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/fe_values_extractors.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace geneva::post {
+
+using dealii::Point;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+namespace {
+
+/// Evaluates the stress of one cell at the points of a quadrature; strains need no scaling.
+class StressEvaluator {
+ public:
+  StressEvaluator(const fem::Solution& solution, const dealii::Quadrature<2>& points)
+      : solution_(solution),
+        values_(*solution.element, points,
+                dealii::update_values | dealii::update_gradients |
+                    dealii::update_quadrature_points | dealii::update_JxW_values),
+        strains_(points.size()),
+        displacements_(points.size()) {
+    for (const fem::Body& body : solution.problem.bodies)
+      lame_.push_back(fem::lame(body.material, solution.problem.plane));
+  }
+
+  std::vector<fem::PlaneStress> operator()(
+      const dealii::DoFHandler<2>::active_cell_iterator& cell) {
+    const dealii::FEValuesExtractors::Vector all(0);
+    values_.reinit(cell);
+    values_[all].get_function_symmetric_gradients(solution_.displacement, strains_);
+    if (axisymmetric()) values_[all].get_function_values(solution_.displacement, displacements_);
+    std::vector<fem::PlaneStress> stresses;
+    for (unsigned int q = 0; q < strains_.size(); ++q)
+      stresses.push_back(fem::stress(lame_[cell->material_id()], solution_.problem.plane,
+                                     strains_[q], hoop_strain(q)));
+    return stresses;
+  }
+
+  [[nodiscard]] const dealii::FEValues<2>& values() const { return values_; }
+
+ private:
+  [[nodiscard]] bool axisymmetric() const {
+    return solution_.problem.plane == fem::PlaneKind::axisymmetric;
+  }
+
+  /// u_r/r; on the axis, where it equals the radial strain, that one.
+  [[nodiscard]] double hoop_strain(const unsigned int q) const {
+    if (!axisymmetric()) return 0.;
+    const double radius = values_.quadrature_point(q)[0];
+    return radius > 1e-12 ? displacements_[q][0] / radius : strains_[q][0][0];
+  }
+
+  const fem::Solution& solution_;
+  dealii::FEValues<2> values_;
+  std::vector<dealii::SymmetricTensor<2, 2>> strains_;
+  std::vector<dealii::Tensor<1, 2>> displacements_;
+  std::vector<fem::Lame> lame_;
+};
+
+std::array<double, 4> components(const fem::PlaneStress& stress) {
+  return {stress.in_plane[0][0], stress.in_plane[1][1], stress.out_of_plane, stress.in_plane[0][1]};
+}
+
+/// The greatest of the ranks' peaks, with its place, on every rank.
+StressPeak greatest(const MPI_Comm communicator, const StressPeak& local) {
+  StressPeak peak = local;
+  const std::array<double, 3> record{local.value, local.place[0], local.place[1]};
+  for (const auto& other : dealii::Utilities::MPI::all_gather(communicator, record))
+    if (other[0] > peak.value) peak = {other[0], {other[1], other[2]}};
+  return peak;
+}
+
+/// A sample of the shear stress near its maximum.
+using Sample = std::array<double, 3>;  ///< x, y, value
+
+/// Top of the least-squares paraboloid v = c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2 through the
+/// samples, or the given peak if it has none nearby.
+StressPeak paraboloid_top(const std::vector<Sample>& samples, const StressPeak& peak,
+                          const double radius) {
+  if (samples.size() < 9) return peak;
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd matrix(n, 6);
+  Eigen::VectorXd values(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    const double x = (sample[0] - peak.place[0]) / radius;
+    const double y = (sample[1] - peak.place[1]) / radius;
+    matrix.row(i) << 1., x, y, x * x, x * y, y * y;
+    values(i) = sample[2] / peak.value;
+  }
+  const Eigen::VectorXd c = matrix.colPivHouseholderQr().solve(values);
+  Eigen::Matrix2d hessian;
+  hessian << 2. * c(3), c(4), c(4), 2. * c(5);
+  if (hessian(0, 0) >= 0. || hessian.determinant() <= 0.) return peak;
+  const Eigen::Vector2d top = hessian.fullPivLu().solve(Eigen::Vector2d(-c(1), -c(2)));
+  if (top.norm() > 1.) return peak;
+  const double value = c(0) + 0.5 * (c(1) * top(0) + c(2) * top(1));
+  return {value * peak.value, {peak.place[0] + radius * top(0), peak.place[1] + radius * top(1)}};
+}
+
+}  // namespace
+
+std::vector<CellStress> cell_stresses(const fem::Solution& solution) {
+  StressEvaluator evaluate(solution, dealii::QMidpoint<2>());
+  const double length = solution.scales.length;
+  std::vector<CellStress> stresses;
+  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const fem::PlaneStress stress = evaluate(cell).front();
+    stresses.push_back({Point<2>(length * evaluate.values().quadrature_point(0)),
+                        length * length * evaluate.values().JxW(0), cell->material_id(), stress});
+  }
+  return stresses;
+}
+
+std::array<double, 3> principal_stresses(const fem::PlaneStress& stress) {
+  const double mean = 0.5 * (stress.in_plane[0][0] + stress.in_plane[1][1]);
+  const double radius =
+      std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
+  std::array<double, 3> principal{mean + radius, mean - radius, stress.out_of_plane};
+  std::sort(principal.rbegin(), principal.rend());
+  return principal;
+}
+
+double von_mises(const std::array<double, 3>& principal) {
+  const auto& [s1, s2, s3] = principal;
+  return std::sqrt(0.5 * ((s1 - s2) * (s1 - s2) + (s2 - s3) * (s2 - s3) + (s3 - s1) * (s3 - s1)));
+}
+
+double max_shear(const std::array<double, 3>& principal) {
+  return 0.5 * (principal[0] - principal[2]);
+}
+
+double in_plane_shear(const fem::PlaneStress& stress) {
+  return std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
+}
+
+NodalStress nodal_stress(const fem::Solution& solution) {
+  NodalStress result;
+  result.element = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(1), 4);
+  result.dof_handler = std::make_unique<dealii::DoFHandler<2>>(*solution.triangulation);
+  result.dof_handler->distribute_dofs(*result.element);
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  const dealii::IndexSet owned = result.dof_handler->locally_owned_dofs();
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(*result.dof_handler, relevant);
+  Vector sum;
+  Vector weight;
+  sum.reinit(owned, relevant, communicator, true);
+  weight.reinit(owned, relevant, communicator, true);
+
+  StressEvaluator evaluate(solution, dealii::QTrapezoid<2>());
+  std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
+  dealii::Vector<double> values(dofs.size());
+  dealii::Vector<double> weights(dofs.size());
+  auto stress_cell = result.dof_handler->begin_active();
+  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
+    if (cell->is_locally_owned()) {
+      const auto stresses = evaluate(cell);
+      const double area = cell->measure();
+      stress_cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < dofs.size(); ++i) {
+        const auto [component, vertex] = result.element->system_to_component_index(i);
+        values[i] = area * components(stresses[vertex])[component];
+        weights[i] = area;
+      }
+      sum.add(dofs, values);
+      weight.add(dofs, weights);
+    }
+    ++stress_cell;
+  }
+  sum.compress(dealii::VectorOperation::add);
+  weight.compress(dealii::VectorOperation::add);
+  Vector average(owned, communicator);
+  for (const auto dof : owned) average(dof) = sum(dof) / weight(dof);
+  average.compress(dealii::VectorOperation::insert);
+
+  dealii::AffineConstraints<double> hanging(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(*result.dof_handler, hanging);
+  hanging.close();
+  hanging.distribute(average);
+  result.values.reinit(owned, relevant, communicator);
+  result.values = average;
+  return result;
+}
+
+StressPeak peak_von_mises(const fem::Solution& solution, const NodalStress& stress,
+                          const unsigned int body) {
+  StressPeak peak;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->material_id() != body) continue;
+    for (const unsigned int vertex : cell->vertex_indices()) {
+      const auto value = [&](const unsigned int component) {
+        return stress.values(cell->vertex_dof_index(vertex, component));
+      };
+      fem::PlaneStress at_node;
+      at_node.in_plane[0][0] = value(0);
+      at_node.in_plane[1][1] = value(1);
+      at_node.out_of_plane = value(2);
+      at_node.in_plane[0][1] = value(3);
+      const double equivalent = von_mises(principal_stresses(at_node));
+      if (equivalent > peak.value)
+        peak = {equivalent,
+                {cell->vertex(vertex)[0] * solution.scales.length,
+                 cell->vertex(vertex)[1] * solution.scales.length}};
+    }
+  }
+  return greatest(solution.dof_handler->get_communicator(), peak);
+}
+
+StressPeak peak_shear(const fem::Solution& solution, const std::vector<CellStress>& stresses,
+                      const Point<2>& around, const double distance) {
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  StressPeak local;
+  for (const CellStress& cell : stresses) {
+    const double shear = in_plane_shear(cell.stress);
+    if (cell.centre.distance(around) < distance && shear > local.value)
+      local = {shear, {cell.centre[0], cell.centre[1]}};
+  }
+  const StressPeak peak = greatest(communicator, local);
+  const double radius = 0.12 * distance;
+  const Point<2> place(peak.place[0], peak.place[1]);
+  std::vector<Sample> samples;
+  for (const CellStress& cell : stresses)
+    if (cell.centre.distance(place) < radius)
+      samples.push_back({cell.centre[0], cell.centre[1], in_plane_shear(cell.stress)});
+  std::vector<Sample> all;
+  for (const auto& part : dealii::Utilities::MPI::all_gather(communicator, samples))
+    all.insert(all.end(), part.begin(), part.end());
+  return paraboloid_top(all, peak, radius);
+}
+
+}  // namespace geneva::post
