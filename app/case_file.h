@@ -57,9 +57,9 @@ struct Case {
 
 /// Reads case.prm of a case directory.
 /// @throws std::invalid_argument naming file, parameter, the value found and what is allowed
-Case read_case(const std::filesystem::path &directory);
+Case read_case(const std::filesystem::path& directory);
 
 /// Writes the whole commented parameter file, as `geneva parameters` prints it.
-void print_parameters(std::ostream &out);
+void print_parameters(std::ostream& out);
 
 }  // namespace geneva::app

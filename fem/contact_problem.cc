@@ -320,10 +320,6 @@ void check_names(const Problem& problem, const mesh::MeshData& mesh) {
     require_name(mesh.surfaces, pair.source, "contact surface");
     require_name(mesh.surfaces, pair.target, "contact surface");
   }
-  for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
-    if (i >= problem.bodies.size() || problem.bodies[i].name != mesh.bodies[i])
-      throw std::invalid_argument(
-          fmt::format("body '{}' of the mesh has no material", mesh.bodies[i]));
 }
 
 void check_pairs(const Problem& problem) {
@@ -366,6 +362,20 @@ void check_held(const Problem& problem, const mesh::MeshData& mesh) {
 }
 
 }  // namespace
+
+void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
+  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
+  std::vector<Body> ordered;
+  for (const std::string& name : mesh.bodies) {
+    const auto body = std::find_if(problem.bodies.begin(), problem.bodies.end(),
+                                   [&](const Body& candidate) { return candidate.name == name; });
+    if (body == problem.bodies.end())
+      throw std::invalid_argument(
+          fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
+    ordered.push_back(*body);
+  }
+  problem.bodies = ordered;
+}
 
 void check(const Problem& problem, const mesh::MeshData& mesh) {
   check_names(problem, mesh);

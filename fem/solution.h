@@ -36,6 +36,7 @@ struct ContactResult {
   double moment;                   ///< of the pressure on the source body about the origin [N m]
   double peak_pressure;            ///< [Pa]
   double half_width;               ///< of the widest contact interval [m]
+  bool symmetric;                  ///< the contact ends at a plane or axis of symmetry of the model
   double max_penetration;          ///< greatest overlap left between inactive nodes [m]
   unsigned int active_nodes;
   int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "loads/outline.h"
@@ -8,7 +7,8 @@
 
 namespace geneva::mesh {
 
-/// How fine the coarse mesh of an outline is.
+/// How fine the coarse mesh of an outline is; short and strongly curved segments get finer cells by
+/// themselves.
 struct MeshSizing {
   double general;           ///< target cell size away from the contact [m]
   double at_contact;        ///< target cell size at the contact [m]
@@ -16,22 +16,20 @@ struct MeshSizing {
   double contact_distance;  ///< cells grow from at_contact to general over this distance [m]
 };
 
-/// Sizing that gives a few hundred cells for a Geneva wheel and its pin.
-MeshSizing default_sizing(const loads::GenevaDimensions &dimensions, double pin_distance);
+/// Sizing that gives some 250 cells for a wheel of four stations and its pin, and 900 for 24
+/// stations.
+/// @param pin_distance wheel axis to pin axis [m]
+MeshSizing default_sizing(const loads::GenevaDimensions& dimensions, double pin_distance);
 
-/// Meshes the outlines with all-quadrilateral cells; every segment's surface becomes a named surface.
-/// @throws std::runtime_error if Gmsh fails
-MeshData mesh_outlines(const std::vector<loads::Outline> &outlines, const MeshSizing &sizing);
-
-/// Reads a plane geometry (.geo, run through Gmsh in a sandbox of refused commands) or mesh (.msh).
+/// Meshes the outlines with all-quadrilateral cells; every segment's surface becomes a named
+/// surface.
 ///
-/// Physical surfaces become bodies and physical curves become surfaces, by name. Triangles are recombined (.geo) or
-/// refused (.msh).
-/// @param file the .geo or .msh file
-/// @param length_unit metres per unit of length of the file, > 0
-/// @throws std::invalid_argument naming the file and what is wrong: missing, commands that a geometry may not hold,
-/// syntax error, no plane physical group, unnamed groups, triangles, cells of order 2, cut short, bodies that share
-/// vertices
-MeshData read_geometry(const std::filesystem::path &file, double length_unit);
+/// The vertices of the outlines are vertices of the mesh; boundary vertices lie on the lines and
+/// circles to round-off. A ring (an outer loop and one hole, of the same number of arcs) becomes a
+/// regular mesh of layers. The result does not depend on the unit of length. Runs on one rank,
+/// without MPI.
+/// @throws std::invalid_argument if sizes or outlines are unfit: not positive, an open loop
+/// @throws std::runtime_error if Gmsh fails or finds no mesh of good cells
+MeshData mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing);
 
 }  // namespace geneva::mesh

@@ -115,13 +115,11 @@ void check_boundary(const MeshData& mesh) {
     return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m", a[0], a[1], b[0], b[1]);
   };
   for (const auto& [side, cells] : missing)
-    if (cells > 2)
-      refuse("{} cells meet at the side {}: at most two may", cells, place(side));
+    if (cells > 2) refuse("{} cells meet at the side {}: at most two may", cells, place(side));
   for (const Edge& edge : mesh.edges) {
     const VertexPair side = ordered(edge.vertices[0], edge.vertices[1]);
     const auto found = missing.find(side);
-    if (found == missing.end())
-      refuse("the boundary edge {} is no side of a cell", place(side));
+    if (found == missing.end()) refuse("the boundary edge {} is no side of a cell", place(side));
     if (found->second != 1)
       refuse("the edge {} is listed twice or lies inside a body", place(side));
     found->second = 0;

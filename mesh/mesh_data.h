@@ -25,9 +25,11 @@ struct Edge {
   int circle;            ///< index into MeshData::circles; -1: straight
 };
 
-/// A coarse plane mesh of linear quadrilaterals with named bodies and surfaces; the bodies share no vertex.
+/// A coarse plane mesh of linear quadrilaterals with named bodies and surfaces; the bodies share no
+/// vertex.
 ///
-/// Every boundary edge is in `edges`; those of no named surface carry the surface "" (index 0, always present).
+/// Every boundary edge is in `edges`; those of no named surface carry the surface "" (index 0,
+/// always present).
 struct MeshData {
   std::vector<std::array<double, 2>> vertices;  ///< [m]
   std::vector<Quad> quads;
@@ -39,10 +41,10 @@ struct MeshData {
 
 /// Refuses a mesh that a solver cannot use.
 ///
-/// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every boundary edge listed
-/// once and no other, every body has cells, no vertex shared by two bodies, no vertex unused, edges of a circle end on
-/// it.
+/// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every
+/// boundary edge listed once and no other, every body has cells, no vertex shared by two bodies, no
+/// vertex unused, edges of a circle end on it.
 /// @throws std::invalid_argument naming the cell, its place and what to change
-void check(const MeshData &mesh);
+void check(const MeshData& mesh);
 
 }  // namespace geneva::mesh

@@ -86,9 +86,8 @@ void read_vertices(TaggedMesh& result) {
     off_plane = std::max(off_plane, std::abs(z));
   }
   if (!(off_plane <= in_plane * extent))
-    throw std::invalid_argument(
-        fmt::format("a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0",
-                    off_plane));
+    throw std::invalid_argument(fmt::format(
+        "a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0", off_plane));
 }
 
 /// Twice the area, negative if clockwise.
@@ -187,6 +186,7 @@ OtherCells count_other_cells() {
 TaggedMesh read_model(const ModelLabels& labels) {
   TaggedMesh result;
   result.mesh.surfaces.emplace_back();
+  for (const std::string& name : labels.surfaces) surface_index(result.mesh, name);
   result.mesh.circles = labels.circles;
   const VertexOfTag vertex_of = read_quads(labels, result);
   read_vertices(result);

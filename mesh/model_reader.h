@@ -22,9 +22,11 @@ struct ModelLabels {
   std::vector<Body> bodies;
   std::map<int, Curve> curves;  ///< by Gmsh's tag
   std::vector<Circle> circles;
+  std::vector<std::string> surfaces;  ///< names of the curves in the order wanted
 };
 
-/// Index of the circle in the list, to which it is added unless an equal one (to 1e-9 of its radius) is there.
+/// Index of the circle in the list, to which it is added unless an equal one (to 1e-9 of its
+/// radius) is there.
 int circle_index(std::vector<Circle>& circles, const Circle& circle);
 
 /// A mesh and the tags that its vertices have in Gmsh.
@@ -41,7 +43,8 @@ struct OtherCells {
 };
 OtherCells count_other_cells();
 
-/// The current Gmsh model's linear quadrilaterals, turned counter-clockwise, with all boundary edges.
+/// The current Gmsh model's linear quadrilaterals, turned counter-clockwise, with all boundary
+/// edges.
 /// @throws std::invalid_argument if a vertex stands off the plane z = 0
 TaggedMesh read_model(const ModelLabels& labels);
 

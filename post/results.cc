@@ -30,7 +30,7 @@ Equilibrium equilibrium(const fem::Solution& solution) {
 }
 
 double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
-  return (a.in_plane - b.in_plane).norm_square();
+  return dealii::scalar_product(a.in_plane - b.in_plane, a.in_plane - b.in_plane);
 }
 
 /// Sides of the contact are told apart by the sign of the distance along the target's normal.

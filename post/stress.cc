@@ -161,8 +161,8 @@ NodalStress nodal_stress(const fem::Solution& solution) {
 
   StressEvaluator evaluate(solution, dealii::QTrapezoid<2>());
   std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
-  dealii::Vector<double> values(dofs.size());
-  dealii::Vector<double> weights(dofs.size());
+  dealii::Vector<double> values(result.element->n_dofs_per_cell());
+  dealii::Vector<double> weights(result.element->n_dofs_per_cell());
   auto stress_cell = result.dof_handler->begin_active();
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (cell->is_locally_owned()) {

@@ -11,30 +11,44 @@ enum class Dimension {
   angle,
   angular_speed,
   angular_acceleration,
+  acceleration,
   stress,
   density,
   force,
+  force_per_length,
+  force_per_volume,
   moment,
   inertia,
-  force_per_volume
+  memory  ///< [byte]
 };
 
-/// Name of the dimension ("length") and an example of its unit ("mm"), for messages.
+/// Name of the dimension, for messages: "length".
 std::string name_of(Dimension dimension);
+/// What a message asks for: "a length with its unit".
+std::string wanted(Dimension dimension);
+/// Examples in quotes, for messages: "'4.53 in' or '115 mm'".
 std::string example_of(Dimension dimension);
 
+/// The text in quotes, cut off where it is too long for a message.
+std::string in_quotes(const std::string& text);
+
 /// Reads "30e6 psi", "600 rpm", "2 lbf.in", "0.5 %": a number and a unit that UDUNITS-2 knows.
+///
+/// An angle is a dimension of its own here: 'Hz' is no angular speed and 'N.m/rad' no moment, since
+/// nobody could tell turns from radians. Also known are 'deg', 'rev' and units of memory ('16 GB',
+/// '16 GiB').
 /// @return the value in SI units (angles in radian, dimensionless as a plain number: 0.5 % is
 /// 0.005)
 /// @throws std::invalid_argument with the text, the dimension wanted and an example, if the number
-/// or the unit is missing, the unit is unknown or of another dimension
+/// or the unit is missing, the unit is unknown or of another dimension, or the value is not finite
+/// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
 double parse_quantity(const std::string& text, Dimension dimension);
 
 /// What files and tables show.
 enum class UnitSystem { si, mm_newton, inch_pound };
 
-/// Name of the unit of a dimension in a unit system ("psi"), and what to multiply an SI value with
-/// to get it.
+/// Name of the unit of a dimension in a unit system ("psi"; empty if dimensionless), and what to
+/// multiply an SI value with to get it.
 struct OutputUnit {
   std::string name;
   double factor;

@@ -9,29 +9,44 @@ namespace geneva::fem {
 
 namespace {
 
-/// Where the pressure falls to zero beyond the last active node `edge`: near the end of a contact
-/// between smooth bodies p^2 is linear in the distance, so the line through the two nodes inside
-/// the last one is followed to zero.
+/// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2
+/// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so the
+/// parabola through the three nodes inside the last one is followed to zero, and kept between the
+/// last active and the first open node.
 double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
                    const std::size_t count) {
-  if (count < 6) return nodes[edge].arc_length;
   const auto node = [&](const int steps) -> const ContactNode& {
     return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)];
   };
-  const double outer = node(1).pressure * node(1).pressure;
-  const double inner = node(2).pressure * node(2).pressure;
-  if (inner <= outer) return nodes[edge].arc_length;
-  const double slope = (inner - outer) / (node(2).arc_length - node(1).arc_length);
-  const double end = node(1).arc_length - outer / slope;
+  const double last = node(0).arc_length;
+  if (count < 8) return last;
+  const auto outwards = [&](const int i) {
+    return -inwards * (node(i).arc_length - node(1).arc_length);
+  };
+  const auto square = [&](const int i) { return node(i).pressure * node(i).pressure; };
+  // Newton's divided differences in the distance outwards from node 1: q(x) = q1 + x (d12 + (x -
+  // x2) d123).
+  const double d12 = (square(2) - square(1)) / outwards(2);
+  const double d23 = (square(3) - square(2)) / (outwards(3) - outwards(2));
+  const double d123 = (d23 - d12) / outwards(3);
+  const double slope = d12 - outwards(2) * d123;
+  const double discriminant = slope * slope - 4. * d123 * square(1);
+  if (slope >= 0. || discriminant < 0.) return last;
+  const double distance = 2. * square(1) / (-slope + std::sqrt(discriminant));
+  const double end = node(1).arc_length - inwards * distance;
   const double outside = node(-1).arc_length;
-  return inwards > 0 ? std::clamp(end, outside, node(0).arc_length)
-                     : std::clamp(end, node(0).arc_length, outside);
+  return std::clamp(end, std::min(last, outside), std::max(last, outside));
 }
 
 /// Half the length of a contact interval, or all of it where the pressure peaks at one end of the
 /// surface: there the model ends at a plane or axis of symmetry.
-double half_of(const std::vector<ContactNode>& nodes, const std::size_t begin,
-               const std::size_t end) {
+struct HalfWidth {
+  double value;
+  bool symmetric;
+};
+
+HalfWidth half_of(const std::vector<ContactNode>& nodes, const std::size_t begin,
+                  const std::size_t end) {
   const std::size_t count = end - begin + 1;
   const bool at_start = begin == 0;
   const bool at_finish = end + 1 == nodes.size();
@@ -41,11 +56,11 @@ double half_of(const std::vector<ContactNode>& nodes, const std::size_t begin,
   for (std::size_t i = begin; i <= end; ++i) peak = std::max(peak, nodes[i].pressure);
   const bool symmetric =
       at_start != at_finish && nodes[at_start ? begin : end].pressure > 0.99 * peak;
-  return symmetric ? to - from : (to - from) / 2.;
+  return {symmetric ? to - from : (to - from) / 2., symmetric};
 }
 
-double half_width(const std::vector<ContactNode>& nodes) {
-  double widest = 0.;
+HalfWidth half_width(const std::vector<ContactNode>& nodes) {
+  HalfWidth widest{0., false};
   for (std::size_t begin = 0; begin < nodes.size();) {
     if (!nodes[begin].active) {
       ++begin;
@@ -53,7 +68,8 @@ double half_width(const std::vector<ContactNode>& nodes) {
     }
     std::size_t end = begin;
     while (end + 1 < nodes.size() && nodes[end + 1].active) ++end;
-    widest = std::max(widest, half_of(nodes, begin, end));
+    const HalfWidth half = half_of(nodes, begin, end);
+    if (half.value > widest.value) widest = half;
     begin = end + 1;
   }
   return widest;
@@ -114,7 +130,9 @@ ContactResult contact_result(const ContactPair& pair, const ContactInterface& in
       peak = interface.source.nodes[interface.rows[i].node].position;
     }
   }
-  result.half_width = half_width(result.nodes);
+  const HalfWidth half = half_width(result.nodes);
+  result.half_width = half.value;
+  result.symmetric = half.symmetric;
   std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
   std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
   return result;

@@ -1,0 +1,125 @@
+#include "app/case_file.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <fmt/format.h>
+
+#include <ostream>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/case_models.h"
+#include "app/case_values.h"
+#include "app/parameter_text.h"
+#include "app/parameters.h"
+
+namespace geneva::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The directory without a slash at its end.
+fs::path checked_directory(const fs::path& directory) {
+  if (directory.empty())
+    throw std::invalid_argument("the case directory has no name: name a directory with a case.prm");
+  std::error_code error;
+  const std::string name = directory.string();
+  if (!fs::exists(directory, error))
+    throw std::invalid_argument(fmt::format("{}: there is no such directory", name));
+  if (!fs::is_directory(directory, error))
+    throw std::invalid_argument(
+        fmt::format("{}: this is not a directory; name the directory that holds case.prm", name));
+  if (!fs::exists(directory / "case.prm", error))
+    throw std::invalid_argument(
+        fmt::format("{}: there is no file case.prm in this directory", name));
+  return directory.has_filename() ? directory : directory.parent_path();
+}
+
+/// The model that the file asks for.
+std::string model_of(const ParameterText& text) {
+  const ChoiceRule rule = model_rule();
+  const Assignment* found = text.find({}, "Model");
+  if (found == nullptr) return rule.words.front();
+  if (refusal(rule, found->value))
+    refuse(text, *found, fmt::format("one of {} is wanted", listed(rule.words)));
+  return found->value;
+}
+
+/// Refuses a subsection of the model that the case does not have.
+void check_sections(const ParameterText& text, const std::string& model) {
+  const bool is_mechanism = model == "mechanism";
+  const std::string other = is_mechanism ? names::geometry : names::mechanism;
+  for (const OpenedSection& section : text.sections)
+    if (section.path.front() == other)
+      throw std::invalid_argument(fmt::format(
+          "{}, line {}: the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
+          text.file, section.line, other, is_mechanism ? "geometry" : "mechanism", model,
+          text.find({}, "Model") == nullptr ? " (default)" : ""));
+}
+
+std::vector<Parameter> parameters_of(const ParameterText& text, const std::string& model,
+                                     const fs::path& directory) {
+  std::vector<Parameter> parameters = general_parameters();
+  const auto append = [&](const std::vector<Parameter>& more) {
+    parameters.insert(parameters.end(), more.begin(), more.end());
+  };
+  append(model == "mechanism" ? mechanism_parameters() : geometry_parameters_of(text, directory));
+  append(published_parameters());
+  return parameters;
+}
+
+post::UnitSystem read_units(const CaseSection& section) {
+  const std::string units = section.text("Output units");
+  if (units == "mm-N") return post::UnitSystem::mm_newton;
+  return units == "in-lbf" ? post::UnitSystem::inch_pound : post::UnitSystem::si;
+}
+
+fem::Settings read_settings(const CaseSection& section) {
+  fem::Settings settings;
+  settings.accuracy = section.value("Accuracy");
+  settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
+  settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
+  settings.max_memory = section.value("Maximum memory");
+  settings.max_active_set_steps =
+      static_cast<unsigned int>(section.value("Maximum active-set steps"));
+  settings.linear_tolerance = section.value("Linear tolerance");
+  return settings;
+}
+
+}  // namespace
+
+Case read_case(const fs::path& directory) {
+  Case result;
+  result.directory = checked_directory(directory);
+  const ParameterText text = read_parameter_text(result.directory / "case.prm");
+  const std::string model = model_of(text);
+  check_sections(text, model);
+  const CaseValues values(parameters_of(text, model, result.directory), text);
+
+  const CaseSection general(values, {});
+  result.title = general.text("Title");
+  result.units = read_units(general);
+  result.settings = read_settings(general);
+  const CaseSection published(values, {names::published});
+  result.published_peak_pressure = published.optional_value("Peak pressure");
+  result.published_source = published.text("Source");
+  if (model == "mechanism")
+    result.mechanism = read_mechanism(values);
+  else
+    result.geometry = read_geometry_case(values, result.directory);
+  result.completed = values.completed();
+  return result;
+}
+
+void print_parameters(std::ostream& out) {
+  dealii::ParameterHandler handler;
+  declare(handler, general_parameters());
+  declare(handler, mechanism_parameters());
+  declare(handler, geometry_parameters({"NAME"}, {"NAME"}, ""));
+  declare(handler, published_parameters());
+  handler.print_parameters(
+      out, dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
+                                                 dealii::ParameterHandler::KeepDeclarationOrder));
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/case_file.h"
+#include "app/case_values.h"
+
+namespace geneva::app {
+
+/// Reads the subsection Mechanism.
+/// @throws std::invalid_argument if values contradict each other or make no wheel
+MechanismCase read_mechanism(const CaseValues& values);
+
+/// Reads the subsection Geometry.
+/// @throws std::invalid_argument if values contradict each other or the file is missing or outside
+/// of the case directory
+GeometryCase read_geometry_case(const CaseValues& values, const std::filesystem::path& directory);
+
+/// What a geometry case may set depends on its own lists: the names of its bodies and loads, and
+/// the file found in its directory.
+/// @throws std::invalid_argument if a list has an empty or a double name, or without a file's name
+/// none or two are found
+std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
+                                              const std::filesystem::path& directory);
+
+}  // namespace geneva::app

@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/case_models.h"
+
+namespace geneva::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using post::Dimension;
+
+constexpr std::size_t most_names = 1000;
+
+/// Names of a list that is not empty.
+std::vector<std::string> names_in(const ParameterText& text, const std::string& parameter) {
+  const Assignment* found = text.find({names::geometry}, parameter);
+  if (found == nullptr || found->value.empty()) return {};
+  const std::vector<std::string> parts = split_list(found->value);
+  if (parts.size() > most_names)
+    refuse(text, *found, fmt::format("at most {} names are allowed", most_names));
+  std::set<std::string> seen;
+  for (const std::string& name : parts) {
+    if (name.empty()) refuse(text, *found, "a name between commas is empty");
+    if (!seen.insert(name).second)
+      refuse(text, *found, fmt::format("the name {} stands there twice", post::in_quotes(name)));
+  }
+  return parts;
+}
+
+/// Name of the geometry file that the directory has.
+std::string found_file(const ParameterText& text, const fs::path& directory) {
+  std::error_code error;
+  const bool has_geo = fs::exists(directory / "geometry.geo", error);
+  const bool has_msh = fs::exists(directory / "geometry.msh", error);
+  if (has_geo == has_msh)
+    throw std::invalid_argument(fmt::format(
+        "{}: the case directory has {} 'geometry.geo' {} 'geometry.msh'; {} in the subsection "
+        "'Geometry' names the file",
+        text.file, has_geo ? "both" : "neither", has_geo ? "and" : "nor", "'set File = ...'"));
+  return has_geo ? "geometry.geo" : "geometry.msh";
+}
+
+bool is_inside(const fs::path& file, const fs::path& directory) {
+  const auto end = std::mismatch(directory.begin(), directory.end(), file.begin(), file.end());
+  return end.first == directory.end();
+}
+
+fs::path read_file_name(const CaseSection& section, const fs::path& directory) {
+  const fs::path name = section.text("File");
+  if (name.extension() != ".geo" && name.extension() != ".msh")
+    section.refuse("File", "the name of a .geo or .msh file in the case directory is wanted");
+  std::error_code error;
+  const fs::path file = directory / name;
+  const fs::path real_file = fs::weakly_canonical(file, error);
+  const fs::path real_directory = error ? fs::path() : fs::canonical(directory, error);
+  if (error || name.is_absolute() || !is_inside(real_file, real_directory))
+    section.refuse("File", "a file in the case directory is wanted, not one outside of it");
+  if (!fs::is_regular_file(real_file, error))
+    section.refuse("File", "there is no such file in the case directory");
+  return file;
+}
+
+double read_length_unit(const CaseSection& section) {
+  const std::string unit = section.text("Length unit");
+  const bool has_number = unit.find_first_of("0123456789.+-") == 0;
+  QuantityRule rule;
+  rule.dimension = Dimension::length;
+  rule.range = greater_than_zero();
+  try {
+    return app::values(rule, has_number ? unit : "1 " + unit).front();
+  } catch (const std::invalid_argument&) {
+    section.refuse("Length unit", "a unit of length is wanted, for example 'mm', 'in' or '0.1 mm'");
+  }
+}
+
+fem::PlaneKind read_plane(const CaseSection& section) {
+  const std::string plane = section.text("Plane");
+  if (plane == "axisymmetric") return fem::PlaneKind::axisymmetric;
+  return plane == "plane stress" ? fem::PlaneKind::plane_stress : fem::PlaneKind::plane_strain;
+}
+
+double read_thickness(const CaseSection& section, fem::PlaneKind plane) {
+  const auto thickness = section.optional_value("Thickness");
+  if (plane == fem::PlaneKind::axisymmetric) {
+    if (thickness) section.refuse("Thickness", "an axisymmetric model has no thickness: delete it");
+    return 1.;
+  }
+  if (!thickness)
+    section.refuse_missing(
+        "Thickness", "a plane model needs it, for example " + post::example_of(Dimension::length));
+  return *thickness;
+}
+
+fem::Body read_body(const CaseValues& values, const std::string& name) {
+  const CaseSection section(values, body_section(name));
+  fem::Body body;
+  body.name = name;
+  body.material = {section.value("Young's modulus"), section.value("Poisson's ratio")};
+  const std::vector<double> force = section.values("Body force");
+  const std::vector<double> gravity = section.values("Gravity");
+  const double density = section.value("Density");
+  body.force.uniform = {force.at(0) + density * gravity.at(0),
+                        force.at(1) + density * gravity.at(1)};
+  return body;
+}
+
+std::vector<fem::Support> read_supports(const CaseSection& section) {
+  std::vector<fem::Support> supports;
+  if (!section.is_given("Supports")) return supports;
+  std::set<std::string> seen;
+  for (const std::string& part : split_list(section.text("Supports"))) {
+    const std::size_t colon = part.rfind(':');
+    const std::string surface = trimmed(part.substr(0, colon));
+    const std::string kind = colon == std::string::npos ? "" : trimmed(part.substr(colon + 1));
+    if (surface.empty() || (kind != "fixed" && kind != "x" && kind != "y"))
+      section.refuse("Supports",
+                     fmt::format("{}: 'surface: fixed', 'surface: x' or 'surface: y' is wanted",
+                                 post::in_quotes(part)));
+    if (!seen.insert(surface).second)
+      section.refuse("Supports", fmt::format("the surface {} stands there twice; 'fixed' holds it "
+                                             "in x and y",
+                                             post::in_quotes(surface)));
+    fem::Support support{surface, {}};
+    if (kind != "y") support.displacement[0] = 0.;
+    if (kind != "x") support.displacement[1] = 0.;
+    supports.push_back(support);
+  }
+  return supports;
+}
+
+std::vector<fem::ContactPair> read_pairs(const CaseSection& section) {
+  std::vector<fem::ContactPair> pairs;
+  std::set<std::pair<std::string, std::string>> seen;
+  const std::string arrow = "->";
+  for (const std::string& part : split_list(section.text("Contact pairs"))) {
+    const std::size_t place = part.find(arrow);
+    const std::string source = trimmed(part.substr(0, place));
+    const std::string target =
+        place == std::string::npos ? "" : trimmed(part.substr(place + arrow.size()));
+    if (source.empty() || target.empty() || target.find(arrow) != std::string::npos)
+      section.refuse("Contact pairs",
+                     fmt::format("{}: 'source -> target' is wanted", post::in_quotes(part)));
+    if (source == target)
+      section.refuse("Contact pairs",
+                     fmt::format("the surface {} cannot touch itself", post::in_quotes(source)));
+    if (!seen.emplace(source, target).second)
+      section.refuse("Contact pairs",
+                     fmt::format("the pair {} stands there twice", post::in_quotes(part)));
+    pairs.push_back({source, target});
+  }
+  return pairs;
+}
+
+Dimension dimension_of_load(const std::string& type) {
+  if (type == "force") return Dimension::force;
+  if (type == "force per thickness") return Dimension::force_per_length;
+  if (type == "displacement") return Dimension::length;
+  return Dimension::stress;
+}
+
+double read_load_value(const CaseSection& section, const std::string& type) {
+  QuantityRule rule;
+  rule.dimension = dimension_of_load(type);
+  const std::string value = section.text("Value");
+  if (const auto reason = refusal(rule, value))
+    section.refuse("Value",
+                   fmt::format("for Type = {} {} is wanted, for example {}", type,
+                               post::wanted(rule.dimension), post::example_of(rule.dimension)));
+  return values(rule, value).front();
+}
+
+/// Unit vector of a load's direction.
+std::array<double, 2> read_direction(const CaseSection& section, const std::string& type) {
+  const std::vector<double> direction = section.values("Direction");
+  if (direction.empty())
+    section.refuse_missing("Direction",
+                           fmt::format("Type = {} needs it, for example '0, -1'", type));
+  const double length = std::hypot(direction.at(0), direction.at(1));
+  if (!std::isnormal(length)) section.refuse("Direction", "a direction that is not zero is wanted");
+  return {direction.at(0) / length, direction.at(1) / length};
+}
+
+void require_free(const CaseSection& section, const std::string& surface,
+                  const fem::Problem& problem) {
+  for (const fem::Support& support : problem.supports)
+    if (support.surface == surface)
+      section.refuse("Type", fmt::format("the surface {} cannot be in 'Supports' too: this load "
+                                         "holds it already",
+                                         post::in_quotes(surface)));
+}
+
+void read_load(const CaseValues& values, const std::string& surface, fem::Problem& problem) {
+  const CaseSection section(values, load_section(surface));
+  const std::string type = section.text("Type");
+  const double value = read_load_value(section, type);
+  if (type == "pressure") {
+    if (section.is_given("Direction"))
+      section.refuse("Direction",
+                     "a pressure acts along the normal; Type = traction has a "
+                     "direction");
+    problem.loads.push_back({surface, value, {0., 0.}});
+    return;
+  }
+  const std::array<double, 2> direction = read_direction(section, type);
+  if (type == "traction") {
+    problem.loads.push_back({surface, 0., {value * direction[0], value * direction[1]}});
+    return;
+  }
+  if (type == "force per thickness" && problem.plane == fem::PlaneKind::axisymmetric)
+    section.refuse("Type", "an axisymmetric model has no thickness; Type = force is wanted");
+  require_free(section, surface, problem);
+  if (type == "displacement")
+    problem.supports.push_back({surface, {value * direction[0], value * direction[1]}});
+  else
+    problem.ties.push_back(
+        {surface, direction, type == "force" ? value : value * problem.thickness});
+}
+
+}  // namespace
+
+std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
+                                              const fs::path& directory) {
+  const Assignment* file = text.find({names::geometry}, "File");
+  return geometry_parameters(names_in(text, "Bodies"), names_in(text, "Loads"),
+                             file == nullptr ? found_file(text, directory) : file->value);
+}
+
+GeometryCase read_geometry_case(const CaseValues& values, const fs::path& directory) {
+  const CaseSection section(values, {names::geometry});
+  GeometryCase result;
+  result.file = read_file_name(section, directory);
+  result.length_unit = read_length_unit(section);
+  result.problem.plane = read_plane(section);
+  result.problem.thickness = read_thickness(section, result.problem.plane);
+  for (const std::string& body : split_list(section.text("Bodies")))
+    result.problem.bodies.push_back(read_body(values, body));
+  result.problem.supports = read_supports(section);
+  result.problem.pairs = read_pairs(section);
+  if (section.is_given("Loads"))
+    for (const std::string& surface : split_list(section.text("Loads")))
+      read_load(values, surface, result.problem);
+  return result;
+}
+
+}  // namespace geneva::app

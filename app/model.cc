@@ -1,0 +1,180 @@
+#include "app/model.h"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "fem/contact_problem.h"
+#include "loads/outline.h"
+#include "mesh/gmsh_mesher.h"
+#include "mesh/triangulation.h"
+#include "mesh/user_geometry.h"
+
+namespace geneva::app {
+
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180.;
+
+double driver_angle(const MechanismCase& mechanism, const loads::ExternalGeneva& geneva,
+                    const double centre_distance, const double inertia) {
+  switch (mechanism.angle_kind) {
+    case MechanismCase::AngleKind::at_maximum_wheel_acceleration:
+      return -geneva.peak_acceleration_angle();
+    case MechanismCase::AngleKind::at_maximum_pin_force:
+      return loads::peak_force_angle(geneva, centre_distance, mechanism.motion, inertia,
+                                     mechanism.load);
+    case MechanismCase::AngleKind::given:
+      return mechanism.driver_angle;
+  }
+  throw std::logic_error("unknown kind of driver angle");
+}
+
+double inertia_used(const MechanismCase& mechanism, const double from_geometry,
+                    const double wheel_diameter) {
+  switch (mechanism.inertia_kind) {
+    case MechanismCase::InertiaKind::from_geometry:
+      return from_geometry;
+    case MechanismCase::InertiaKind::given:
+      return mechanism.wheel_inertia;
+    case MechanismCase::InertiaKind::johnson:
+      break;
+  }
+  const auto k5 = loads::johnson_row(mechanism.dimensions.stations).k5;
+  if (!k5)
+    throw std::invalid_argument(fmt::format(
+        "'Wheel inertia' = 'Johnson': his Table 1 ends at 10 stations, the case has {}; use 'from "
+        "geometry' or give a value",
+        mechanism.dimensions.stations));
+  return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
+}
+
+/// Polar moment of area about the origin of a body's cells [m^4]: that of the mesh, a little below
+/// the outline's.
+double polar_moment(const mesh::MeshData& mesh, const unsigned int body) {
+  double sum = 0.;
+  for (const mesh::Quad& quad : mesh.quads) {
+    if (quad.body != body) continue;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto& [x0, y0] = mesh.vertices[quad.vertices[i]];
+      const auto& [x1, y1] = mesh.vertices[quad.vertices[(i + 1) % 4]];
+      sum +=
+          (x0 * y1 - x1 * y0) * (x0 * x0 + x0 * x1 + x1 * x1 + y0 * y0 + y0 * y1 + y1 * y1) / 12.;
+    }
+  }
+  return sum;
+}
+
+/// The wheel's inertia as a body force. Its density is scaled so that the mesh has just the inertia
+/// that the pin force was computed with.
+fem::BodyForce inertia_force(const MechanismState& state, const mesh::MeshData& mesh,
+                             const unsigned int wheel) {
+  const double density =
+      state.inertia_used / (state.dimensions.thickness * polar_moment(mesh, wheel));
+  return {{0., 0.},
+          density * state.load.wheel_speed * state.load.wheel_speed,
+          density * state.load.wheel_acceleration};
+}
+
+fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
+                               const mesh::MeshData& mesh) {
+  fem::Problem problem;
+  problem.plane = fem::PlaneKind::plane_strain;
+  problem.thickness = state.dimensions.thickness;
+  for (unsigned int body = 0; body < mesh.bodies.size(); ++body) {
+    const bool is_wheel = mesh.bodies[body] == "wheel";
+    const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
+    problem.bodies.push_back({mesh.bodies[body],
+                              {material.youngs_modulus, material.poissons_ratio},
+                              is_wheel ? inertia_force(state, mesh, body) : fem::BodyForce{}});
+  }
+  problem.supports.push_back({"bore", {0., 0.}});
+  problem.ties.push_back({"pin core", {0., 1.}, state.load.force});
+  problem.pairs.push_back({"pin", "driving wall"});
+  return problem;
+}
+
+/// Runs a task on rank 0 that may refuse its input, and makes all ranks refuse together.
+mesh::MeshData on_rank_zero(const MPI_Comm communicator,
+                            const std::function<mesh::MeshData()>& task) {
+  mesh::MeshData mesh;
+  std::string refusal;
+  bool is_refused = false;
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
+    try {
+      mesh = task();
+    } catch (const std::invalid_argument& error) {
+      is_refused = true;
+      refusal = error.what();
+    }
+  }
+  if (dealii::Utilities::MPI::broadcast(communicator, is_refused))
+    throw std::invalid_argument(dealii::Utilities::MPI::broadcast(communicator, refusal));
+  return mesh::broadcast(communicator, mesh);
+}
+
+std::vector<std::string> notices_of(const MechanismCase& mechanism) {
+  std::vector<std::string> notices;
+  const loads::GenevaDimensionsInput& given = mechanism.dimensions;
+  if (!loads::johnson_row(given.stations).from_table &&
+      !(given.pin_diameter && given.thickness && given.locking_radius))
+    notices.push_back(
+        fmt::format("Johnson's Table 1 ends at 10 stations: the proportions that the case does not "
+                    "give are those of "
+                    "10 stations scaled with sin(pi/n), n = {}",
+                    given.stations));
+  return notices;
+}
+
+}  // namespace
+
+MechanismState mechanism_state(const MechanismCase& mechanism) {
+  const loads::ExternalGeneva geneva(mechanism.dimensions.stations);
+  MechanismState state{};
+  state.dimensions = loads::complete_dimensions(mechanism.dimensions);
+  state.inertia_from_geometry = loads::wheel_inertia(state.dimensions, mechanism.wheel.density);
+  state.inertia_used =
+      inertia_used(mechanism, state.inertia_from_geometry, state.dimensions.wheel_diameter);
+  const double angle =
+      driver_angle(mechanism, geneva, state.dimensions.centre_distance, state.inertia_used);
+  state.load = loads::pin_load(geneva, state.dimensions.centre_distance, mechanism.motion,
+                               state.inertia_used, mechanism.load, angle);
+  if (state.load.force <= 0.)
+    throw std::invalid_argument(
+        fmt::format("'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin "
+                    "would leave the driving wall (the "
+                    "wheel decelerates); choose an angle with a positive force, for example 'at "
+                    "maximum wheel acceleration' "
+                    "({:.6g} deg)",
+                    angle / degree, state.load.force, -geneva.peak_acceleration_angle() / degree));
+  state.expected_bore_torque =
+      mechanism.load.load_inertia * state.load.wheel_acceleration + mechanism.load.friction_moment;
+  return state;
+}
+
+Model make_model(const MPI_Comm communicator, const Case& given) {
+  Model model;
+  if (given.mechanism) {
+    model.mechanism = mechanism_state(*given.mechanism);
+    model.notices = notices_of(*given.mechanism);
+    const MechanismState& state = *model.mechanism;
+    model.mesh = on_rank_zero(communicator, [&] {
+      return mesh::mesh_outlines({loads::wheel_outline(state.dimensions),
+                                  loads::pin_outline(state.dimensions, state.load.pin_distance)},
+                                 mesh::default_sizing(state.dimensions, state.load.pin_distance));
+    });
+    model.problem = mechanism_problem(*given.mechanism, state, model.mesh);
+    return model;
+  }
+  model.mesh = on_rank_zero(communicator, [&] {
+    return mesh::read_geometry(given.geometry->file, given.geometry->length_unit);
+  });
+  model.problem = given.geometry->problem;
+  fem::order_bodies(model.problem, model.mesh);
+  return model;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,295 @@
+#include "app/parameters.h"
+
+#include <utility>
+
+namespace geneva::app {
+
+namespace {
+
+using post::Dimension;
+
+Range between(double lower, double upper, std::string text) {
+  return {lower, upper, true, true, std::move(text)};
+}
+
+QuantityRule quantity(Dimension dimension, const Range& range = Range(),
+                      std::vector<std::string> words = {}) {
+  QuantityRule rule;
+  rule.dimension = dimension;
+  rule.range = range;
+  rule.words = std::move(words);
+  return rule;
+}
+
+QuantityRule positive(Dimension dimension, std::vector<std::string> words = {}) {
+  return quantity(dimension, greater_than_zero(), std::move(words));
+}
+
+QuantityRule whole(double lower, double upper, const std::string& text) {
+  QuantityRule rule = quantity(Dimension::dimensionless, between(lower, upper, text));
+  rule.whole = true;
+  return rule;
+}
+
+QuantityRule pair_of(Dimension dimension, std::vector<std::string> words = {}) {
+  QuantityRule rule = quantity(dimension, Range(), std::move(words));
+  rule.count = 2;
+  return rule;
+}
+
+void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
+  for (Parameter& parameter : more) parameters.push_back(std::move(parameter));
+}
+
+std::vector<Parameter> settings_parameters() {
+  const Range accuracy{0., 0.2, false, true, "greater than 0 and at most 20 %"};
+  return {
+      {{},
+       "Accuracy",
+       "0.5 %",
+       quantity(Dimension::dimensionless, accuracy),
+       "Wanted relative error of the peak contact pressure: the mesh is refined until the change "
+       "between two meshes is smaller."},
+      {{},
+       "Maximum refinement levels",
+       "20",
+       whole(0, 28, "from 0 to 28"),
+       "How often the coarse mesh may be refined."},
+      {{},
+       "Maximum unknowns",
+       "2000000",
+       whole(1, 2e9, "from 1 to 2000000000"),
+       "How many displacement unknowns the finest mesh may have."},
+      {{},
+       "Maximum memory",
+       "16 GB",
+       positive(Dimension::memory),
+       "How much memory all processes together may use (B, kB, MB, GB, TB, or the powers of 1024 "
+       "KiB, MiB, GiB, TiB)."},
+      {{},
+       "Maximum active-set steps",
+       "50",
+       whole(1, 10000, "from 1 to 10000"),
+       "How many steps the search for the surface in contact may take on each mesh."},
+      {{},
+       "Linear tolerance",
+       "1e-10",
+       quantity(Dimension::dimensionless, between(1e-15, 1e-3, "from 1e-15 to 0.001")),
+       "Where the conjugate gradients stop, relative to the load."}};
+}
+
+std::vector<Parameter> material_parameters(const SectionPath& section) {
+  const Range poissons_ratio{-1., 0.5, false, false, "greater than -1 and less than 0.5"};
+  return {{section, "Young's modulus", "207 GPa", positive(Dimension::stress),
+           "Modulus of elasticity E. The default is that of steel."},
+          {section, "Poisson's ratio", "0.3", quantity(Dimension::dimensionless, poissons_ratio),
+           "Poisson's ratio nu. The default is that of steel."},
+          {section, "Density", "7850 kg/m^3", positive(Dimension::density),
+           "Mass density. The default is that of steel."}};
+}
+
+/// A length that follows from a rule unless it is given.
+Parameter ruled_length(const std::string& name, const std::string& help,
+                       const Range& range = greater_than_zero()) {
+  return {{names::mechanism},
+          name,
+          names::default_word,
+          quantity(Dimension::length, range, {names::default_word}),
+          help};
+}
+
+std::vector<Parameter> size_parameters() {
+  const SectionPath section{names::mechanism};
+  const QuantityRule size = positive(Dimension::length, {""});
+  const std::string one_of =
+      " Exactly one of wheel diameter, crank radius and centre distance is given.";
+  return {
+      {section, "Stations", "", whole(3, 24, "from 3 to 24"),
+       "Number n of the wheel's slots: the wheel turns 1/n of a turn with each turn of the driver.",
+       true},
+      {section, "Wheel diameter", "", size, "Diameter D of the wheel's rim." + one_of},
+      {section, "Crank radius", "", size,
+       "Distance r from the driver's axis to the pin's axis: r = (D/2) tan(pi/n)." + one_of},
+      {section, "Centre distance", "", size,
+       "Distance c from the driver's axis to the wheel's axis: c = (D/2)/cos(pi/n)." + one_of},
+      ruled_length("Pin diameter",
+                   "Diameter d of the pin. Default: k2 D, with Johnson's k2 for the number of "
+                   "stations."),
+      ruled_length("Wheel thickness",
+                   "Thickness t of the wheel. Default: k3 D, with Johnson's k3 for the number of "
+                   "stations."),
+      ruled_length("Slot clearance",
+                   "Slot width minus pin diameter. Default: 0. Either the clearance or the width "
+                   "is given.",
+                   zero_or_greater()),
+      ruled_length("Slot width",
+                   "Distance between the slot's parallel walls. Default: pin diameter plus slot "
+                   "clearance."),
+      ruled_length(
+          "Slot depth",
+          "From the rim to the lowest point of the slot's round bottom. Default: D/2 - (c "
+          "- r) + half the slot width, so that the bottom is concentric with the pin where "
+          "it is nearest the wheel's axis."),
+      ruled_length("Locking radius",
+                   "Radius of the locking arcs between the slots. Default: k4 D, with Johnson's k4 "
+                   "for the number of stations."),
+      ruled_length("Bore radius",
+                   "Radius of the hole at the wheel's axis, where the wheel is held. Default: the "
+                   "smaller of 0.1 D and half the radius of the slots' lowest point."),
+      ruled_length("Pin core radius",
+                   "Radius of the pin's core, where the driver holds it. Default: a quarter of the "
+                   "pin diameter.")};
+}
+
+std::vector<Parameter> motion_parameters() {
+  const SectionPath section{names::mechanism};
+  const std::vector<std::string> angles{names::at_maximum_acceleration, names::at_maximum_force};
+  return {{section, "Driver speed", "", positive(Dimension::angular_speed),
+           "Angular speed of the driver.", true},
+          {section, "Driver acceleration", "0 rad/s^2", quantity(Dimension::angular_acceleration),
+           "Angular acceleration of the driver; negative: it slows down."},
+          {section, "Driver angle", names::at_maximum_acceleration,
+           quantity(Dimension::angle, Range(), angles),
+           "Where the driver stands, from the line of centres; negative before the pin reaches "
+           "it."}};
+}
+
+std::vector<Parameter> inertia_parameters() {
+  const SectionPath section{names::mechanism};
+  const std::string cylinder = " Only with Load inertia = solid cylinder.";
+  return {
+      {section, "Wheel inertia", names::from_geometry,
+       positive(Dimension::inertia, {names::from_geometry, names::johnson}),
+       "Moment of inertia of the wheel about its axis. 'from geometry': that of the drawn wheel; "
+       "'Johnson': k5 rho D^5, for 3 to 10 stations."},
+      {section, "Load inertia", "",
+       quantity(Dimension::inertia, zero_or_greater(), {names::solid_cylinder}),
+       "Moment of inertia of what the wheel drives, about the wheel's axis. 'solid cylinder': that "
+       "of a cylinder with the load's diameter, length and density.",
+       true},
+      {section, "Load diameter", "", positive(Dimension::length, {""}),
+       "Diameter of the cylinder." + cylinder},
+      {section, "Load length", "", positive(Dimension::length, {""}),
+       "Length of the cylinder." + cylinder},
+      {section, "Load density", "", positive(Dimension::density, {""}),
+       "Mass density of the cylinder." + cylinder},
+      {section, "Friction moment", "0 N.m", quantity(Dimension::moment, zero_or_greater()),
+       "Moment on the wheel's axis against its motion."}};
+}
+
+std::vector<Parameter> body_parameters(const std::string& body) {
+  const SectionPath section = body_section(body);
+  std::vector<Parameter> parameters = material_parameters(section);
+  append(
+      parameters,
+      {{section, "Body force", "0 N/m^3, 0 N/m^3", pair_of(Dimension::force_per_volume),
+        "Force per volume of the body in x and y."},
+       {section, "Gravity", "0 m/s^2, 0 m/s^2", pair_of(Dimension::acceleration),
+        "Acceleration of gravity in x and y: density times gravity is added to the body force."}});
+  return parameters;
+}
+
+std::vector<Parameter> load_parameters(const std::string& surface) {
+  const SectionPath section = load_section(surface);
+  return {
+      {section, "Type", "pressure",
+       ChoiceRule{{"pressure", "traction", "force", "force per thickness", "displacement"}},
+       "'pressure': against the outward normal. 'traction': force per area along the direction. "
+       "'force': total force on the surface, which is rigid and moves along the direction only. "
+       "'force per thickness': the same, given as a line load of a plane model. 'displacement': "
+       "of the surface along the direction; across it the surface does not move."},
+      {section, "Value", "", TextRule{"a value with the unit that the type asks for"},
+       "Pressure and traction: a stress; force: a force; force per thickness: a force per length; "
+       "displacement: a length. Negative: against the direction.",
+       true},
+      {section, "Direction", "", pair_of(Dimension::dimensionless, {""}),
+       "Direction in x and y, of any length; not with Type = pressure, which has none."}};
+}
+
+std::vector<Parameter> geometry_file_parameters(const std::string& default_file) {
+  const SectionPath section{names::geometry};
+  return {
+      {section, "File", default_file,
+       TextRule{"the name of a .geo or .msh file in the case directory"},
+       "Geometry or mesh of Gmsh. Default: geometry.geo or geometry.msh, whichever there is."},
+      {section, "Length unit", "m",
+       TextRule{"a unit of length, for example 'mm', 'in' or '0.1 mm'"},
+       "Unit of the file's coordinates."},
+      {section, "Plane", "plane strain",
+       ChoiceRule{{"plane strain", "plane stress", "axisymmetric"}},
+       "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution."},
+      {section, "Thickness", "", positive(Dimension::length, {""}),
+       "Thickness of a plane model; required, unless the model is axisymmetric: that has none."}};
+}
+
+std::vector<Parameter> geometry_list_parameters() {
+  const SectionPath section{names::geometry};
+  return {
+      {section, "Bodies", "", TextRule{"names separated by commas"},
+       "Physical surfaces of the file that are bodies; each has its subsection 'Body NAME'.", true},
+      {section, "Supports", "",
+       TextRule{"a list of 'surface: fixed', 'surface: x' or 'surface: y', separated by commas"},
+       "Physical curves that do not move at all, in x, or in y."},
+      {section, "Loads", "", TextRule{"names separated by commas"},
+       "Physical curves that are loaded; each has its subsection 'Load NAME'."},
+      {section, "Contact pairs", "", TextRule{"a list of 'source -> target', separated by commas"},
+       "Pairs of physical curves that may touch. The contact pressure is computed on the "
+       "source: choose the more curved or the softer one.",
+       true}};
+}
+
+}  // namespace
+
+SectionPath body_section(const std::string& body) { return {names::geometry, "Body " + body}; }
+
+SectionPath load_section(const std::string& surface) {
+  return {names::geometry, "Load " + surface};
+}
+
+ChoiceRule model_rule() { return {{"mechanism", "geometry"}}; }
+
+std::vector<Parameter> general_parameters() {
+  std::vector<Parameter> parameters{
+      {{},
+       "Model",
+       model_rule().words.front(),
+       model_rule(),
+       "'mechanism': an external Geneva wheel and its pin, drawn by this program (subsection "
+       "Mechanism). 'geometry': a plane geometry of your own (subsection Geometry)."},
+      {{}, "Title", "", TextRule{"any text"}, "Title of the report."},
+      {{},
+       "Output units",
+       "SI",
+       ChoiceRule{{"SI", "mm-N", "in-lbf"}},
+       "Units of files and tables. Values in this file carry their own units."}};
+  append(parameters, settings_parameters());
+  return parameters;
+}
+
+std::vector<Parameter> published_parameters() {
+  const SectionPath section{names::published};
+  return {{section, "Peak pressure", "", positive(Dimension::stress, {""}),
+           "Peak contact pressure of a published solution, to compare with; may be left out."},
+          {section, "Source", "", TextRule{"any text"}, "Where it was published."}};
+}
+
+std::vector<Parameter> mechanism_parameters() {
+  std::vector<Parameter> parameters = size_parameters();
+  append(parameters, motion_parameters());
+  append(parameters, inertia_parameters());
+  append(parameters, material_parameters({names::mechanism, names::pin_material}));
+  append(parameters, material_parameters({names::mechanism, names::wheel_material}));
+  return parameters;
+}
+
+std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
+                                           const std::vector<std::string>& loads,
+                                           const std::string& default_file) {
+  std::vector<Parameter> parameters = geometry_file_parameters(default_file);
+  append(parameters, geometry_list_parameters());
+  for (const std::string& body : bodies) append(parameters, body_parameters(body));
+  for (const std::string& load : loads) append(parameters, load_parameters(load));
+  return parameters;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/parameter_rule.h"
+#include "app/parameter_text.h"
+
+namespace geneva::app {
+
+/// A parameter of the case file.
+struct Parameter {
+  SectionPath section;
+  std::string name;
+  std::string default_value;
+  Rule rule;
+  std::string help;
+  bool required = false;  ///< has to be given: its empty default stands for nothing
+};
+
+/// The one place where the names and words of the case file are spelt.
+namespace names {
+inline constexpr const char* mechanism = "Mechanism";
+inline constexpr const char* geometry = "Geometry";
+inline constexpr const char* published = "Published";
+inline constexpr const char* pin_material = "Pin material";
+inline constexpr const char* wheel_material = "Wheel material";
+inline constexpr const char* default_word = "default";
+inline constexpr const char* at_maximum_acceleration = "at maximum wheel acceleration";
+inline constexpr const char* at_maximum_force = "at maximum pin force";
+inline constexpr const char* from_geometry = "from geometry";
+inline constexpr const char* johnson = "Johnson";
+inline constexpr const char* solid_cylinder = "solid cylinder";
+}  // namespace names
+
+/// Section of a body's material or of a load: "Body NAME", "Load NAME" in Geometry.
+SectionPath body_section(const std::string& body);
+SectionPath load_section(const std::string& surface);
+
+/// What every case has: title, units, accuracy, limits.
+std::vector<Parameter> general_parameters();
+
+/// Published values to compare with, which every case may have.
+std::vector<Parameter> published_parameters();
+
+/// What a case with Model = mechanism has besides.
+std::vector<Parameter> mechanism_parameters();
+
+/// What a case with Model = geometry has besides.
+/// @param default_file name of the geometry's file if the case does not give it
+std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
+                                           const std::vector<std::string>& loads,
+                                           const std::string& default_file);
+
+/// Allowed values of the parameter that chooses the model; its first word is the default.
+ChoiceRule model_rule();
+
+}  // namespace geneva::app

@@ -1,0 +1,54 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <numeric>
+
+namespace geneva::app {
+
+ProgressDisplay::ProgressDisplay(const bool is_speaking, const post::UnitSystem units)
+    : is_speaking_(is_speaking),
+      is_terminal_(isatty(STDOUT_FILENO) == 1),
+      stress_(post::output_unit(units, post::Dimension::stress)) {}
+
+void ProgressDisplay::clear_status() {
+  if (has_status_) std::fputs("\r\033[K", stdout);
+  has_status_ = false;
+}
+
+void ProgressDisplay::line(const std::string& text) {
+  if (!is_speaking_) return;
+  clear_status();
+  std::fputs((text + "\n").c_str(), stdout);
+  std::fflush(stdout);
+  log_ += text + "\n";
+}
+
+void ProgressDisplay::step(const fem::StepReport& report) {
+  if (!is_speaking_ || !is_terminal_) return;
+  const std::string status =
+      fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}", report.level,
+                  report.dofs, report.step, report.linear_iterations);
+  std::fputs(("\r\033[K" + status).c_str(), stdout);
+  std::fflush(stdout);
+  has_status_ = true;
+}
+
+void ProgressDisplay::level(const fem::LevelRecord& record) {
+  if (levels_ == 0)
+    line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22}{:>12}{:>9}", "level", "unknowns", "active",
+                     "steps", "CG", "peak pressure [" + stress_.name + "]", "est. error", "time"));
+  const unsigned int iterations =
+      std::accumulate(record.linear_iterations.begin(), record.linear_iterations.end(), 0U);
+  const std::string error = record.error_estimate < 1.
+                                ? fmt::format("{:.2g} %", 100. * record.error_estimate)
+                                : std::string("-");
+  line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22.6g}{:>12}{:>7.2f} s", levels_, record.dofs,
+                   record.active_nodes, record.linear_iterations.size(), iterations,
+                   record.peak_pressure * stress_.factor, error, record.seconds));
+  ++levels_;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "fem/contact_problem.h"
+#include "post/units.h"
+
+namespace geneva::app {
+
+/// Shows how far a run is: a line that is rewritten on a terminal, plain lines elsewhere; every
+/// finished level also goes to the log.
+class ProgressDisplay {
+ public:
+  /// @param is_speaking whether this rank writes at all
+  ProgressDisplay(bool is_speaking, post::UnitSystem units);
+
+  void line(const std::string& text);
+  void step(const fem::StepReport& report);
+  void level(const fem::LevelRecord& record);
+
+  /// Everything that was shown as lines so far.
+  [[nodiscard]] const std::string& log() const { return log_; }
+
+ private:
+  void clear_status();
+
+  bool is_speaking_;
+  bool is_terminal_;
+  post::OutputUnit stress_;
+  unsigned int levels_ = 0;
+  bool has_status_ = false;
+  std::string log_;
+};
+
+}  // namespace geneva::app

@@ -1,0 +1,145 @@
+#include "app/run.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/case_file.h"
+#include "app/model.h"
+#include "app/output_directory.h"
+#include "app/progress.h"
+#include "app/version.h"
+#include "fem/contact_problem.h"
+#include "post/contact_output.h"
+#include "post/field_output.h"
+#include "post/output_file.h"
+#include "post/results.h"
+#include "post/summary.h"
+
+namespace geneva::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const fs::path& file, const std::string& text) {
+  std::ofstream stream = post::open_output(file);
+  stream << text;
+  post::close_output(stream, file);
+}
+
+std::string heading(const Case& given, const Model& model) {
+  const auto length = post::output_unit(given.units, post::Dimension::length);
+  const auto force = post::output_unit(given.units, post::Dimension::force);
+  std::string text = given.directory.filename().string();
+  if (!given.title.empty()) text += ": " + given.title;
+  if (model.mechanism) {
+    const auto& state = *model.mechanism;
+    constexpr double degrees = 180. / 3.14159265358979323846;
+    text += fmt::format(
+        "\n{} stations, wheel diameter {:.5g} {}, pin diameter {:.4g} {}, thickness {:.4g} {}\n"
+        "driver angle {:.4f} deg, wheel acceleration {:.6g} rad/s^2, pin distance {:.5g} {}, pin "
+        "force {:.6g} {}",
+        state.dimensions.stations, state.dimensions.wheel_diameter * length.factor, length.name,
+        state.dimensions.pin_diameter * length.factor, length.name,
+        state.dimensions.thickness * length.factor, length.name, state.load.driver_angle * degrees,
+        state.load.wheel_acceleration, state.load.pin_distance * length.factor, length.name,
+        state.load.force * force.factor, force.name);
+  }
+  return text;
+}
+
+std::optional<post::MechanismReport> mechanism_report(const Model& model,
+                                                      const fem::Solution& solution) {
+  if (!model.mechanism) return std::nullopt;
+  double bore_torque = 0.;
+  for (const fem::Reaction& reaction : solution.reactions)
+    if (reaction.surface == "bore") bore_torque = -reaction.moment;
+  const MechanismState& state = *model.mechanism;
+  return post::MechanismReport{state.load, state.inertia_from_geometry, state.inertia_used,
+                               state.expected_bore_torque, bore_torque};
+}
+
+double peak_memory(const MPI_Comm communicator) {
+  dealii::Utilities::System::MemoryStats memory{};
+  dealii::Utilities::System::get_memory_stats(memory);
+  return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
+}
+
+/// Runs a task on this rank and makes all ranks fail together if it fails on one.
+template <typename Task>
+void together(const MPI_Comm communicator, const Task& task) {
+  std::string refusal;
+  try {
+    task();
+  } catch (const std::exception& error) {
+    refusal = error.what();
+    if (refusal.empty()) refusal = "unknown error";
+  }
+  for (const std::string& text : dealii::Utilities::MPI::all_gather(communicator, refusal))
+    if (!text.empty()) throw std::invalid_argument(text);
+}
+
+}  // namespace
+
+int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output) {
+  dealii::Timer total;
+  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const Case given = read_case(case_directory);
+
+  std::unique_ptr<OutputDirectory> directory;
+  together(communicator, [&] {
+    directory = std::make_unique<OutputDirectory>(
+        output.empty() ? given.directory / "results" : output, is_first);
+  });
+
+  ProgressDisplay progress(is_first, given.units);
+  dealii::Timer timer;
+  const Model model = make_model(communicator, given);
+  post::RunReport report{};
+  report.mesh_seconds = timer.wall_time();
+  progress.line(heading(given, model));
+  for (const std::string& notice : model.notices) progress.line("note: " + notice);
+
+  timer.restart();
+  const fem::Solution solution =
+      fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
+                         {[&](const fem::StepReport& step) { progress.step(step); },
+                          [&](const fem::LevelRecord& level) { progress.level(level); }});
+  report.solve_seconds = timer.wall_time();
+
+  timer.restart();
+  const post::Results results = post::analyse(solution);
+  post::write_fields(solution, results, given.units, directory->working());
+  report.case_name = given.directory.filename().string();
+  report.title = given.title;
+  report.mechanism = mechanism_report(model, solution);
+  report.published_peak_pressure = given.published_peak_pressure;
+  report.published_source = given.published_source;
+  report.geneva_version = version;
+  report.gmsh_version = GMSH_API_VERSION;
+  report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  report.peak_memory = peak_memory(communicator);
+  if (!solution.message.empty()) progress.line("not converged: " + solution.message);
+  progress.line("\n" + post::comparison_table(solution, results, report, given.units));
+  together(communicator, [&] {
+    if (!is_first) return;
+    const fs::path& working = directory->working();
+    post::write_contact(solution, results, given.units, working);
+    report.post_seconds = timer.wall_time();
+    report.total_seconds = total.wall_time();
+    write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
+    write_text(working / "case.prm", given.completed);
+    write_text(working / "log.txt", progress.log());
+    directory->publish();
+  });
+  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", directory->final().string(),
+                            total.wall_time(), report.peak_memory / 1e6));
+  return solution.outcome == fem::Outcome::converged ? 0 : 2;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,189 @@
+#include "mesh/gmsh_mesher.h"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "mesh/gmsh_session.h"
+#include "mesh/mesh_quality.h"
+#include "mesh/outline_model.h"
+#include "mesh/size_field.h"
+
+namespace geneva::mesh {
+
+namespace {
+
+using loads::Loop;
+using loads::Outline;
+using loads::Point;
+using loads::Segment;
+
+/// Lengths in outlines of extent 1 are rounded to this grid, so that the mesh does not depend on
+/// the last digits, which the unit of length changes.
+constexpr double grid = 1. / (1 << 24);
+
+/// A mesh of at least this quality is taken at once.
+constexpr double good_quality = 0.2;
+/// A mesh below it is not taken at all.
+constexpr double least_quality = 0.05;
+
+double extent(const std::vector<Outline>& outlines) {
+  double largest = 0.;
+  for (const Outline& outline : outlines)
+    for (const Loop& loop : outline.loops)
+      for (const Segment& segment : loop)
+        largest = std::max({largest, std::abs(segment.start.x), std::abs(segment.start.y)});
+  return largest;
+}
+
+double scaled(double length, double factor) { return std::round(length * factor / grid) * grid; }
+
+Point scaled(Point point, double factor) {
+  return {scaled(point.x, factor), scaled(point.y, factor)};
+}
+
+std::vector<Outline> scaled(std::vector<Outline> outlines, double factor) {
+  for (Outline& outline : outlines)
+    for (Loop& loop : outline.loops)
+      for (Segment& segment : loop) {
+        segment.start = scaled(segment.start, factor);
+        segment.end = scaled(segment.end, factor);
+        segment.centre = scaled(segment.centre, factor);
+      }
+  return outlines;
+}
+
+MeshSizing scaled(const MeshSizing& sizing, double factor) {
+  return {scaled(sizing.general, factor), scaled(sizing.at_contact, factor),
+          scaled(sizing.contact, factor), scaled(sizing.contact_distance, factor)};
+}
+
+/// An end of a segment and the next one's start may differ by rounding.
+constexpr double closed = 1e-9;
+
+void check_sizing(const MeshSizing& sizing) {
+  const bool fit = sizing.at_contact > 0. && sizing.general >= sizing.at_contact &&
+                   sizing.contact_distance > 0. && std::isfinite(sizing.general);
+  if (!fit)
+    throw std::invalid_argument(fmt::format(
+        "cell sizes are {:.6g} mm at the contact and {:.6g} mm in general, over {:.6g} mm: they "
+        "must be positive, and that at the contact the smaller one",
+        1e3 * sizing.at_contact, 1e3 * sizing.general, 1e3 * sizing.contact_distance));
+}
+
+void check_loops(const std::vector<Outline>& outlines, double scale) {
+  for (const Outline& outline : outlines) {
+    if (outline.loops.empty())
+      throw std::invalid_argument(fmt::format("outline '{}' has no boundary", outline.name));
+    for (const Loop& loop : outline.loops)
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Point gap_end = loop[(i + 1) % loop.size()].start;
+        if (std::hypot(loop[i].end.x - gap_end.x, loop[i].end.y - gap_end.y) <= closed * scale)
+          continue;
+        throw std::invalid_argument(fmt::format(
+            "outline '{}' is open: a segment ends at ({:.6g}, {:.6g}) m and the next one starts at "
+            "({:.6g}, {:.6g}) m",
+            outline.name, loop[i].end.x, loop[i].end.y, gap_end.x, gap_end.y));
+      }
+  }
+}
+
+/// One way of meshing: the sizes times a factor; each cell then divided into quadrilaterals or not.
+struct Attempt {
+  double factor;
+  bool divide;
+};
+
+void set_options(const Attempt& attempt) {
+  set_quadrilateral_options();
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
+  gmsh::option::setNumber("Mesh.MeshOnlyEmpty", 1);  // the boundary is there already
+  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", attempt.divide ? 1 : 0);
+}
+
+struct AttemptResult {
+  std::optional<MeshData> mesh;
+  std::string failure;  ///< why there is none
+};
+
+AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing& sizing,
+                          const Attempt& attempt) {
+  GmshSession session;
+  const double scale = extent(outlines);
+  const std::vector<Outline> unit = scaled(outlines, 1. / scale);
+  const SizeField size(unit, scaled(sizing, 1. / scale));
+  AttemptResult result;
+  const auto errors = session.errors_of([&] {
+    set_options(attempt);
+    gmsh::model::add("outlines");
+    const OutlineModel model(outlines, unit, scale, size, attempt.factor);
+    gmsh::model::mesh::setSizeCallback([&](int, int, double x, double y, double) {
+      return attempt.factor * size({x, y});
+    });
+    gmsh::model::mesh::generate(2);
+    const OtherCells others = count_other_cells();
+    result.failure = fmt::format("{} triangles are left", others.triangles + others.others);
+    if (others.triangles + others.others > 0) return;
+    TaggedMesh read = read_model(model.labels());
+    model.place(read);
+    result.mesh = std::move(read.mesh);
+  });
+  if (errors.empty()) return result;
+  return {std::nullopt, errors.front()};
+}
+
+}  // namespace
+
+MeshSizing default_sizing(const loads::GenevaDimensions& dimensions, double pin_distance) {
+  const double general = 0.06 * dimensions.wheel_diameter;
+  const double at_contact = std::min(dimensions.pin_diameter / 8., general);
+  const double growth = 0.15;  // per length: a faster one distorts the cells near the contact
+  return {general,
+          at_contact,
+          {pin_distance, dimensions.slot_width / 2.},
+          std::max((general - at_contact) / growth, dimensions.pin_diameter)};
+}
+
+MeshData mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {
+  check_sizing(sizing);
+  check_loops(outlines, extent(outlines));
+  std::optional<MeshData> best;
+  double best_quality = least_quality;
+  std::string failure = "there are none";
+  // sizes that fit badly into a narrow place give a bad cell there: a little finer or coarser helps
+  for (const Attempt attempt :
+       {Attempt{1., false}, Attempt{0.9, false}, Attempt{1.1, false}, Attempt{0.8, false},
+        Attempt{1.2, false}, Attempt{0.7, false}, Attempt{0.6, false}, Attempt{0.5, false},
+        Attempt{2., true}, Attempt{1.5, true}}) {
+    AttemptResult result = try_meshing(outlines, sizing, attempt);
+    if (!result.mesh) {
+      failure = result.failure;
+      continue;
+    }
+    const double quality =
+        std::min(least_scaled_jacobian(*result.mesh), least_scaled_jacobian_refined(*result.mesh));
+    if (quality < best_quality) {
+      failure = fmt::format("the worst cell has a scaled Jacobian of {:.2g}", quality);
+      continue;
+    }
+    best_quality = quality;
+    best = std::move(result.mesh);
+    if (quality >= good_quality) break;
+  }
+  if (!best)
+    throw std::runtime_error(
+        fmt::format("Gmsh found no mesh of good quadrilaterals for the outlines ({}): choose "
+                    "another cell size, or dimensions without such narrow places",
+                    failure));
+  check(*best);
+  return *best;
+}
+
+}  // namespace geneva::mesh

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "app/case_file.h"
+
+namespace geneva::app::test {
+
+/// A case directory that lives as long as the object.
+class CaseDirectory {
+ public:
+  explicit CaseDirectory(const std::string& case_text) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "geneva-case-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
+    path_ = pattern;
+    write("case.prm", case_text);
+  }
+  CaseDirectory(const CaseDirectory&) = delete;
+  CaseDirectory& operator=(const CaseDirectory&) = delete;
+  ~CaseDirectory() { std::filesystem::remove_all(path_); }
+
+  void write(const std::string& name, const std::string& content) const {
+    std::ofstream(path_ / name, std::ios::binary) << content;
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] Case read() const { return read_case(path_); }
+
+  /// Message of the refusal, in which DIR stands for the directory; "accepted" if there is none.
+  [[nodiscard]] std::string refusal() const {
+    try {
+      read_case(path_);
+      return "accepted";
+    } catch (const std::invalid_argument& error) {
+      std::string message = error.what();
+      for (std::size_t place = message.find(path_.string()); place != std::string::npos;
+           place = message.find(path_.string()))
+        message.replace(place, path_.string().size(), "DIR");
+      return message;
+    }
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Message of the refusal of a case text; "accepted" if there is none.
+inline std::string refusal(const std::string& case_text) {
+  return CaseDirectory(case_text).refusal();
+}
+
+/// The smallest mechanism case, with more lines in its subsection (the first is line 6) and after
+/// it.
+inline std::string mechanism_text(const std::string& inside = "", const std::string& after = "") {
+  return "subsection Mechanism\n"
+         "  set Stations = 6\n"
+         "  set Wheel diameter = 4.53 in\n"
+         "  set Driver speed = 600 rpm\n"
+         "  set Load inertia = 0.0046 lbf.s^2.in\n" +
+         inside + "end\n" + after;
+}
+
+}  // namespace geneva::app::test
