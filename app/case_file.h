@@ -37,7 +37,7 @@ struct MechanismCase {
 
 /// Model = geometry: the user's own plane geometry.
 struct GeometryCase {
-  std::filesystem::path file;  ///< geometry.geo or geometry.msh of the case directory
+  std::filesystem::path file;  ///< .geo or .msh file in the case directory
   double length_unit;          ///< metres per unit of the file
   fem::Problem problem;
 };

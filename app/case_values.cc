@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <sstream>
@@ -68,7 +69,7 @@ std::string wanted_text(const Rule& rule) {
   text.pop_back();
   text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
   if (const auto* quantity = std::get_if<QuantityRule>(&rule))
-    if (!quantity->whole) text += ", for example " + post::example_of(quantity->dimension);
+    if (!quantity->whole) text += "; for example " + post::example_of(quantity->dimension);
   return text;
 }
 

@@ -22,7 +22,7 @@ constexpr std::size_t most_names = 1000;
 std::vector<std::string> names_in(const ParameterText& text, const std::string& parameter) {
   const Assignment* found = text.find({names::geometry}, parameter);
   if (found == nullptr || found->value.empty()) return {};
-  const std::vector<std::string> parts = split_list(found->value);
+  std::vector<std::string> parts = split_list(found->value);
   if (parts.size() > most_names)
     refuse(text, *found, fmt::format("at most {} names are allowed", most_names));
   std::set<std::string> seen;
@@ -57,7 +57,7 @@ fs::path read_file_name(const CaseSection& section, const fs::path& directory) {
   if (name.extension() != ".geo" && name.extension() != ".msh")
     section.refuse("File", "the name of a .geo or .msh file in the case directory is wanted");
   std::error_code error;
-  const fs::path file = directory / name;
+  fs::path file = directory / name;
   const fs::path real_file = fs::weakly_canonical(file, error);
   const fs::path real_directory = error ? fs::path() : fs::canonical(directory, error);
   if (error || name.is_absolute() || !is_inside(real_file, real_directory))

@@ -52,44 +52,19 @@ double inertia_used(const MechanismCase& mechanism, const double from_geometry,
   return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
 }
 
-/// Polar moment of area about the origin of a body's cells [m^4]: that of the mesh, a little below
-/// the outline's.
-double polar_moment(const mesh::MeshData& mesh, const unsigned int body) {
-  double sum = 0.;
-  for (const mesh::Quad& quad : mesh.quads) {
-    if (quad.body != body) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& [x0, y0] = mesh.vertices[quad.vertices[i]];
-      const auto& [x1, y1] = mesh.vertices[quad.vertices[(i + 1) % 4]];
-      sum +=
-          (x0 * y1 - x1 * y0) * (x0 * x0 + x0 * x1 + x1 * x1 + y0 * y0 + y0 * y1 + y1 * y1) / 12.;
-    }
-  }
-  return sum;
-}
-
-/// The wheel's inertia as a body force. Its density is scaled so that the mesh has just the inertia
-/// that the pin force was computed with.
-fem::BodyForce inertia_force(const MechanismState& state, const mesh::MeshData& mesh,
-                             const unsigned int wheel) {
-  const double density =
-      state.inertia_used / (state.dimensions.thickness * polar_moment(mesh, wheel));
-  return {{0., 0.},
-          density * state.load.wheel_speed * state.load.wheel_speed,
-          density * state.load.wheel_acceleration};
-}
-
 fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
                                const mesh::MeshData& mesh) {
   fem::Problem problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.dimensions.thickness;
+  const fem::Rotation rotation{state.inertia_used, state.load.wheel_speed,
+                               state.load.wheel_acceleration};
   for (unsigned int body = 0; body < mesh.bodies.size(); ++body) {
     const bool is_wheel = mesh.bodies[body] == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
     problem.bodies.push_back({mesh.bodies[body],
                               {material.youngs_modulus, material.poissons_ratio},
-                              is_wheel ? inertia_force(state, mesh, body) : fem::BodyForce{}});
+                              is_wheel ? fem::BodyForce{{0., 0.}, rotation} : fem::BodyForce{}});
   }
   problem.supports.push_back({"bore", {0., 0.}});
   problem.ties.push_back({"pin core", {0., 1.}, state.load.force});

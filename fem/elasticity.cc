@@ -1,9 +1,11 @@
 #include "fem/elasticity.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <map>
 
 namespace geneva::fem {
@@ -40,21 +42,50 @@ double out_of_plane_measure(const Problem& problem, const Point<2>& point) {
 
 namespace {
 
-Tensor<1, 2> body_force_at(const BodyForce& force, const Point<2>& x) {
-  return Tensor<1, 2>({force.uniform[0] + force.centrifugal * x[0] + force.euler * x[1],
-                       force.uniform[1] + force.centrifugal * x[1] - force.euler * x[0]});
+/// Force per volume at x of a body with the given density.
+Tensor<1, 2> body_force_at(const BodyForce& force, const double density, const Point<2>& x) {
+  const double centrifugal = density * force.rotation.speed * force.rotation.speed;
+  const double euler = density * force.rotation.acceleration;
+  return Tensor<1, 2>({force.uniform[0] + centrifugal * x[0] + euler * x[1],
+                       force.uniform[1] + centrifugal * x[1] - euler * x[0]});
+}
+
+/// Densities that give every rotating body its moment of inertia on this mesh: J divided by the
+/// integral of r^2.
+std::vector<double> densities(const dealii::DoFHandler<2>& dof_handler, const Problem& problem) {
+  std::vector<double> densities(problem.bodies.size(), 0.);
+  const bool has_rotation =
+      std::any_of(problem.bodies.begin(), problem.bodies.end(),
+                  [](const Body& body) { return body.force.rotation.inertia > 0.; });
+  if (!has_rotation) return densities;
+  std::vector<double> polar_moments(problem.bodies.size(), 0.);
+  dealii::FEValues<2> values(dof_handler.get_fe(), dealii::QGauss<2>(3),
+                             dealii::update_JxW_values | dealii::update_quadrature_points);
+  for (const auto& cell : dof_handler.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    values.reinit(cell);
+    for (const unsigned int q : values.quadrature_point_indices())
+      polar_moments[cell->material_id()] +=
+          values.JxW(q) * values.quadrature_point(q).norm_square() *
+          out_of_plane_measure(problem, values.quadrature_point(q));
+  }
+  dealii::Utilities::MPI::sum(polar_moments, dof_handler.get_communicator(), polar_moments);
+  for (std::size_t body = 0; body < densities.size(); ++body)
+    densities[body] = problem.bodies[body].force.rotation.inertia / polar_moments[body];
+  return densities;
 }
 
 /// Integrates the cells of one mesh; holds the evaluation objects, which are expensive to make.
 class CellIntegrator {
  public:
-  CellIntegrator(const dealii::FiniteElement<2>& element, const Problem& problem,
+  CellIntegrator(const dealii::DoFHandler<2>& dof_handler, const Problem& problem,
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
-        cell_values_(element, dealii::QGauss<2>(element.degree + 1),
+        densities_(densities(dof_handler, problem)),
+        cell_values_(dof_handler.get_fe(), dealii::QGauss<2>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
                          dealii::update_quadrature_points),
-        face_values_(element, dealii::QGauss<1>(element.degree + 1),
+        face_values_(dof_handler.get_fe(), dealii::QGauss<1>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_JxW_values |
                          dealii::update_normal_vectors | dealii::update_quadrature_points) {
     for (const Body& body : problem.bodies) lame_.push_back(lame(body.material, problem.plane));
@@ -109,7 +140,7 @@ class CellIntegrator {
     const BodyForce& force = problem_.bodies[body].force;
     for (const unsigned int q : cell_values_.quadrature_point_indices()) {
       const Point<2>& x = cell_values_.quadrature_point(q);
-      const Tensor<1, 2> density = body_force_at(force, x);
+      const Tensor<1, 2> density = body_force_at(force, densities_[body], x);
       const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
       for (const unsigned int i : cell_values_.dof_indices())
         load[i] += weight * density[cell_values_.get_fe().system_to_component_index(i).first] *
@@ -138,6 +169,7 @@ class CellIntegrator {
   }
 
   const Problem& problem_;
+  std::vector<double> densities_;  ///< by body
   dealii::FEValues<2> cell_values_;
   dealii::FEFaceValues<2> face_values_;
   std::vector<Lame> lame_;
@@ -149,7 +181,7 @@ class CellIntegrator {
 std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>& dof_handler,
                                      const Problem& problem,
                                      const std::vector<std::string>& surfaces) {
-  CellIntegrator integrator(dof_handler.get_fe(), problem, surfaces);
+  CellIntegrator integrator(dof_handler, problem, surfaces);
   std::vector<CellSystem> systems;
   for (const auto& cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell));

@@ -57,6 +57,19 @@ SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData& me
   return origins;
 }
 
+/// Compliance of a body's surface up to a common factor: (1 - nu^2)/E, or 1/E in plane stress.
+double compliance(const mesh::MeshData& mesh, const Problem& problem, const std::string& surface) {
+  const Material& material =
+      problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()].material;
+  const double nu = problem.plane == PlaneKind::plane_stress ? 0. : material.poissons_ratio;
+  return (1. - nu * nu) / material.youngs_modulus;
+}
+
+double source_share(const mesh::MeshData& mesh, const Problem& problem, const ContactPair& pair) {
+  const double source = compliance(mesh, problem, pair.source);
+  return source / (source + compliance(mesh, problem, pair.target));
+}
+
 std::vector<ContactInterface> make_interfaces(const Boundary& boundary, const mesh::MeshData& mesh,
                                               const Problem& problem,
                                               const SurfaceOrigins& origins) {
@@ -69,7 +82,8 @@ std::vector<ContactInterface> make_interfaces(const Boundary& boundary, const me
         make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
     interface.rows = mortar_rows(
         interface.source, interface.target,
-        [&](const dealii::Point<2>& point) { return out_of_plane_measure(problem, point); });
+        {[&](const dealii::Point<2>& point) { return out_of_plane_measure(problem, point); },
+         source_share(mesh, problem, problem.pairs[i])});
     interface.active = first_touch(interface.rows, interface.source.length);
     interfaces.push_back(std::move(interface));
   }
@@ -153,7 +167,9 @@ Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData&
   level.ghosts = relevant_and_boundary(dof_handler, level.boundary);
   if (!origins) origins = choose_origins(level.boundary, mesh, scaled_problem);
   level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins);
+  const dealii::Timer timer;
   level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
+  level.cell_seconds = timer.wall_time();
   level.hanging = make_constraints(dof_handler, level.ghosts, {});
   add_held_lines(level, mesh, scaled_problem);
   return level;

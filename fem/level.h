@@ -29,6 +29,7 @@ struct Level {
   std::set<global_dof_index> held;         ///< dofs of those lines
   std::vector<NodalForce> tie_forces;
   dealii::AffineConstraints<double> hanging;
+  double cell_seconds = 0.;  ///< time to integrate the cells
 };
 
 /// Builds the level on the dof handler's mesh.

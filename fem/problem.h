@@ -20,14 +20,19 @@ struct Material {
   double poissons_ratio;  ///< nu, -1 < nu < 0.5
 };
 
-/// Force per volume at (x, y): uniform + centrifugal (x, y) + euler (y, -x).
+/// Rotation of a body about the origin, whose inertia loads it: rho (omega^2 r - alpha x r).
 ///
-/// A body of density rho that turns about the origin with speed omega and acceleration alpha
-/// (counter-clockwise) has centrifugal = rho omega^2 and euler = rho alpha.
+/// The density is not given: on every mesh it is set so that the body's moment of inertia is the
+/// given one.
+struct Rotation {
+  double inertia = 0.;       ///< J about the origin [kg m^2], >= 0; 0: no inertia load
+  double speed = 0.;         ///< omega [rad/s], counter-clockwise
+  double acceleration = 0.;  ///< alpha [rad/s^2], counter-clockwise
+};
+
 struct BodyForce {
-  std::array<double, 2> uniform{0., 0.};  ///< [N/m^3]
-  double centrifugal = 0.;                ///< [N/m^4]
-  double euler = 0.;                      ///< [N/m^4]
+  std::array<double, 2> uniform{0., 0.};  ///< force per volume [N/m^3]
+  Rotation rotation;
 };
 
 struct Body {

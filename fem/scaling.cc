@@ -27,8 +27,7 @@ Problem scaled(const Problem& problem, const Scales& scales) {
   for (Body& body : result.bodies) {
     body.material.youngs_modulus /= scales.stress;
     for (double& component : body.force.uniform) component *= scales.length / scales.stress;
-    body.force.centrifugal *= scales.length * scales.length / scales.stress;
-    body.force.euler *= scales.length * scales.length / scales.stress;
+    body.force.rotation.inertia /= scales.force() * scales.length;
   }
   for (Support& support : result.supports)
     for (auto& component : support.displacement)

@@ -59,10 +59,11 @@ struct LevelRecord {
   unsigned int dofs;
   std::vector<unsigned int> linear_iterations;  ///< one entry for every active-set step
   double peak_pressure;                         ///< [Pa]
-  double error_estimate;                        ///< relative, of the peak pressure
+  double change;          ///< relative change of the peak pressure from the mesh before
+  double error_estimate;  ///< relative, of the peak pressure
   unsigned int active_nodes;
-  double seconds;                     ///< since the start of the contact solve
-  double assemble_and_solve_seconds;  ///< one assembly and one linear solve on this mesh
+  double seconds;            ///< since the start of the contact solve
+  double one_solve_seconds;  ///< one assembly (from the cells on) and one linear solve on this mesh
 };
 
 /// Why the refinement ended.

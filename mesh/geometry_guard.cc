@@ -16,7 +16,9 @@ namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
 constexpr std::size_t deepest_include = 8;
-constexpr std::size_t most_tokens = 2000000;
+constexpr std::size_t largest_geometry = std::size_t{8} << 20;
+constexpr std::size_t most_tokens = 500000;
+constexpr std::size_t most_files = 1000;
 constexpr std::size_t longest_line = 2000;
 constexpr int most_conversions = 8;
 
@@ -274,7 +276,8 @@ class Checker {
     if (word == "SetFactory" && at(index + 2) != "\"OpenCASCADE\"" &&
         at(index + 2) != "\"Built-in\"")
       refuse(tokens_[index], "the kernels are \"Built-in\" and \"OpenCASCADE\"");
-    if (one_of(word, {"Macro", "Function", "Call"}) && !is(index + 1, TokenKind::word))
+    const bool names_a_macro = one_of(word, {"Macro", "Function", "Call"});
+    if (names_a_macro && (!is(index + 1, TokenKind::word) || contains(commands(), at(index + 1))))
       refuse(tokens_[index], "the macro's name must be a plain word");
     if (word == "Sprintf") return check_format(index);
     if (!one_of(word, {"Printf", "Warning", "Error"})) return;
@@ -384,7 +387,9 @@ class Collector {
  private:
   void collect(const std::filesystem::path& shown, const std::filesystem::path& file,
                std::size_t depth) {
-    const std::vector<Token> own = tokenize(read_file(file), shown);
+    const std::string content = read_file(file);
+    if (content.size() > largest_geometry || ++files_ > most_files) refuse_size(shown);
+    const std::vector<Token> own = tokenize(content, shown);
     for (std::size_t i = 0; i < own.size(); ++i) {
       if (!is_file_command(own, i)) {
         tokens.push_back(own[i]);
@@ -393,11 +398,14 @@ class Collector {
         i += 2;
       }
     }
-    if (tokens.size() > most_tokens)
-      throw std::invalid_argument(
-          fmt::format("{}: the geometry with all that it includes has more than {} words: mesh it "
-                      "with Gmsh and give the .msh file",
-                      shown.string(), most_tokens));
+    if (tokens.size() > most_tokens) refuse_size(shown);
+  }
+
+  [[noreturn]] static void refuse_size(const std::filesystem::path& file) {
+    throw std::invalid_argument(
+        fmt::format("{}: the geometry with all that it includes has more than {} MiB, {} words or "
+                    "{} files: mesh it with Gmsh and give the .msh file",
+                    file.string(), largest_geometry >> 20, most_tokens, most_files));
   }
 
   static bool is_file_command(const std::vector<Token>& own, std::size_t index) {
@@ -430,6 +438,7 @@ class Collector {
   }
 
   std::filesystem::path directory_;
+  std::size_t files_ = 0;
 };
 
 /// Spells the tokens with blanks between them, on lines like those of their files.

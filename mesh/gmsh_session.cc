@@ -30,20 +30,22 @@ GmshSession::~GmshSession() {
 }
 
 std::vector<std::string> GmshSession::errors_of(const std::function<void()>& action) {
-  std::vector<std::string> errors;
+  std::vector<std::string> thrown;
   try {
     action();
   } catch (const std::exception& exception) {
-    errors.emplace_back(exception.what());
+    thrown.emplace_back(exception.what());
   } catch (const std::string& message) {  // what Gmsh itself throws
-    errors.push_back(message);
+    thrown.push_back(message);
   }
+  std::vector<std::string> errors;
   std::vector<std::string> messages;
   gmsh::logger::get(messages);
   for (std::size_t i = messages_seen_; i < messages.size(); ++i)
     if (messages[i].rfind(error_prefix, 0) == 0)
       errors.push_back(messages[i].substr(error_prefix.size()));
   messages_seen_ = messages.size();
+  errors.insert(errors.end(), thrown.begin(), thrown.end());
   return errors;
 }
 

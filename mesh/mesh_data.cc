@@ -79,31 +79,6 @@ void check_cells(const MeshData& mesh) {
   }
 }
 
-/// Body of every vertex; refuses vertices that have two bodies or none.
-void check_bodies(const MeshData& mesh) {
-  std::vector<unsigned int> body_of(mesh.vertices.size(), no_body);
-  std::vector<bool> has_cells(mesh.bodies.size(), false);
-  for (const Quad& quad : mesh.quads) {
-    has_cells[quad.body] = true;
-    for (const unsigned int vertex : quad.vertices) {
-      if (body_of[vertex] != no_body && body_of[vertex] != quad.body)
-        refuse(
-            "bodies \"{}\" and \"{}\" share the vertex at ({:.6g}, {:.6g}) m and would be welded "
-            "there: give each body its own points and curves, also where they touch (and no "
-            "Coherence)",
-            mesh.bodies[body_of[vertex]], mesh.bodies[quad.body], mesh.vertices[vertex][0],
-            mesh.vertices[vertex][1]);
-      body_of[vertex] = quad.body;
-    }
-  }
-  for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
-    if (!has_cells[i]) refuse("body \"{}\" has no cells", mesh.bodies[i]);
-  for (std::size_t i = 0; i < body_of.size(); ++i)
-    if (body_of[i] == no_body)
-      refuse("vertex {} at ({:.6g}, {:.6g}) m belongs to no cell: remove it", i,
-             mesh.vertices[i][0], mesh.vertices[i][1]);
-}
-
 void check_boundary(const MeshData& mesh) {
   std::map<VertexPair, int> missing;  // times that a side of a cell has still to be accounted for
   for (const Quad& quad : mesh.quads)
@@ -143,6 +118,41 @@ void check_circles(const MeshData& mesh) {
 }
 
 }  // namespace
+
+void check_bodies(const MeshData& mesh) {
+  std::vector<unsigned int> body_of(mesh.vertices.size(), no_body);
+  std::vector<bool> has_cells(mesh.bodies.size(), false);
+  for (const Quad& quad : mesh.quads) {
+    has_cells[quad.body] = true;
+    for (const unsigned int vertex : quad.vertices) {
+      if (body_of[vertex] != no_body && body_of[vertex] != quad.body)
+        refuse(
+            "bodies \"{}\" and \"{}\" share the vertex at ({:.6g}, {:.6g}) m and would be welded "
+            "there: give each body its own points and curves, also where they touch (and no "
+            "Coherence)",
+            mesh.bodies[body_of[vertex]], mesh.bodies[quad.body], mesh.vertices[vertex][0],
+            mesh.vertices[vertex][1]);
+      body_of[vertex] = quad.body;
+    }
+  }
+  for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
+    if (!has_cells[i]) refuse("body \"{}\" has no cells", mesh.bodies[i]);
+  for (std::size_t i = 0; i < body_of.size(); ++i)
+    if (body_of[i] == no_body)
+      refuse("vertex {} at ({:.6g}, {:.6g}) m belongs to no cell: remove it", i,
+             mesh.vertices[i][0], mesh.vertices[i][1]);
+}
+
+std::set<unsigned int> bodies_of(const MeshData& mesh, const unsigned int surface) {
+  std::set<unsigned int> vertices;
+  for (const Edge& edge : mesh.edges)
+    if (edge.surface == surface) vertices.insert(edge.vertices.begin(), edge.vertices.end());
+  std::set<unsigned int> bodies;
+  for (const Quad& quad : mesh.quads)
+    for (const unsigned int vertex : quad.vertices)
+      if (vertices.count(vertex) > 0) bodies.insert(quad.body);
+  return bodies;
+}
 
 void check(const MeshData& mesh) {
   check_surfaces(mesh);

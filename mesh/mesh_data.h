@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,10 @@ struct MeshData {
   std::vector<std::string> surfaces;
 };
 
+/// The part of check() on bodies: every body has cells, no vertex is shared by two or unused.
+/// @throws std::invalid_argument naming the bodies, the place and what to change
+void check_bodies(const MeshData& mesh);
+
 /// Refuses a mesh that a solver cannot use.
 ///
 /// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every
@@ -46,5 +51,8 @@ struct MeshData {
 /// vertex unused, edges of a circle end on it.
 /// @throws std::invalid_argument naming the cell, its place and what to change
 void check(const MeshData& mesh);
+
+/// Bodies that the edges of a surface (an index into MeshData::surfaces) belong to.
+std::set<unsigned int> bodies_of(const MeshData& mesh, unsigned int surface);
 
 }  // namespace geneva::mesh

@@ -80,7 +80,10 @@ void read_vertices(TaggedMesh& result) {
   double extent = 0.;
   double off_plane = 0.;
   for (const std::size_t tag : result.tags) {
-    const auto& [x, y, z] = place_of.at(tag);
+    const auto found = place_of.find(tag);
+    if (found == place_of.end())
+      throw std::invalid_argument(fmt::format("a cell refers to node {}, which is missing", tag));
+    const auto& [x, y, z] = found->second;
     result.mesh.vertices.push_back({x, y});
     extent = std::max({extent, std::abs(x), std::abs(y)});
     off_plane = std::max(off_plane, std::abs(z));

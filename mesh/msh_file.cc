@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace geneva::mesh {
 
@@ -45,6 +47,27 @@ void check_format_line(const std::string& line, const std::filesystem::path& fil
                              line.substr(0, 40), version, version));
 }
 
+/// Gmsh drops a name that is used before, and the group with it seems to have none.
+void check_names(const std::string& content, const std::filesystem::path& file) {
+  const std::string start = "\n$PhysicalNames";
+  const std::size_t at = content.find(start);
+  if (at == content.npos) return;
+  std::istringstream stream(content.substr(at, content.find("$EndPhysicalNames", at) - at));
+  std::set<std::pair<int, std::string>> seen;
+  int dimension = 0;
+  int tag = 0;
+  std::string line;
+  while (std::getline(stream, line)) {
+    std::istringstream fields(line);
+    std::string name;
+    if (!(fields >> dimension >> tag) || !std::getline(fields, name)) continue;
+    if (!seen.insert({dimension, name}).second)
+      refuse(file, fmt::format("the name{} is used for more than one {}: give each its own, or "
+                               "list all entities in one group",
+                               name, dimension == 1 ? "Physical Curve" : "Physical Surface"));
+  }
+}
+
 }  // namespace
 
 void check_msh(const std::string& content, const std::filesystem::path& file) {
@@ -59,6 +82,7 @@ void check_msh(const std::string& content, const std::filesystem::path& file) {
   for (const char* const keyword :
        {"$EndMeshFormat", "$Nodes", "$EndNodes", "$Elements", "$EndElements"})
     at = after_line(content, keyword, at, file);
+  check_names(content, file);
 }
 
 }  // namespace geneva::mesh

@@ -98,6 +98,7 @@ void OutlineModel::add_body(const Outline& unit, const Outline& exact) {
   if (is_ring(unit)) return add_ring(unit, loops);
   divide(loops);
   std::vector<int> loop_tags;
+  loop_tags.reserve(loops.size());
   for (const LoopTags& loop : loops)
     loop_tags.push_back(gmsh::model::geo::addCurveLoop(loop.curves));
   labels_.bodies.back().surfaces.push_back(gmsh::model::geo::addPlaneSurface(loop_tags));

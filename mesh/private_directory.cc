@@ -26,7 +26,7 @@ PrivateDirectory::~PrivateDirectory() {
 
 std::filesystem::path PrivateDirectory::write(const std::string& name,
                                               const std::string& content) const {
-  const std::filesystem::path file = path_ / name;
+  std::filesystem::path file = path_ / name;
   std::ofstream stream(file, std::ios::binary);
   stream << content;
   stream.close();

@@ -45,6 +45,7 @@ std::string listed(const Errors& errors) {
 
 /// Gmsh's "'file', line 7: what" with the user's file and line in the place of Gmsh's.
 std::string with_source(const std::string& error, const GuardedGeometry& geometry) {
+  if (geometry.lines.empty()) return error;
   const std::string before = "', line ";
   const std::size_t at = error.find(before);
   if (error.rfind('\'', 0) != 0 || at == error.npos) return error;
@@ -91,12 +92,14 @@ std::optional<std::string> group_of(int dimension, int entity,
                                     const std::map<int, std::string>& names) {
   std::vector<int> groups;
   gmsh::model::getPhysicalGroupsForEntity(dimension, entity, groups);
+  // a negative number is a group that has the entity in its other direction
+  const auto name = [&](int group) { return names.at(std::abs(group)); };
   if (groups.size() > 1)
     throw std::invalid_argument(fmt::format(
         "{} {} is in the physical groups \"{}\" and \"{}\": it may be in one only",
-        dimension == 1 ? "curve" : "surface", entity, names.at(groups[0]), names.at(groups[1])));
+        dimension == 1 ? "curve" : "surface", entity, name(groups[0]), name(groups[1])));
   if (groups.empty()) return std::nullopt;
-  return names.at(groups.front());
+  return name(groups.front());
 }
 
 /// The circle through three points; nothing if they lie in a line.
@@ -258,6 +261,7 @@ MeshData named_mesh(bool is_mesh_file) {
   check_cells(count_other_cells(), is_mesh_file);
   ModelLabels labels;
   label_bodies(labels);
+  check_bodies(read_model(labels).mesh);  // before the curves: shared ones have two names
   label_curves(labels);
   MeshData mesh = read_model(labels).mesh;
   check_named_curves(mesh);
@@ -286,11 +290,19 @@ void mesh_current_model() {
   gmsh::model::mesh::generate(2);
 }
 
+/// Throws what Gmsh reports while it runs an action.
+void run(GmshSession& session, const std::function<void()>& action,
+         const GuardedGeometry& geometry = {}) {
+  Errors errors = session.errors_of(action);
+  if (errors.empty()) return;
+  for (std::string& error : errors) error = with_source(error, geometry);
+  throw std::invalid_argument(listed(errors));
+}
+
 MeshData read_geo(const std::filesystem::path& file) {
   const GuardedGeometry geometry = guard_geometry(file);
   // Gmsh opens only what this program has written to a place of its own: beside the user's file it
-  // would also run
-  // "<file>.opt"
+  // would also run "<file>.opt"
   const PrivateDirectory directory;
   for (std::size_t i = 0; i < geometry.meshes.size(); ++i) {
     const std::string content = read_file(geometry.meshes[i]);
@@ -300,15 +312,13 @@ MeshData read_geo(const std::filesystem::path& file) {
   const std::filesystem::path guarded = directory.write("geometry.geo", geometry.text);
   GmshSession session;
   set_quadrilateral_options();
-  Errors errors = session.errors_of([&] { gmsh::open(guarded.string()); });
-  for (std::string& error : errors) error = with_source(error, geometry);
-  if (!errors.empty()) throw std::invalid_argument(listed(errors));
   MeshData mesh;
-  errors = session.errors_of([&] {
+  run(
+      session, [&] { gmsh::open(guarded.string()); }, geometry);
+  run(session, [&] {
     if (!has_any_cells()) mesh_current_model();
-    mesh = named_mesh(false);
   });
-  if (!errors.empty()) throw std::invalid_argument(listed(errors));
+  run(session, [&] { mesh = named_mesh(false); });
   return mesh;
 }
 
@@ -319,11 +329,8 @@ MeshData read_msh(const std::filesystem::path& file) {
   const std::filesystem::path copy = directory.write("mesh.msh", content);
   GmshSession session;
   MeshData mesh;
-  const Errors errors = session.errors_of([&] {
-    gmsh::open(copy.string());
-    mesh = named_mesh(true);
-  });
-  if (!errors.empty()) throw std::invalid_argument(listed(errors));
+  run(session, [&] { gmsh::open(copy.string()); });
+  run(session, [&] { mesh = named_mesh(true); });
   return mesh;
 }
 

@@ -21,13 +21,9 @@ double curvature(const fem::Solution& solution, const int circle, const bool is_
 loads::Elastic material_of(const fem::Solution& solution, const std::string& surface) {
   const mesh::MeshData& mesh = solution.mesh;
   const auto name = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
-  const auto id = static_cast<unsigned int>(name - mesh.surfaces.begin());
-  const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(),
-                                 [&](const mesh::Edge& e) { return e.surface == id; });
-  const auto quad = std::find_if(mesh.quads.begin(), mesh.quads.end(), [&](const mesh::Quad& q) {
-    return std::find(q.vertices.begin(), q.vertices.end(), edge->vertices[0]) != q.vertices.end();
-  });
-  const fem::Material& material = solution.problem.bodies[quad->body].material;
+  const unsigned int body =
+      *mesh::bodies_of(mesh, static_cast<unsigned int>(name - mesh.surfaces.begin())).begin();
+  const fem::Material& material = solution.problem.bodies[body].material;
   return {material.youngs_modulus, material.poissons_ratio};
 }
 

@@ -83,28 +83,65 @@ StressPeak greatest(const MPI_Comm communicator, const StressPeak& local) {
 /// A sample of the shear stress near its maximum.
 using Sample = std::array<double, 3>;  ///< x, y, value
 
-/// Top of the least-squares paraboloid v = c0 + c1 x + c2 y + c3 x^2 + c4 x y + c5 y^2 through the
-/// samples, or the given peak if it has none nearby.
-StressPeak paraboloid_top(const std::vector<Sample>& samples, const StressPeak& peak,
-                          const double radius) {
+/// Monomials x^i y^j up to a degree, and their derivatives by x and y.
+struct Monomials {
+  std::vector<double> value, by_x, by_y;
+};
+
+Monomials monomials(const double x, const double y, const int degree) {
+  const auto power = [](const double base, const int exponent) {
+    return exponent < 0 ? 0. : std::pow(base, exponent);
+  };
+  Monomials m;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) {
+      m.value.push_back(power(x, i) * power(y, j));
+      m.by_x.push_back(i * power(x, i - 1) * power(y, j));
+      m.by_y.push_back(j * power(x, i) * power(y, j - 1));
+    }
+  return m;
+}
+
+/// Top of the polynomial fitted to the samples within a radius of the greatest one (cubic where
+/// there are enough of them), or that sample itself if the polynomial has none nearby.
+StressPeak fitted_top(const std::vector<Sample>& samples, const StressPeak& peak,
+                      const double radius) {
+  const int degree = samples.size() >= 20 ? 3 : 2;
   if (samples.size() < 9) return peak;
   const auto n = static_cast<Eigen::Index>(samples.size());
-  Eigen::MatrixXd matrix(n, 6);
+  Eigen::MatrixXd matrix(n, (degree + 1) * (degree + 2) / 2);
   Eigen::VectorXd values(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Sample& sample = samples[static_cast<std::size_t>(i)];
-    const double x = (sample[0] - peak.place[0]) / radius;
-    const double y = (sample[1] - peak.place[1]) / radius;
-    matrix.row(i) << 1., x, y, x * x, x * y, y * y;
+    const Monomials m = monomials((sample[0] - peak.place[0]) / radius,
+                                  (sample[1] - peak.place[1]) / radius, degree);
+    matrix.row(i) = Eigen::Map<const Eigen::RowVectorXd>(m.value.data(), matrix.cols());
     values(i) = sample[2] / peak.value;
   }
   const Eigen::VectorXd c = matrix.colPivHouseholderQr().solve(values);
-  Eigen::Matrix2d hessian;
-  hessian << 2. * c(3), c(4), c(4), 2. * c(5);
-  if (hessian(0, 0) >= 0. || hessian.determinant() <= 0.) return peak;
-  const Eigen::Vector2d top = hessian.fullPivLu().solve(Eigen::Vector2d(-c(1), -c(2)));
-  if (top.norm() > 1.) return peak;
-  const double value = c(0) + 0.5 * (c(1) * top(0) + c(2) * top(1));
+  const auto gradient = [&](const Eigen::Vector2d& at) {
+    const Monomials m = monomials(at(0), at(1), degree);
+    return Eigen::Vector2d(Eigen::Map<const Eigen::RowVectorXd>(m.by_x.data(), c.size()).dot(c),
+                           Eigen::Map<const Eigen::RowVectorXd>(m.by_y.data(), c.size()).dot(c));
+  };
+  Eigen::Vector2d top(0., 0.);
+  for (int step = 0; step < 30; ++step) {
+    constexpr double h = 1e-5;
+    Eigen::Matrix2d hessian;
+    hessian.col(0) =
+        (gradient(top + Eigen::Vector2d(h, 0.)) - gradient(top - Eigen::Vector2d(h, 0.))) /
+        (2. * h);
+    hessian.col(1) =
+        (gradient(top + Eigen::Vector2d(0., h)) - gradient(top - Eigen::Vector2d(0., h))) /
+        (2. * h);
+    if (hessian(0, 0) >= 0. || hessian.determinant() <= 0.) return peak;
+    const Eigen::Vector2d move = hessian.fullPivLu().solve(-gradient(top));
+    top += move;
+    if (move.norm() < 1e-12) break;
+  }
+  if (!(top.norm() < 1.)) return peak;
+  const Monomials m = monomials(top(0), top(1), degree);
+  const double value = Eigen::Map<const Eigen::RowVectorXd>(m.value.data(), c.size()).dot(c);
   return {value * peak.value, {peak.place[0] + radius * top(0), peak.place[1] + radius * top(1)}};
 }
 
@@ -228,7 +265,7 @@ StressPeak peak_shear(const fem::Solution& solution, const std::vector<CellStres
       local = {shear, {cell.centre[0], cell.centre[1]}};
   }
   const StressPeak peak = greatest(communicator, local);
-  const double radius = 0.12 * distance;
+  const double radius = 0.15 * distance;
   const Point<2> place(peak.place[0], peak.place[1]);
   std::vector<Sample> samples;
   for (const CellStress& cell : stresses)
@@ -237,7 +274,7 @@ StressPeak peak_shear(const fem::Solution& solution, const std::vector<CellStres
   std::vector<Sample> all;
   for (const auto& part : dealii::Utilities::MPI::all_gather(communicator, samples))
     all.insert(all.end(), part.begin(), part.end());
-  return paraboloid_top(all, peak, radius);
+  return fitted_top(all, peak, radius);
 }
 
 }  // namespace geneva::post

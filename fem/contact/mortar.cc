@@ -31,27 +31,36 @@ struct OverlapPoint {
   double weight;
 };
 
+/// xi (1 - xi) h^2/2: how far a parabola of unit curvature is from its chord.
+double bubble(const Surface& surface, const SurfaceFace& face, const double xi) {
+  const double length_square =
+      surface.nodes[face.nodes[0]].position.distance_square(surface.nodes[face.nodes[1]].position);
+  return 0.5 * xi * (1. - xi) * length_square;
+}
+
 OverlapPoint overlap_point(const Surface& source, const SurfaceFace& source_face, const double xi,
                            const Surface& target, const SurfaceFace& target_face,
-                           const double weight) {
+                           const double weight, const double source_share) {
   const Point<2> source_point =
       true_point(source, source_face, chord_point(source, source_face, xi));
   const double eta = project_on_face(target, target_face, source_point);
   const Point<2> target_point =
       true_point(target, target_face, chord_point(target, target_face, eta));
   const Tensor<1, 2> normal = face_normal(target, target_face, eta);
+  const double relative_curvature = curvature(source, source_face) + curvature(target, target_face);
+  const double missed = source_share * bubble(source, source_face, xi) +
+                        (1. - source_share) * bubble(target, target_face, eta);
   return {{1. - xi, xi},
           {1. - eta, eta},
           target_face.nodes,
           normal,
-          (source_point - target_point) * normal,
+          (source_point - target_point) * normal + relative_curvature * missed,
           weight};
 }
 
 /// Gauss points on all overlaps of one source edge with the target.
 std::vector<OverlapPoint> overlap_points(const Surface& source, const SurfaceFace& source_face,
-                                         const Surface& target,
-                                         const std::function<double(const Point<2>&)>& measure) {
+                                         const Surface& target, const MortarData& data) {
   static const dealii::QGauss<1> rule(4);
   const double length = source.nodes[source_face.nodes[0]].position.distance(
       source.nodes[source_face.nodes[1]].position);
@@ -60,9 +69,9 @@ std::vector<OverlapPoint> overlap_points(const Surface& source, const SurfaceFac
     for (unsigned int q = 0; q < rule.size(); ++q) {
       const double xi = overlap.begin + rule.point(q)[0] * (overlap.end - overlap.begin);
       const double weight = rule.weight(q) * (overlap.end - overlap.begin) * length *
-                            measure(chord_point(source, source_face, xi));
+                            data.measure(chord_point(source, source_face, xi));
       points.push_back(overlap_point(source, source_face, xi, target,
-                                     target.faces[overlap.target_face], weight));
+                                     target.faces[overlap.target_face], weight, data.source_share));
     }
   return points;
 }
@@ -96,13 +105,13 @@ struct RowSum {
 };
 
 void add_face(const Surface& source, const SurfaceFace& face, const Surface& target,
-              const std::function<double(const Point<2>&)>& measure, std::vector<RowSum>& rows) {
+              const MortarData& data, std::vector<RowSum>& rows) {
   const double length =
       source.nodes[face.nodes[0]].position.distance(source.nodes[face.nodes[1]].position);
   for (const unsigned int node : face.nodes)
-    rows[node].full_weight += 0.5 * length * measure(chord_point(source, face, 0.5));
+    rows[node].full_weight += 0.5 * length * data.measure(chord_point(source, face, 0.5));
 
-  const auto points = overlap_points(source, face, target, measure);
+  const auto points = overlap_points(source, face, target, data);
   const auto basis = dual_basis(points);
   if (!basis) return;
   for (const OverlapPoint& p : points)
@@ -120,9 +129,9 @@ void add_face(const Surface& source, const SurfaceFace& face, const Surface& tar
 }  // namespace
 
 std::vector<MortarRow> mortar_rows(const Surface& source, const Surface& target,
-                                   const std::function<double(const Point<2>&)>& measure) {
+                                   const MortarData& data) {
   std::vector<RowSum> sums(source.nodes.size());
-  for (const SurfaceFace& face : source.faces) add_face(source, face, target, measure, sums);
+  for (const SurfaceFace& face : source.faces) add_face(source, face, target, data, sums);
 
   std::vector<MortarRow> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {

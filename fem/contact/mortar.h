@@ -20,13 +20,24 @@ struct MortarRow {
       coupling;  ///< (target node, integral of psi_j N_k n)
 };
 
+/// What the integrals along a contact pair need beside its two surfaces.
+struct MortarData {
+  std::function<double(const dealii::Point<2>&)> measure;  ///< out-of-plane measure at a point
+  double source_share;  ///< of the source body in the compliance of both, 0..1
+};
+
 /// Dual mortar coupling of a contact pair: one row for every source node that faces the target.
 ///
 /// The integrals run over the true overlaps of the two meshes: every source edge is split where
 /// target nodes project on it. The dual basis is biorthogonal on the overlap itself, so that edges
 /// that stick out of the target stay exact.
-/// @param measure out-of-plane measure at a point
+///
+/// The gap is that of the true surfaces. Within the contact the surfaces' relative curvature is
+/// taken up by the displacements, each body's share being that of its compliance (K. L. Johnson,
+/// Contact Mechanics, 1985, Eq. 4.22); a displacement that is linear along an edge misses the part
+/// u'' xi (1 - xi) h^2/2 of that, which is added to the gap. Without it the pressure of meshes that
+/// do not match ripples in proportion to h.
 std::vector<MortarRow> mortar_rows(const Surface& source, const Surface& target,
-                                   const std::function<double(const dealii::Point<2>&)>& measure);
+                                   const MortarData& data);
 
 }  // namespace geneva::fem

@@ -1,5 +1,6 @@
 #include "fem/contact/result.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,33 +10,45 @@ namespace geneva::fem {
 
 namespace {
 
+/// Least-squares parabola c0 + c1 x + c2 x^2 through points (x, q), x scaled to about 1 by the
+/// caller.
+Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& points) {
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(points.size()), 3);
+  Eigen::VectorXd values(matrix.rows());
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const auto& [x, q] = points[static_cast<std::size_t>(i)];
+    matrix.row(i) << 1., x, x * x;
+    values(i) = q;
+  }
+  return matrix.colPivHouseholderQr().solve(values);
+}
+
 /// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2
 /// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so the
-/// parabola through the three nodes inside the last one is followed to zero, and kept between the
-/// last active and the first open node.
+/// parabola fitted to this half of the contact without its last node is followed to zero, and kept
+/// between the last active and the first open node.
 double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
                    const std::size_t count) {
   const auto node = [&](const int steps) -> const ContactNode& {
     return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)];
   };
   const double last = node(0).arc_length;
-  if (count < 8) return last;
-  const auto outwards = [&](const int i) {
-    return -inwards * (node(i).arc_length - node(1).arc_length);
-  };
-  const auto square = [&](const int i) { return node(i).pressure * node(i).pressure; };
-  // Newton's divided differences in the distance outwards from node 1: q(x) = q1 + x (d12 + (x -
-  // x2) d123).
-  const double d12 = (square(2) - square(1)) / outwards(2);
-  const double d23 = (square(3) - square(2)) / (outwards(3) - outwards(2));
-  const double d123 = (d23 - d12) / outwards(3);
-  const double slope = d12 - outwards(2) * d123;
-  const double discriminant = slope * slope - 4. * d123 * square(1);
-  if (slope >= 0. || discriminant < 0.) return last;
-  const double distance = 2. * square(1) / (-slope + std::sqrt(discriminant));
-  const double end = node(1).arc_length - inwards * distance;
+  const int half = static_cast<int>(count) / 2;
+  if (half < 4) return last;
+  const double reach = std::abs(node(half).arc_length - last);
+  std::vector<std::pair<double, double>> points;
+  for (int i = 1; i <= half; ++i)
+    points.emplace_back(std::abs(node(i).arc_length - last) / reach,
+                        node(i).pressure * node(i).pressure);
+  const Eigen::Vector3d c = fitted_parabola(points);
+  const double discriminant = c(1) * c(1) - 4. * c(0) * c(2);
+  if (c(1) <= 0. || discriminant < 0.) return last;
+  const double inside =
+      -2. * c(0) / (c(1) + std::sqrt(discriminant));  // distance inwards, usually negative
+  const double end = last + inwards * inside * reach;
+  const double inner = node(1).arc_length;
   const double outside = node(-1).arc_length;
-  return std::clamp(end, std::min(last, outside), std::max(last, outside));
+  return std::clamp(end, std::min(inner, outside), std::max(inner, outside));
 }
 
 /// Half the length of a contact interval, or all of it where the pressure peaks at one end of the

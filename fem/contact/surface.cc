@@ -84,6 +84,13 @@ Point<2> true_point(const Surface& surface, const SurfaceFace& face, const Point
   return centre_of(circle) + circle.radius / radial.norm() * radial;
 }
 
+double curvature(const Surface& surface, const SurfaceFace& face) {
+  if (face.circle < 0) return 0.;
+  const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
+  const Tensor<1, 2> radial = chord_point(surface, face, 0.5) - centre_of(circle);
+  return (radial * chord_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
+}
+
 Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face) {
   const Tensor<1, 2> tangent =
       surface.nodes[face.nodes[1]].position - surface.nodes[face.nodes[0]].position;

@@ -48,6 +48,9 @@ dealii::Point<2> chord_point(const Surface& surface, const SurfaceFace& face, do
 dealii::Point<2> true_point(const Surface& surface, const SurfaceFace& face,
                             const dealii::Point<2>& on_chord);
 
+/// 1/R of the true surface: positive where the body bulges, 0 where it is straight.
+double curvature(const Surface& surface, const SurfaceFace& face);
+
 /// Outward unit normal of the chord.
 dealii::Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face);
 

@@ -131,8 +131,7 @@ TEST(GeometryCase, GravityTimesDensityIsAddedToTheBodyForce) {
   const fem::Problem problem = read_with_geometry(full_text).geometry->problem;
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[0], 8000.);
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[1], -85000.);
-  EXPECT_EQ(problem.bodies[0].force.centrifugal, 0.);
-  EXPECT_EQ(problem.bodies[0].force.euler, 0.);
+  EXPECT_EQ(problem.bodies[0].force.rotation.inertia, 0.);
   EXPECT_EQ(problem.bodies[1].force.uniform[0], 0.);
   EXPECT_EQ(problem.bodies[1].force.uniform[1], 0.);
 }
@@ -309,11 +308,11 @@ TEST(GeometryCase, ThicknessIsWantedJustInPlaneModels) {
 
 TEST(GeometryCase, MissingBodiesOrPairsAreRefused) {
   EXPECT_EQ(refusal_with_geometry("set Model = geometry\n"),
-            "DIR/case.prm: 'Bodies' is missing in the subsection 'Geometry': names separated by "
-            "commas is wanted");
+            "DIR/case.prm: 'Bodies' is missing in the subsection 'Geometry': it takes names "
+            "separated by commas");
   EXPECT_EQ(refusal_with_geometry("set Model = geometry\nsubsection Geometry\nset Bodies = a\nend"),
-            "DIR/case.prm: 'Contact pairs' is missing in the subsection 'Geometry': a list of "
-            "'source -> target', separated by commas is wanted");
+            "DIR/case.prm: 'Contact pairs' is missing in the subsection 'Geometry': it takes a "
+            "list of 'source -> target', separated by commas");
 }
 
 TEST(GeometryCase, EmptyAndDoubleNamesAreRefused) {
@@ -399,8 +398,8 @@ TEST(GeometryCase, LoadsWithTheUnitOfAnotherTypeAreRefused) {
             "DIR/case.prm, line 8: 'Load top/Type' = 'weight': one of 'pressure', 'traction', "
             "'force', 'force per thickness', 'displacement' is wanted");
   EXPECT_EQ(load_refusal(""),
-            "DIR/case.prm: 'Value' is missing in the subsection 'Load top': a value with the unit "
-            "that the type asks for is wanted");
+            "DIR/case.prm: 'Value' is missing in the subsection 'Load top': it takes a value with "
+            "the unit that the type asks for");
 }
 
 TEST(GeometryCase, WrongDirectionsAreRefused) {

@@ -302,7 +302,7 @@ TEST(MechanismCase, ValuesOutOfTheirRangeAreRefused) {
     EXPECT_EQ(reason("Stations = " + stations),
               start + "'Stations' = '" + stations + "': the value must be from 3 to 24");
   for (const std::string stations : {"4.5", "600 %", "6 rad", "six", "nan", ""})
-    EXPECT_NE(reason("Stations = " + stations).find("a whole number from 3 to 24 is wanted"),
+    EXPECT_NE(reason("Stations = " + stations).find("a whole number from 3 to 24"),
               std::string::npos)
         << reason("Stations = " + stations);
 }
@@ -350,15 +350,15 @@ TEST(MechanismCase, SettingsOutOfTheirRangeAreRefused) {
 
 TEST(MechanismCase, MissingParametersAreNamed) {
   EXPECT_EQ(refusal(""),
-            "DIR/case.prm: 'Stations' is missing in the subsection 'Mechanism': a whole number "
-            "from 3 to 24 is wanted");
+            "DIR/case.prm: 'Stations' is missing in the subsection 'Mechanism': it takes a whole "
+            "number from 3 to 24");
   EXPECT_EQ(refusal("subsection Mechanism\n set Stations = 6\n set Wheel diameter = 1 m\nend\n"),
-            "DIR/case.prm: 'Driver speed' is missing in the subsection 'Mechanism': an angular "
-            "speed with its unit, greater than 0, for example '600 rpm' or '62.8 rad/s' is wanted");
+            "DIR/case.prm: 'Driver speed' is missing in the subsection 'Mechanism': it takes an "
+            "angular speed with its unit, greater than 0; for example '600 rpm' or '62.8 rad/s'");
   EXPECT_EQ(refusal("subsection Mechanism\n set Stations = 6\n set Driver speed = 6 rpm\nend\n"),
-            "DIR/case.prm: 'Load inertia' is missing in the subsection 'Mechanism': a moment of "
-            "inertia with its unit, 0 or greater; or 'solid cylinder', for example "
-            "'0.0046 lbf.s^2.in' or '5e-4 kg.m^2' is wanted");
+            "DIR/case.prm: 'Load inertia' is missing in the subsection 'Mechanism': it takes a "
+            "moment of inertia with its unit, 0 or greater; or 'solid cylinder'; for example "
+            "'0.0046 lbf.s^2.in' or '5e-4 kg.m^2'");
 }
 
 TEST(MechanismCase, NoSizeOrTwoSizesAreRefused) {

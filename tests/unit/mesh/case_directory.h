@@ -31,7 +31,7 @@ class CaseDirectory {
 
   [[nodiscard]] std::filesystem::path write(const std::string& name,
                                             const std::string& content) const {
-    const std::filesystem::path file = path_ / name;
+    std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << content;
     return file;
