@@ -14,10 +14,16 @@ function(geneva_room name)
   add_library(geneva_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(geneva_${name} PUBLIC ${PROJECT_SOURCE_DIR})
   target_link_libraries(geneva_${name} PUBLIC ${ROOM_LINK} PRIVATE geneva_warnings)
-  if(ROOM_DEALII)  # deal.II's headers take 20 s a translation unit; precompiled once, they take 3
-    target_precompile_headers(geneva_${name} PRIVATE
-      <deal.II/distributed/tria.h> <deal.II/dofs/dof_handler.h> <deal.II/dofs/dof_tools.h>
-      <deal.II/fe/fe_system.h> <deal.II/fe/fe_values.h> <deal.II/lac/affine_constraints.h>
-      <deal.II/lac/trilinos_vector.h> <deal.II/lac/trilinos_sparse_matrix.h> <fmt/format.h>)
+  if(ROOM_DEALII)
+    target_precompile_headers(geneva_${name} REUSE_FROM geneva_dealii_pch)
   endif()
 endfunction()
+
+# deal.II's headers take 20 s a translation unit; precompiled once for all rooms, they take 3.
+file(WRITE ${PROJECT_BINARY_DIR}/generated/pch.cc "")
+add_library(geneva_dealii_pch OBJECT ${PROJECT_BINARY_DIR}/generated/pch.cc)
+target_link_libraries(geneva_dealii_pch PRIVATE geneva_dealii geneva_warnings fmt::fmt)
+target_precompile_headers(geneva_dealii_pch PRIVATE
+  <deal.II/distributed/tria.h> <deal.II/dofs/dof_handler.h> <deal.II/dofs/dof_tools.h>
+  <deal.II/fe/fe_system.h> <deal.II/fe/fe_values.h> <deal.II/lac/affine_constraints.h>
+  <deal.II/lac/trilinos_vector.h> <deal.II/lac/trilinos_sparse_matrix.h> <fmt/format.h>)

@@ -14,7 +14,7 @@ namespace {
 /// The contact zone is refined this far beyond its ends, as a share of its length.
 constexpr double zone_margin = 0.25;
 /// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
-constexpr double energy_share = 0.25;
+constexpr double energy_share = 0.35;
 /// The side whose edges in the contact zone are shorter than this share of the other side's waits.
 constexpr double even_share = 0.6;
 

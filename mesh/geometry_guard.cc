@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
+
+#include "mesh/geometry_words.h"
 
 namespace geneva::mesh {
 
@@ -29,127 +30,6 @@ const char* const what_is_allowed =
     "Include or Merge of a .geo or .msh file inside the directory of the geometry";
 
 using Words = std::set<std::string_view>;
-
-/// Reserved words of Gmsh's language that draw, mesh or calculate.
-const Words& commands() {
-  static const Words words{
-      // shapes
-      "Point", "Line", "Curve", "Circle", "Ellipse", "Ellipsis", "Spline", "BSpline", "Bezier",
-      "CatmullRom", "Nurbs", "Knots", "Order", "Wire", "Plane", "Surface", "Ruled", "Volume",
-      "Rectangle", "Disk", "Compound", "Physical", "Block", "Box", "Cylinder", "Fillet", "Chamfer",
-      // transformations
-      "Translate", "Rotate", "Symmetry", "Dilate", "Affine", "Extrude", "Layers", "Recombine",
-      "Delete", "Recursive", "Coherence", "Split", "Reverse", "ReverseMesh", "Unique",
-      "BooleanUnion", "BooleanFuse", "BooleanIntersection", "BooleanCommon", "BooleanDifference",
-      "BooleanCut", "BooleanFragments", "BooleanCoherence", "BooleanSection", "BoundingBox", "In",
-      "SetFactory", "SetMaxTag", "Show", "Hide", "Color", "Mass", "CenterOfMass",
-      // meshing
-      "Characteristic", "Length", "MeshSize", "MeshSizeFromBoundary", "Transfinite", "Using",
-      "Periodic", "Smoother", "Field", "RefineMesh", "RecombineMesh", "Degenerated",
-      // flow and output
-      "For", "EndFor", "If", "ElseIf", "Else", "EndIf", "Macro", "Function", "Return", "Call",
-      "Printf", "Warning", "Error", "Sprintf", "DefineConstant", "DefineNumber",
-      // numbers
-      "newp", "newl", "newc", "newll", "news", "newsl", "newv", "newf", "newreg", "Pi", "Exp",
-      "Log", "Log10", "Sqrt", "Sin", "Asin", "ArcSin", "Cos", "Acos", "ArcCos", "Tan", "Atan",
-      "ArcTan", "Atan2", "ArcTan2", "Sinh", "Cosh", "Tanh", "Fabs", "Abs", "Floor", "Ceil", "Round",
-      "Fmod", "Modulo", "Hypot", "Rand", "Max", "Min", "List", "LinSpace", "LogSpace", "Catenary",
-      "Find", "GMSH_MAJOR_VERSION", "GMSH_MINOR_VERSION", "GMSH_PATCH_VERSION"};
-  return words;
-}
-
-/// Words that Gmsh does not reserve but understands in certain places.
-const Words& context_words() {
-  static const Words words{
-      "Loop", "Progression", "Power", "Bump", "Beta", "Left", "Right", "Alternate", "AlternateLeft",
-      "AlternateRight", "Duplicata", "Boundary", "CombinedBoundary", "PointsOf", "Embedded",
-      "Physicals", "Meshes", "Background", "BoundaryLayer", "Mesh", "Geometry",
-      // types of fields
-      "Attractor", "AttractorAnisoCurve", "Ball", "Constant", "Curvature", "Distance", "Extend",
-      "Frustum", "Gradient", "IntersectAniso", "Laplacian", "LonLat", "MathEval", "MathEvalAniso",
-      "MaxEigenHessian", "Mean", "MinAniso", "Octree", "Param", "Restrict", "Threshold",
-      // attributes of DefineConstant
-      "Name", "Label", "Help", "Units", "Step", "Range", "Choices", "ReadOnly", "Visible",
-      "Highlight", "Closed",
-      // colours
-      "Black", "Blue", "Brown", "Cyan", "Gray", "Green", "Grey", "Magenta", "Orange", "Pink",
-      "Purple", "Red", "White", "Yellow"};
-  return words;
-}
-
-/// What forbidden words would do. Words that are in no list at all are refused too.
-const std::map<std::string_view, const char*>& forbidden() {
-  static const char* const runs = "it runs a command on this machine";
-  static const char* const writes = "it writes to a file or directory";
-  static const char* const reads = "it reads a file of any kind or place";
-  static const char* const asks = "it depends on the machine or the user";
-  static const char* const hides = "it makes up names or texts that cannot be checked";
-  static const char* const stops = "it stops the program";
-  static const char* const elsewhere = "it is for looking at results";
-  static const char* const sets = "it changes settings other than Mesh.* and Geometry.*";
-  static const std::map<std::string_view, const char*> words{
-      {"SystemCall", runs},
-      {"System", runs},
-      {"OnelabRun", runs},
-      {"NonBlockingSystemCall", runs},
-      {"ExternalProcess", runs},
-      {"Plugin", runs},
-      {"OnelabAction", runs},
-      {"Solver", runs},
-      {"Slide", elsewhere},
-      {"Draw", elsewhere},
-      {"Print", writes},
-      {"Save", writes},
-      {"CreateDir", writes},
-      {"SendToServer", writes},
-      {"View", elsewhere},
-      {"MergeWithBoundingBox", reads},
-      {"ShapeFromFile", reads},
-      {"ListFromFile", reads},
-      {"FileExists", reads},
-      {"Structured", reads},
-      {"PostView", reads},
-      {"Open", reads},
-      {"GetEnv", asks},
-      {"GetString", asks},
-      {"GetNumber", asks},
-      {"GetValue", asks},
-      {"GetStringValue", asks},
-      {"GetForced", asks},
-      {"GetForcedStr", asks},
-      {"Exists", asks},
-      {"OnelabClient", asks},
-      {"Today", asks},
-      {"Sleep", stops},
-      {"GmshExecutableName", asks},
-      {"Exit", stops},
-      {"Abort", stops},
-      {"StringToName", hides},
-      {"S2N", hides},
-      {"NameToString", hides},
-      {"N2S", hides},
-      {"Str", hides},
-      {"StrCat", hides},
-      {"StrReplace", hides},
-      {"StrSub", hides},
-      {"StrChoice", hides},
-      {"StrPrefix", hides},
-      {"StrRelative", hides},
-      {"UpperCase", hides},
-      {"LowerCase", hides},
-      {"LowerCaseIn", hides},
-      {"DefineString", hides},
-      {"Parametric", hides},
-      {"SetNumber", sets},
-      {"SetString", sets},
-      {"General", sets},
-      {"PostProcessing", sets},
-      {"Options", sets},
-      {"MeshAlgorithm", "some algorithms of this Gmsh crash"},
-      {"NewModel", sets},
-      {"OptimizeMesh", sets}};
-  return words;
-}
 
 bool contains(const Words& words, std::string_view word) { return words.count(word) != 0; }
 
@@ -214,9 +94,7 @@ class Checker {
   [[nodiscard]] Words assigned_names() const {
     Words names;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-      if (!is(i, TokenKind::word) || contains(commands(), at(i)) ||
-          contains(context_words(), at(i)))
-        continue;
+      if (!is(i, TokenKind::word) || is_command(at(i)) || is_context_word(at(i))) continue;
       const bool is_member = before(i) == ".";
       const bool is_macro = before(i) == "Macro" || before(i) == "Function";
       const bool is_counter = before(i) == "For" && at(i + 1) == "In";
@@ -227,12 +105,11 @@ class Checker {
 
   void check_word(std::size_t index) const {
     const Token& token = tokens_[index];
-    if (const auto found = forbidden().find(token.text); found != forbidden().end())
-      refuse(token, found->second);
+    if (const char* const harm = harm_of(token.text); harm != nullptr) refuse(token, harm);
     if (before(index) == ".") return check_member(index);
     if (token.text == "Mesh" || token.text == "Geometry") return check_options(index);
-    if (contains(commands(), token.text)) return check_command(index);
-    if (contains(context_words(), token.text)) return;
+    if (is_command(token.text)) return check_command(index);
+    if (is_context_word(token.text)) return;
     if (token.text == "Include" || token.text == "Merge")
       refuse(token, "it must be a statement of its own with a written-out file name: " +
                         token.text + " \"name.geo\";");
@@ -249,7 +126,7 @@ class Checker {
     const std::size_t next = index + 1;
     const bool runs_on = is(next, TokenKind::number) || is(next, TokenKind::text) ||
                          one_of(at(next), {".", "{", "::"}) ||
-                         (is(next, TokenKind::word) && !contains(commands(), at(next)));
+                         (is(next, TokenKind::word) && !is_command(at(next)));
     if (runs_on) refuse(tokens_[index], fmt::format("a variable may not precede {}", at(next)));
   }
 
@@ -277,7 +154,7 @@ class Checker {
         at(index + 2) != "\"Built-in\"")
       refuse(tokens_[index], "the kernels are \"Built-in\" and \"OpenCASCADE\"");
     const bool names_a_macro = one_of(word, {"Macro", "Function", "Call"});
-    if (names_a_macro && (!is(index + 1, TokenKind::word) || contains(commands(), at(index + 1))))
+    if (names_a_macro && (!is(index + 1, TokenKind::word) || is_command(at(index + 1))))
       refuse(tokens_[index], "the macro's name must be a plain word");
     if (word == "Sprintf") return check_format(index);
     if (!one_of(word, {"Printf", "Warning", "Error"})) return;
