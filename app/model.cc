@@ -7,7 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "fem/contact_problem.h"
+#include "fem/problem_check.h"
 #include "loads/outline.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/triangulation.h"

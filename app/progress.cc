@@ -48,6 +48,10 @@ void ProgressDisplay::level(const fem::LevelRecord& record) {
   line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22.6g}{:>12}{:>7.2f} s", levels_, record.dofs,
                    record.active_nodes, record.linear_iterations.size(), iterations,
                    record.peak_pressure * stress_.factor, error, record.seconds));
+  if (record.cycled)
+    line(
+        "note: the active set came back to an earlier one on this mesh; its nodes then could only "
+        "close");
   ++levels_;
 }
 

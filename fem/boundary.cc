@@ -16,15 +16,15 @@ using dealii::types::global_dof_index;
 struct FaceRecord {
   std::array<global_dof_index, 4> dofs;
   std::array<double, 4> coordinates;
-  double cell_diameter;
   unsigned int surface;
+  unsigned int body;
   int circle;
 
   template <typename Archive>
   void serialize(Archive& archive, const unsigned int) {
     for (auto& dof : dofs) archive& dof;
     for (auto& coordinate : coordinates) archive& coordinate;
-    archive& cell_diameter& surface& circle;
+    archive& surface& body& circle;
   }
 };
 
@@ -47,7 +47,7 @@ FaceRecord make_record(const dealii::DoFHandler<2>::active_cell_iterator& cell,
   record.circle = line->manifold_id() == dealii::numbers::flat_manifold_id
                       ? -1
                       : static_cast<int>(line->manifold_id()) - 1;
-  record.cell_diameter = cell->diameter();
+  record.body = cell->material_id();
   return record;
 }
 
@@ -83,14 +83,15 @@ Boundary gather_boundary(const dealii::DoFHandler<2>& dof_handler,
 
   std::map<global_dof_index, unsigned int> node_of_dof;
   for (const FaceRecord& record : all_records(dof_handler)) {
-    BoundaryFace face{{}, record.surface, record.circle, record.cell_diameter};
+    BoundaryFace face{{}, record.surface, record.circle};
     for (unsigned int end = 0; end < 2; ++end) {
       const auto [entry, is_new] = node_of_dof.emplace(
           record.dofs[2 * end], static_cast<unsigned int>(boundary.nodes.size()));
       if (is_new)
         boundary.nodes.push_back(
             {dealii::Point<2>(record.coordinates[2 * end], record.coordinates[2 * end + 1]),
-             {record.dofs[2 * end], record.dofs[2 * end + 1]}});
+             {record.dofs[2 * end], record.dofs[2 * end + 1]},
+             record.body});
       face.nodes[end] = entry->second;
     }
     boundary.faces.push_back(face);

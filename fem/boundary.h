@@ -14,6 +14,7 @@ namespace geneva::fem {
 struct BoundaryNode {
   dealii::Point<2> position;
   std::array<dealii::types::global_dof_index, 2> dofs;
+  unsigned int body;  ///< index into MeshData::bodies
 };
 
 /// A boundary edge, counter-clockwise around its body: the outward normal is to the right of start
@@ -22,7 +23,6 @@ struct BoundaryFace {
   std::array<unsigned int, 2> nodes;  ///< start and end: indices into Boundary::nodes
   unsigned int surface;               ///< boundary id
   int circle;                         ///< index into Boundary::circles; -1: straight
-  double cell_diameter;               ///< of the cell that the edge belongs to
 };
 
 /// The whole boundary of all bodies, the same on every rank, in an order that does not depend on

@@ -14,8 +14,12 @@
 
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
+#include "fem/error_estimate.h"
 #include "fem/level.h"
+#include "fem/problem_check.h"
 #include "fem/refinement.h"
+#include "fem/resultants.h"
+#include "fem/rigid_motion.h"
 #include "mesh/triangulation.h"
 
 namespace geneva::fem {
@@ -24,84 +28,10 @@ namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// Contact zones with fewer active nodes say nothing about the pressure yet.
-constexpr unsigned int resolved_nodes = 6;
+/// With fewer active nodes the load still acts on a point, and the energy norm says nothing.
+constexpr unsigned int nodes_for_energy_norm = 3;
 /// Cells that a refinement makes beyond the flagged ones' children, to keep the mesh graded.
 constexpr double grading_overhead = 1.3;
-
-/// Forces that supports and ties exert, from the residual at their nodes.
-std::vector<Reaction> reactions(const Solution& solution, const Level& level,
-                                const Vector& residual) {
-  std::vector<std::string> surfaces;
-  for (const Support& support : solution.problem.supports) surfaces.push_back(support.surface);
-  for (const RigidTie& tie : solution.problem.ties) surfaces.push_back(tie.surface);
-  std::vector<Reaction> result;
-  std::set<unsigned int> counted;
-  for (const std::string& name : surfaces) {
-    Reaction reaction{name, {}, 0.};
-    const unsigned int surface = index_of(solution.mesh.surfaces, name);
-    for (const BoundaryFace& face : level.boundary.faces) {
-      if (face.surface != surface) continue;
-      for (const unsigned int index : face.nodes) {
-        if (!counted.insert(index).second) continue;
-        const BoundaryNode& node = level.boundary.nodes[index];
-        const std::array<double, 2> force{
-            level.held.count(node.dofs[0]) > 0 ? residual(node.dofs[0]) * solution.scales.force()
-                                               : 0.,
-            level.held.count(node.dofs[1]) > 0 ? residual(node.dofs[1]) * solution.scales.force()
-                                               : 0.};
-        reaction.force[0] += force[0];
-        reaction.force[1] += force[1];
-        reaction.moment +=
-            (node.position[0] * force[1] - node.position[1] * force[0]) * solution.scales.length;
-      }
-    }
-    result.push_back(reaction);
-  }
-  return result;
-}
-
-/// Resultant of body forces and surface loads, and its moment about the origin.
-std::pair<std::array<double, 2>, double> applied_load(const Solution& solution,
-                                                      const Level& level) {
-  std::array<double, 3> sums{0., 0., 0.};
-  auto cell_system = level.cells.begin();
-  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    for (unsigned int i = 0; i < cell_system->load.size(); ++i) {
-      const auto [component, vertex] = solution.element->system_to_component_index(i);
-      const double force = cell_system->load[i] * solution.scales.force();
-      sums[component] += force;
-      const double arm = component == 0 ? -cell->vertex(vertex)[1] : cell->vertex(vertex)[0];
-      sums[2] += force * arm * solution.scales.length;
-    }
-    ++cell_system;
-  }
-  const MPI_Comm communicator = solution.dof_handler->get_communicator();
-  for (double& sum : sums) sum = dealii::Utilities::MPI::sum(sum, communicator);
-  return {{sums[0], sums[1]}, sums[2]};
-}
-
-/// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
-/// edge: a coefficient over the square of the number of active nodes. Measured on unsymmetric
-/// meshes with 7 to 35 nodes: 0.9 to 1.2.
-double end_uncertainty(const ContactInterface& interface) {
-  constexpr double coefficient = 1.2;
-  double uncertainty = 0.;
-  const auto& active = interface.active;
-  for (std::size_t begin = 0; begin < active.size(); ++begin) {
-    if (!active[begin] || (begin > 0 && active[begin - 1])) continue;
-    std::size_t end = begin;
-    while (end < active.size() && active[end]) ++end;
-    const bool starts_free = begin > 0;
-    const bool ends_free = end < active.size();
-    if (!starts_free && !ends_free) continue;
-    // A contact with one free end is half of one: the other end is a plane or axis of symmetry.
-    const double nodes = static_cast<double>(end - begin) * (starts_free && ends_free ? 1. : 2.);
-    uncertainty = std::max(uncertainty, coefficient / (nodes * nodes));
-  }
-  return uncertainty;
-}
 
 /// Nested iteration on one problem. run() is the algorithm; the members are the current mesh and
 /// its state.
@@ -121,6 +51,7 @@ class NestedIteration {
 
   Solution run() {
     set_up_first_mesh();
+    check_rigid_motions(level_, solution_.problem);
     while (solve()) {
       record();
       if (finished()) break;
@@ -190,8 +121,12 @@ class NestedIteration {
       record.active_nodes += static_cast<unsigned int>(
           std::count(interface.active.begin(), interface.active.end(), true));
     record.change = change(record);
-    record.error_estimate = estimate(record);
+    record.error_estimate =
+        solution_.history.empty()
+            ? 1.
+            : error_estimate(record.change, solution_.history.back().change, level_.interfaces);
     record.seconds = timer_.wall_time();
+    record.cycled = state_.cycled;
     record.one_solve_seconds = level_.cell_seconds + state_.assemble_and_solve_seconds;
     solution_.history.push_back(record);
     solution_.error_estimate = record.error_estimate;
@@ -201,20 +136,6 @@ class NestedIteration {
   [[nodiscard]] double change(const LevelRecord& now) const {
     if (solution_.history.empty() || now.peak_pressure <= 0.) return 1.;
     return std::min(1., std::abs(now.peak_pressure / solution_.history.back().peak_pressure - 1.));
-  }
-
-  /// Relative error of the peak pressure: the greatest of
-  /// - its change from the mesh before, which bounds the remaining error since halving the edges
-  /// halves it at least;
-  /// - a quarter of the change before that, lest two meshes agree by chance;
-  /// - what the contact's ends are worth that lie somewhere between two nodes (see
-  /// end_uncertainty).
-  [[nodiscard]] double estimate(const LevelRecord& now) const {
-    if (now.active_nodes < resolved_nodes || solution_.history.empty()) return 1.;
-    double ends = 0.;
-    for (const ContactInterface& interface : level_.interfaces)
-      ends = std::max(ends, end_uncertainty(interface));
-    return std::min(1., std::max({now.change, solution_.history.back().change / 4., ends}));
   }
 
   bool finished() {
@@ -262,7 +183,7 @@ class NestedIteration {
       ids.emplace_back(index_of(solution_.mesh.surfaces, pair.source),
                        index_of(solution_.mesh.surfaces, pair.target));
     return flag_cells(*solution_.dof_handler, state_.displacement, level_.interfaces, ids,
-                      solution_.history.back().active_nodes >= resolved_nodes / 2);
+                      solution_.history.back().active_nodes >= nodes_for_energy_norm);
   }
 
   void refine() {
@@ -286,7 +207,9 @@ class NestedIteration {
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
     solution_.reactions = reactions(solution_, level_, state_.residual);
-    std::tie(solution_.applied_force, solution_.applied_moment) = applied_load(solution_, level_);
+    const AppliedLoad load = applied_load(solution_, level_);
+    solution_.applied_force = load.force;
+    solution_.applied_moment = load.moment;
     solution_.displacement = state_.displacement;
   }
 
@@ -315,106 +238,7 @@ class NestedIteration {
   Vector guess_;
 };
 
-void require_name(const std::vector<std::string>& names, const std::string& name,
-                  const std::string& what) {
-  if (!name.empty() && std::find(names.begin(), names.end(), name) != names.end()) return;
-  std::string known;
-  for (const std::string& candidate : names)
-    if (!candidate.empty()) known += (known.empty() ? "'" : ", '") + candidate + "'";
-  throw std::invalid_argument(
-      fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
-}
-
-void check_names(const Problem& problem, const mesh::MeshData& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
-  for (const Support& support : problem.supports)
-    require_name(mesh.surfaces, support.surface, "support surface");
-  for (const SurfaceLoad& load : problem.loads)
-    require_name(mesh.surfaces, load.surface, "loaded surface");
-  for (const RigidTie& tie : problem.ties)
-    require_name(mesh.surfaces, tie.surface, "rigid surface");
-  for (const ContactPair& pair : problem.pairs) {
-    require_name(mesh.surfaces, pair.source, "contact surface");
-    require_name(mesh.surfaces, pair.target, "contact surface");
-  }
-}
-
-/// @return the one body that a contact surface belongs to
-unsigned int contact_body(const mesh::MeshData& mesh, const std::string& surface) {
-  const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
-  if (bodies.empty())
-    throw std::invalid_argument(
-        fmt::format("contact surface '{}' is empty: it has no edges", surface));
-  if (bodies.size() > 1)
-    throw std::invalid_argument(
-        fmt::format("contact surface '{}' belongs to {} bodies; give each body its own surface",
-                    surface, bodies.size()));
-  return *bodies.begin();
-}
-
-void check_pairs(const Problem& problem, const mesh::MeshData& mesh) {
-  if (problem.pairs.empty()) throw std::invalid_argument("the problem has no contact pair");
-  std::set<std::string> sources;
-  for (const ContactPair& pair : problem.pairs) {
-    if (pair.source == pair.target)
-      throw std::invalid_argument(
-          fmt::format("contact surface '{}' cannot touch itself", pair.source));
-    if (contact_body(mesh, pair.source) == contact_body(mesh, pair.target))
-      throw std::invalid_argument(fmt::format(
-          "contact surfaces '{}' and '{}' belong to the same body", pair.source, pair.target));
-    if (!sources.insert(pair.source).second)
-      throw std::invalid_argument(fmt::format(
-          "surface '{}' is the source of two contact pairs; make it the target of one of them",
-          pair.source));
-  }
-  for (const ContactPair& pair : problem.pairs)
-    if (sources.count(pair.target) > 0)
-      throw std::invalid_argument(fmt::format(
-          "contact surfaces overlap: '{}' is the source of one pair and the target of another",
-          pair.target));
-}
-
-/// A body that nothing holds and nothing touches can float away.
-void check_held(const Problem& problem, const mesh::MeshData& mesh) {
-  std::set<unsigned int> held;
-  const auto add = [&](const std::string& surface) {
-    const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
-    held.insert(bodies.begin(), bodies.end());
-  };
-  for (const Support& support : problem.supports) add(support.surface);
-  for (const RigidTie& tie : problem.ties) add(tie.surface);
-  for (const ContactPair& pair : problem.pairs) {
-    add(pair.source);
-    add(pair.target);
-  }
-  for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
-    if (held.count(body) == 0)
-      throw std::invalid_argument(
-          fmt::format("body '{}' has neither a support nor a contact surface: nothing holds it",
-                      mesh.bodies[body]));
-}
-
 }  // namespace
-
-void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
-  std::vector<Body> ordered;
-  for (const std::string& name : mesh.bodies) {
-    const auto body = std::find_if(problem.bodies.begin(), problem.bodies.end(),
-                                   [&](const Body& candidate) { return candidate.name == name; });
-    if (body == problem.bodies.end())
-      throw std::invalid_argument(
-          fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
-    ordered.push_back(*body);
-  }
-  problem.bodies = ordered;
-}
-
-void check(const Problem& problem, const mesh::MeshData& mesh) {
-  check_names(problem, mesh);
-  check_pairs(problem, mesh);
-  check_held(problem, mesh);
-}
 
 Solution solve_contact(const MPI_Comm communicator, const mesh::MeshData& mesh,
                        const Problem& problem, const Settings& settings, const Progress& progress) {

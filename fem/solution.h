@@ -62,7 +62,8 @@ struct LevelRecord {
   double change;          ///< relative change of the peak pressure from the mesh before
   double error_estimate;  ///< relative, of the peak pressure
   unsigned int active_nodes;
-  double seconds;            ///< since the start of the contact solve
+  bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close
+  double seconds;  ///< since the start of the contact solve
   double one_solve_seconds;  ///< one assembly (from the cells on) and one linear solve on this mesh
 };
 

@@ -94,6 +94,7 @@ json solver_section(const fem::Solution& solution) {
                       {"dofs", level.dofs},
                       {"active_nodes", level.active_nodes},
                       {"active_set_iterations", level.linear_iterations.size()},
+                      {"active_set_cycled", level.cycled},
                       {"linear_iterations", level.linear_iterations},
                       {"peak_pressure", quantity(level.peak_pressure, "Pa")},
                       {"error_estimate", level.error_estimate},
@@ -216,6 +217,8 @@ std::string comparison_table(const fem::Solution& solution, const Results& resul
                          cell(row.closed_form), cell(row.published), difference(row));
   table += fmt::format("estimated error of the peak contact pressure: {:.2g} %\n",
                        100. * solution.error_estimate);
+  table += fmt::format("force balance: defect {:.1e} of the contact force\n",
+                       results.equilibrium.force_defect);
   return table;
 }
 

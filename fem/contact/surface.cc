@@ -118,7 +118,7 @@ Surface make_surface(const Boundary& boundary, const unsigned int surface_id,
       const unsigned int start = add_node(face.nodes[0], surface.length);
       const unsigned int end_node = face.nodes[1];
       surface.closed = local_node.count(end_node) > 0;
-      surface.faces.push_back({{start, start}, face.circle, face.cell_diameter});
+      surface.faces.push_back({{start, start}, face.circle});
       surface.faces.back().nodes[1] = add_node(end_node, 0.);
       const double length = arc_length(surface, surface.faces.back());
       surface.length += length;

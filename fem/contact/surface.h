@@ -23,7 +23,6 @@ struct SurfaceNode {
 struct SurfaceFace {
   std::array<unsigned int, 2> nodes;
   int circle;  ///< index into Surface::circles; -1: straight
-  double cell_diameter;
 };
 
 /// One side of a contact pair: nodes and edges in the order of the arc length, the same on every

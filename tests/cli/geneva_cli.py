@@ -90,13 +90,17 @@ def environment():
     return {**os.environ, **allowed}
 
 
-def main(module):
-    """Takes the program and the root directory from the command line and runs a module's tests."""
+def main(prepare=lambda source: None):
+    """Takes the program and the root directory from the command line and runs the script's tests.
+
+    `prepare` is called with the root directory before the tests are collected.
+    """
     if len(sys.argv) < 3:
         sys.exit(f"usage: {sys.argv[0]} PROGRAM SOURCE_DIRECTORY [unittest's arguments]")
     CliTest.program = pathlib.Path(sys.argv[1]).resolve()
     CliTest.source = pathlib.Path(sys.argv[2]).resolve()
-    unittest.main(module=module, argv=[sys.argv[0], *sys.argv[3:]])
+    prepare(CliTest.source)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
 
 
 # Case files
@@ -109,29 +113,31 @@ def set_parameter(text, path, value):
     """
     *sections, name = path.split("/")
     lines = text.splitlines()
-    place = find_parameter(lines, sections, name)
-    if place is not None:
-        lines[place:place + 1] = [] if value is None else [f"set {name} = {value}"]
-        return "\n".join(lines) + "\n"
-    if value is None:
+    place, is_there = find_parameter(lines, sections, name)
+    if value is None and not is_there:
         raise KeyError(f"{path} is not in the case file")
-    opening = [f"subsection {section}" for section in sections]
-    return "\n".join([*lines, *opening, f"set {name} = {value}", *("end" for _ in sections)]) + "\n"
+    lines[place:place + is_there] = [] if value is None else [f"set {name} = {value}"]
+    return "\n".join(lines) + "\n"
 
 
 def find_parameter(lines, sections, name):
-    """Index of the line that sets a parameter, or None."""
+    """Index of the line that sets a parameter and True, or of the line where it belongs and False."""
+    place = None if sections else 0
     open_sections = []
     for index, line in enumerate(lines):
         words = line.split("#")[0].split()
         if words[:1] == ["subsection"]:
             open_sections.append(" ".join(words[1:]))
+            if open_sections == sections:
+                place = index + 1
         elif words == ["end"]:
             open_sections.pop()
         elif words[:1] == ["set"] and open_sections == sections:
             if " ".join(words[1:]).split("=")[0].strip() == name:
-                return index
-    return None
+                return index, True
+    if place is None:
+        raise KeyError(f"the case file has no subsection {'/'.join(sections)}")
+    return place, False
 
 
 def change_case(case, changes, file="case.prm"):

@@ -1,0 +1,47 @@
+#include "fem/error_estimate.h"
+
+#include <algorithm>
+
+namespace geneva::fem {
+
+namespace {
+
+/// Contact zones with fewer active nodes say nothing about the pressure yet.
+constexpr std::ptrdiff_t fewest_nodes = 6;
+
+/// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
+/// edge: a coefficient over the square of the number of active nodes. Measured on unsymmetric
+/// meshes with 7 to 35 nodes: 0.9 to 1.2.
+double end_uncertainty(const ContactInterface& interface) {
+  constexpr double coefficient = 1.2;
+  double uncertainty = 0.;
+  const auto& active = interface.active;
+  for (std::size_t begin = 0; begin < active.size(); ++begin) {
+    if (!active[begin] || (begin > 0 && active[begin - 1])) continue;
+    std::size_t end = begin;
+    while (end < active.size() && active[end]) ++end;
+    const bool starts_free = begin > 0;
+    const bool ends_free = end < active.size();
+    if (!starts_free && !ends_free) continue;
+    // A contact with one free end is half of one: the other end is a plane or axis of symmetry.
+    const double nodes = static_cast<double>(end - begin) * (starts_free && ends_free ? 1. : 2.);
+    uncertainty = std::max(uncertainty, coefficient / (nodes * nodes));
+  }
+  return uncertainty;
+}
+
+}  // namespace
+
+double error_estimate(const double change, const double previous_change,
+                      const std::vector<ContactInterface>& interfaces) {
+  std::ptrdiff_t active_nodes = 0;
+  double ends = 0.;
+  for (const ContactInterface& interface : interfaces) {
+    active_nodes += std::count(interface.active.begin(), interface.active.end(), true);
+    ends = std::max(ends, end_uncertainty(interface));
+  }
+  if (active_nodes < fewest_nodes) return 1.;
+  return std::min(1., std::max({change, previous_change / 4., ends}));
+}
+
+}  // namespace geneva::fem

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/contact/active_set.h"
+
+namespace geneva::fem {
+
+/// Relative error of the peak contact pressure, the greatest of
+/// - its change from the mesh before, which bounds the remaining error since halving the edges
+/// halves it at least;
+/// - a quarter of the change before that, lest two meshes agree by chance;
+/// - what the contact's free ends are worth that lie somewhere on an edge.
+/// @param change relative change of the peak pressure from the mesh before
+/// @param previous_change the same one mesh earlier
+/// @return between 0 and 1; 1 where the contact has too few nodes to say anything
+double error_estimate(double change, double previous_change,
+                      const std::vector<ContactInterface>& interfaces);
+
+}  // namespace geneva::fem

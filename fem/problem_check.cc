@@ -1,0 +1,116 @@
+#include "fem/problem_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "fem/constraints.h"
+
+namespace geneva::fem {
+
+namespace {
+
+void require_name(const std::vector<std::string>& names, const std::string& name,
+                  const std::string& what) {
+  if (!name.empty() && std::find(names.begin(), names.end(), name) != names.end()) return;
+  std::string known;
+  for (const std::string& candidate : names)
+    if (!candidate.empty()) known += (known.empty() ? "'" : ", '") + candidate + "'";
+  throw std::invalid_argument(
+      fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
+}
+
+void check_names(const Problem& problem, const mesh::MeshData& mesh) {
+  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
+  for (const Support& support : problem.supports)
+    require_name(mesh.surfaces, support.surface, "support surface");
+  for (const SurfaceLoad& load : problem.loads)
+    require_name(mesh.surfaces, load.surface, "loaded surface");
+  for (const RigidTie& tie : problem.ties)
+    require_name(mesh.surfaces, tie.surface, "rigid surface");
+  for (const ContactPair& pair : problem.pairs) {
+    require_name(mesh.surfaces, pair.source, "contact surface");
+    require_name(mesh.surfaces, pair.target, "contact surface");
+  }
+}
+
+/// @return the one body that a contact surface belongs to
+unsigned int contact_body(const mesh::MeshData& mesh, const std::string& surface) {
+  const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
+  if (bodies.empty())
+    throw std::invalid_argument(
+        fmt::format("contact surface '{}' is empty: it has no edges", surface));
+  if (bodies.size() > 1)
+    throw std::invalid_argument(
+        fmt::format("contact surface '{}' belongs to {} bodies; give each body its own surface",
+                    surface, bodies.size()));
+  return *bodies.begin();
+}
+
+void check_pairs(const Problem& problem, const mesh::MeshData& mesh) {
+  if (problem.pairs.empty()) throw std::invalid_argument("the problem has no contact pair");
+  std::set<std::string> sources;
+  for (const ContactPair& pair : problem.pairs) {
+    if (pair.source == pair.target)
+      throw std::invalid_argument(
+          fmt::format("contact surface '{}' cannot touch itself", pair.source));
+    if (contact_body(mesh, pair.source) == contact_body(mesh, pair.target))
+      throw std::invalid_argument(fmt::format(
+          "contact surfaces '{}' and '{}' belong to the same body", pair.source, pair.target));
+    if (!sources.insert(pair.source).second)
+      throw std::invalid_argument(fmt::format(
+          "surface '{}' is the source of two contact pairs; make it the target of one of them",
+          pair.source));
+  }
+  for (const ContactPair& pair : problem.pairs)
+    if (sources.count(pair.target) > 0)
+      throw std::invalid_argument(fmt::format(
+          "contact surfaces overlap: '{}' is the source of one pair and the target of another",
+          pair.target));
+}
+
+/// A body that nothing holds and nothing touches can float away.
+void check_held(const Problem& problem, const mesh::MeshData& mesh) {
+  std::set<unsigned int> held;
+  const auto add = [&](const std::string& surface) {
+    const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
+    held.insert(bodies.begin(), bodies.end());
+  };
+  for (const Support& support : problem.supports) add(support.surface);
+  for (const RigidTie& tie : problem.ties) add(tie.surface);
+  for (const ContactPair& pair : problem.pairs) {
+    add(pair.source);
+    add(pair.target);
+  }
+  for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
+    if (held.count(body) == 0)
+      throw std::invalid_argument(
+          fmt::format("body '{}' has neither a support nor a contact surface: nothing holds it",
+                      mesh.bodies[body]));
+}
+
+}  // namespace
+
+void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
+  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
+  std::vector<Body> ordered;
+  for (const std::string& name : mesh.bodies) {
+    const auto body = std::find_if(problem.bodies.begin(), problem.bodies.end(),
+                                   [&](const Body& candidate) { return candidate.name == name; });
+    if (body == problem.bodies.end())
+      throw std::invalid_argument(
+          fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
+    ordered.push_back(*body);
+  }
+  problem.bodies = ordered;
+}
+
+void check(const Problem& problem, const mesh::MeshData& mesh) {
+  check_names(problem, mesh);
+  check_pairs(problem, mesh);
+  check_held(problem, mesh);
+}
+
+}  // namespace geneva::fem

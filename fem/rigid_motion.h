@@ -1,0 +1,13 @@
+#pragma once
+
+#include "fem/level.h"
+#include "fem/problem.h"
+
+namespace geneva::fem {
+
+/// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
+/// contact that could close as closed.
+/// @throws std::invalid_argument naming the body that moves most and how
+void check_rigid_motions(const Level& level, const Problem& problem);
+
+}  // namespace geneva::fem

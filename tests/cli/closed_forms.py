@@ -1,0 +1,211 @@
+"""Closed forms for the shipped cases, on their own: nothing here comes from the program.
+
+`python3 tests/cli/closed_forms.py` prints the values that stand in cases/*/expected.json. SI units.
+"""
+
+import json
+import math
+
+# Definitions of the units, exact.
+INCH = 0.0254
+POUND = 0.45359237
+POUND_FORCE = POUND * 9.80665
+PSI = POUND_FORCE / INCH**2
+RPM = 2 * math.pi / 60
+
+# Johnson 1956, Table 1: pin diameter and thickness over D (k2 = k3), locking radius over D (k4), wheel inertia over
+# rho D^5 (k5).
+JOHNSON = {4: {"k2": 0.15, "k4": 0.35, "k5": 0.00506}, 6: {"k2": 0.14, "k4": 0.17, "k5": 0.00588}}
+
+
+# Hertz
+
+
+def contact_modulus(first, second):
+    """E* of two materials (E, nu) in plane strain: 1/E* = sum of (1 - nu^2)/E."""
+    return 1 / sum((1 - nu**2) / modulus for modulus, nu in (first, second))
+
+
+def relative_radius(first, second=math.inf):
+    return 1 / (1 / first + 1 / second)
+
+
+def hertz_line(force_per_length, radius, modulus):
+    """Cylinders with parallel axes (Johnson, Contact Mechanics, 4.2): p0, b, the greatest shear and its depth.
+
+    Below the middle the shear is p0 (s - s^2/sqrt(1 + s^2)) at the depth s b; it is greatest where
+    s^2 = (sqrt(5) - 1)/2: 0.30028 p0 at 0.78615 b.
+    """
+    peak = math.sqrt(force_per_length * modulus / (math.pi * radius))
+    width = math.sqrt(4 * force_per_length * radius / (math.pi * modulus))
+    depth = math.sqrt((math.sqrt(5) - 1) / 2)
+    shear = depth - depth**2 / math.sqrt(1 + depth**2)
+    return {"peak_pressure": peak, "half_width": width, "max_shear": shear * peak, "max_shear_depth": depth * width}
+
+
+def hertz_point(force, radius, modulus, poissons_ratio):
+    """Spheres (Johnson, Contact Mechanics, 3.4): p0, a, the greatest shear on the axis and its depth."""
+    width = (3 * force * radius / (4 * modulus))**(1 / 3)
+    peak = 3 * force / (2 * math.pi * width**2)
+
+    def shear(depth):
+        across = -(1 + poissons_ratio) * (1 - depth * math.atan(1 / depth)) + 0.5 / (1 + depth**2)
+        return abs(across + 1 / (1 + depth**2)) / 2
+
+    depth = maximum_place(shear, 0.1, 1.0)
+    return {"peak_pressure": peak, "half_width": width, "max_shear": shear(depth) * peak,
+            "max_shear_depth": depth * width}
+
+
+def maximum_place(function, low, high):
+    """Where a function with one maximum between two places has it, by ternary search."""
+    while high - low > 1e-9:
+        third = (high - low) / 3
+        if function(low + third) < function(high - third):
+            low += third
+        else:
+            high -= third
+    return (low + high) / 2
+
+
+# Geneva
+
+
+def wheel_motion(stations, driver_angle, speed):
+    """Angle, speed and acceleration of the external wheel at a driver angle, both from the line of centres.
+
+    The wheel's angle is phi = atan2(s sin(theta), 1 - s cos(theta)) with s = sin(pi/n) (ME341, Eq. 5.27); the others
+    are its derivatives (Eq. 5.28, 5.29).
+    """
+    s = math.sin(math.pi / stations)
+    square = 1 + s**2 - 2 * s * math.cos(driver_angle)
+    angle = math.atan2(s * math.sin(driver_angle), 1 - s * math.cos(driver_angle))
+    first = s * (math.cos(driver_angle) - s) / square
+    second = -s * (1 - s**2) * math.sin(driver_angle) / square**2
+    return angle, first * speed, second * speed**2
+
+
+def peak_acceleration_angle(stations):
+    """Driver angle before the line of centres at which the wheel's acceleration is greatest (ME341, Eq. 5.33, 5.34)."""
+    s = math.sin(math.pi / stations)
+    g = (1 + s**2) / (2 * s)
+    return -math.acos((-g + math.sqrt(g**2 + 8)) / 2)
+
+
+def integral(function, low, high):
+    """Integral by the double-exponential rule, which bears square roots at the ends."""
+    step = 1 / 32
+    total = 0.0
+    for k in range(-128, 129):
+        sinh = math.pi / 2 * math.sinh(k * step)
+        place = math.exp(sinh) / (2 * math.cosh(sinh))
+        weight = math.pi / 4 * math.cosh(k * step) / math.cosh(sinh)**2
+        total += step * weight * function(low + (high - low) * place)
+    return total * (high - low)
+
+
+def drawn_wheel_inertia(stations, diameter, density, proportions):
+    """Moment of inertia of the wheel that is drawn by default: a disc less slots, locking arcs and bore.
+
+    Circle by circle about the axis: the slots (as wide as the pin, with round bottoms centred at c - r) and the
+    locking arcs (centred at the distance c, half-way between slots) take away known angles.
+    """
+    radius = diameter / 2
+    slot = proportions["k2"] * diameter / 2
+    locking = proportions["k4"] * diameter
+    centre = radius / math.cos(math.pi / stations)
+    bottom = centre - radius * math.tan(math.pi / stations)
+    bore = min(0.1 * diameter, (bottom - slot) / 2)
+
+    def half_angle(at, distance, size):
+        """Half of the angle that a circle of a size at a distance from the axis covers at the radius `at`."""
+        return math.acos(max(-1.0, min(1.0, (at**2 + distance**2 - size**2) / (2 * at * distance))))
+
+    def bottom_part(at):
+        return at**3 * half_angle(at, bottom, slot)
+
+    def wall_part(at):
+        return at**3 * math.asin(slot / at)
+
+    def arc_part(at):
+        return at**3 * half_angle(at, centre, locking)
+
+    walls = math.hypot(bottom, slot)
+    taken = (integral(bottom_part, bottom - slot, walls) + integral(wall_part, walls, radius) +
+             integral(arc_part, centre - locking, radius))
+    disc = 2 * math.pi * (radius**4 - bore**4) / 4
+    return density * proportions["k2"] * diameter * (disc - 2 * stations * taken)
+
+
+def mechanism(stations, diameter, speed, friction, cylinder, material, uses_johnson_inertia):
+    """Load, closed-form contact and torque of a case at the wheel's greatest acceleration.
+
+    The pin force is F = ((J_G + J_L) a + M_f)/x (Johnson, Eq. 1) with x^2 = r^2 + c^2 - 2 r c cos(theta).
+    """
+    modulus, poissons_ratio, density = material
+    row = JOHNSON[stations]
+    alpha = math.pi / stations
+    crank, centre = diameter / 2 * math.tan(alpha), diameter / 2 / math.cos(alpha)
+    theta = peak_acceleration_angle(stations)
+    wheel_angle, wheel_speed, acceleration = wheel_motion(stations, theta, speed)
+    distance = math.sqrt(crank**2 + centre**2 - 2 * crank * centre * math.cos(theta))
+    drawn = drawn_wheel_inertia(stations, diameter, density, row)
+    used = row["k5"] * density * diameter**5 if uses_johnson_inertia else drawn
+    load_diameter, load_length, load_density = cylinder
+    load_inertia = math.pi / 32 * load_density * load_length * load_diameter**4
+    torque = load_inertia * acceleration + friction
+    force = (used * acceleration + torque) / distance
+    pin = row["k2"] * diameter
+    line = hertz_line(force / pin, pin / 2, contact_modulus((modulus, poissons_ratio), (modulus, poissons_ratio)))
+    return {"load.driver_angle": theta, "load.wheel_angle": wheel_angle, "load.wheel_speed": wheel_speed,
+            "load.wheel_acceleration": acceleration, "load.pin_distance": distance, "load.force": force,
+            "wheel.inertia_from_geometry": drawn, "wheel.inertia_used": used,
+            "equilibrium.expected_bore_torque": torque, "equilibrium.bore_torque": torque, "contact.force": force,
+            **contact(line)}
+
+
+# Cases
+
+
+def contact(hertz):
+    """Keys of the computed contact and of the program's closed form for the same values."""
+    return {f"{section}.{name}": value for section in ("contact", "hertz") for name, value in hertz.items()}
+
+
+def johnson_wheel(diameter):
+    """Johnson 1956, Example 1."""
+    density = 0.283 * POUND / INCH**3
+    return mechanism(stations=4, diameter=diameter, speed=600 * RPM, friction=2 * POUND_FORCE * INCH,
+                     cylinder=(4 * INCH, 0.25 * INCH, density), material=(30e6 * PSI, 0.3, density),
+                     uses_johnson_inertia=True)
+
+
+def six_stations():
+    """The six-station mechanism at 360 rpm (ME341), with a steel wheel of 120 mm."""
+    return mechanism(stations=6, diameter=0.12, speed=360 * RPM, friction=0.5, cylinder=(0.15, 0.02, 7850.0),
+                     material=(210e9, 0.3, 7850.0), uses_johnson_inertia=False)
+
+
+def values():
+    """Closed-form values by case and key of summary.json."""
+    steel = (210e9, 0.3)
+    return {
+        "johnson-optimum-wheel": johnson_wheel(4.53 * INCH),
+        "johnson-small-wheel": johnson_wheel(2 * INCH),
+        "johnson-large-wheel": johnson_wheel(6 * INCH),
+        "six-station-360rpm": six_stations(),
+        "hertz-line-contact": {"contact.force": 6.0,
+                               **contact(hertz_line(6 / 1e-3, 0.01, contact_modulus(steel, steel)))},
+        "hertz-dissimilar": {"contact.force": 12.0,
+                             **contact(hertz_line(12 / 1e-3, relative_radius(0.01, 0.025),
+                                                  contact_modulus(steel, (70e9, 0.33))))},
+        "nafems-roller": {"contact.force": 35e3,
+                          **contact(hertz_line(35e6, 0.05, contact_modulus(steel, (70e9, 0.3))))},
+        "hertz-sphere": {"contact.force": 120.0,
+                         **contact(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3))},
+        "flat-patch": {"contact.force": 100e6 * 0.04 * 1e-3, "contact.peak_pressure": 100e6},
+    }
+
+
+if __name__ == "__main__":
+    print(json.dumps(values(), indent=2))

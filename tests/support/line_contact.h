@@ -1,0 +1,34 @@
+#pragma once
+
+#include "fem/problem.h"
+#include "loads/hertz.h"
+#include "mesh/mesh_data.h"
+
+namespace geneva::test {
+
+/// A cylinder pressed on a block by a rigid core: Hertz's line contact (K. L. Johnson, Contact
+/// Mechanics, 1985, section 4.2). The block is 8 R wide and 4 R deep and held at its bottom.
+struct LineContact {
+  double radius = 0.01;     ///< R of the cylinder [m]
+  double core = 0.5;        ///< radius of the core [R]
+  double thickness = 0.01;  ///< [m]
+  double force = 1000.;     ///< [N]
+  fem::PlaneKind plane = fem::PlaneKind::plane_strain;
+  fem::Material cylinder{2e11, 0.3};
+  fem::Material block{2e11, 0.3};
+  unsigned int cells_around = 24;  ///< of the cylinder
+  double turn = 0.;                ///< of the cylinder's nodes, as a share of a cell
+  double block_cell = 0.5;         ///< width of the block's cells [R]
+  double shift = 0.;               ///< of the block's nodes, as a share of a cell
+  bool block_is_source = false;
+};
+
+/// Surfaces: "cylinder" and "core" of the cylinder, "top" and "bottom" of the block.
+mesh::MeshData mesh_of(const LineContact& contact);
+
+fem::Problem problem_of(const LineContact& contact);
+
+/// Hertz's solution of it.
+loads::HertzLine hertz(const LineContact& contact);
+
+}  // namespace geneva::test
