@@ -28,8 +28,8 @@ namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// With fewer active nodes the load still acts on a point, and the energy norm says nothing.
-constexpr unsigned int nodes_for_energy_norm = 3;
+/// With fewer active nodes the load still acts on a point: only the contact zone is refined.
+constexpr unsigned int nodes_for_grading = 3;
 /// Cells that a refinement makes beyond the flagged ones' children, to keep the mesh graded.
 constexpr double grading_overhead = 1.3;
 
@@ -39,7 +39,10 @@ class NestedIteration {
  public:
   NestedIteration(const MPI_Comm communicator, const mesh::MeshData& mesh, const Problem& problem,
                   const Settings& settings, const Progress& progress)
-      : communicator_(communicator), settings_(settings), progress_(progress) {
+      : communicator_(communicator),
+        settings_(settings),
+        grading_(grading_for(settings.accuracy)),
+        progress_(progress) {
     solution_.problem = problem;
     solution_.scales = scales_of(problem, mesh);
     solution_.mesh = mesh;
@@ -121,10 +124,10 @@ class NestedIteration {
       record.active_nodes += static_cast<unsigned int>(
           std::count(interface.active.begin(), interface.active.end(), true));
     record.change = change(record);
-    record.error_estimate =
-        solution_.history.empty()
-            ? 1.
-            : error_estimate(record.change, solution_.history.back().change, level_.interfaces);
+    record.error_estimate = solution_.history.empty()
+                                ? 1.
+                                : error_estimate(record.change, solution_.history.back().change,
+                                                 grading_, level_.interfaces);
     record.seconds = timer_.wall_time();
     record.cycled = state_.cycled;
     record.one_solve_seconds = level_.cell_seconds + state_.assemble_and_solve_seconds;
@@ -182,8 +185,9 @@ class NestedIteration {
     for (const ContactPair& pair : solution_.problem.pairs)
       ids.emplace_back(index_of(solution_.mesh.surfaces, pair.source),
                        index_of(solution_.mesh.surfaces, pair.target));
+    const bool is_resolved = solution_.history.back().active_nodes >= nodes_for_grading;
     return flag_cells(*solution_.dof_handler, state_.displacement, level_.interfaces, ids,
-                      solution_.history.back().active_nodes >= nodes_for_energy_norm);
+                      is_resolved ? std::optional(grading_) : std::nullopt);
   }
 
   void refine() {
@@ -227,6 +231,7 @@ class NestedIteration {
 
   MPI_Comm communicator_;
   Settings settings_;
+  double grading_;
   Progress progress_;
   Problem scaled_problem_;
   dealii::Timer timer_;

@@ -1,6 +1,7 @@
 #include "fem/error_estimate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace geneva::fem {
 
@@ -8,6 +9,9 @@ namespace {
 
 /// Contact zones with fewer active nodes say nothing about the pressure yet.
 constexpr std::ptrdiff_t fewest_nodes = 6;
+/// Error of the peak pressure over the square of the grading. Measured on three wheels and three
+/// line contacts with gradings of 0.18, 0.25 and 0.35: 0.03 to 0.05.
+constexpr double grading_coefficient = 0.04;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
 /// edge: a coefficient over the square of the number of active nodes. Measured on unsymmetric
@@ -32,7 +36,11 @@ double end_uncertainty(const ContactInterface& interface) {
 
 }  // namespace
 
-double error_estimate(const double change, const double previous_change,
+double grading_for(const double accuracy) {
+  return std::min(0.3, std::sqrt(0.25 * accuracy / grading_coefficient));
+}
+
+double error_estimate(const double change, const double previous_change, const double grading,
                       const std::vector<ContactInterface>& interfaces) {
   std::ptrdiff_t active_nodes = 0;
   double ends = 0.;
@@ -41,7 +49,9 @@ double error_estimate(const double change, const double previous_change,
     ends = std::max(ends, end_uncertainty(interface));
   }
   if (active_nodes < fewest_nodes) return 1.;
-  return std::min(1., std::max({change, previous_change / 4., ends}));
+  if (ends == 0.) return std::min(1., std::max(change, previous_change / 4.));
+  return std::min(
+      1., std::max({change, previous_change / 4., ends}) + grading_coefficient * grading * grading);
 }
 
 }  // namespace geneva::fem

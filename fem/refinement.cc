@@ -4,7 +4,9 @@
 #include <deal.II/numerics/error_estimator.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 namespace geneva::fem {
@@ -14,7 +16,7 @@ namespace {
 /// The contact zone is refined this far beyond its ends, as a share of its length.
 constexpr double zone_margin = 0.25;
 /// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
-constexpr double energy_share = 0.35;
+constexpr double energy_share = 0.8;
 /// The side whose edges in the contact zone are shorter than this share of the other side's waits.
 constexpr double even_share = 0.6;
 
@@ -117,6 +119,59 @@ unsigned int flag_zone(dealii::DoFHandler<2>& dof_handler, const Zone& zone) {
   return flagged;
 }
 
+/// A contact zone as seen from the cells around it.
+struct ZoneOutline {
+  std::vector<dealii::Point<2>> nodes;  ///< in contact
+  double next_size;                     ///< edge length in the zone after this refinement
+};
+
+std::vector<ZoneOutline> zone_outlines(const std::vector<ContactInterface>& interfaces) {
+  std::vector<ZoneOutline> zones;
+  for (const ContactInterface& interface : interfaces) {
+    ZoneOutline zone{{}, 0.};
+    std::set<unsigned int> active;
+    for (std::size_t i = 0; i < interface.rows.size(); ++i)
+      if (interface.active[i]) active.insert(interface.rows[i].node);
+    double shortest = std::numeric_limits<double>::max();
+    for (const SurfaceFace& face : interface.source.faces)
+      if (active.count(face.nodes[0]) + active.count(face.nodes[1]) > 0)
+        shortest = std::min(shortest, edge_length(interface.source, face));
+    for (const unsigned int node : active)
+      zone.nodes.push_back(interface.source.nodes[node].position);
+    zone.next_size = shortest / 2.;
+    if (!zone.nodes.empty()) zones.push_back(zone);
+  }
+  return zones;
+}
+
+/// The largest size that a cell at a place should have.
+double wanted_size(const std::vector<ZoneOutline>& zones, const double grading,
+                   const dealii::Point<2>& place) {
+  double size = std::numeric_limits<double>::max();
+  for (const ZoneOutline& zone : zones) {
+    double distance = std::numeric_limits<double>::max();
+    for (const dealii::Point<2>& node : zone.nodes)
+      distance = std::min(distance, place.distance(node));
+    size = std::min(size, std::max(grading * distance, zone.next_size));
+  }
+  return size;
+}
+
+unsigned int flag_surroundings(dealii::DoFHandler<2>& dof_handler,
+                               const std::vector<ContactInterface>& interfaces,
+                               const double grading) {
+  constexpr double slack = 1.1;  // cells are not quite square
+  const std::vector<ZoneOutline> zones = zone_outlines(interfaces);
+  unsigned int flagged = 0;
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && !cell->refine_flag_set() &&
+        std::sqrt(cell->measure()) > slack * wanted_size(zones, grading, cell->center())) {
+      cell->set_refine_flag();
+      ++flagged;
+    }
+  return flagged;
+}
+
 unsigned int flag_energy(dealii::DoFHandler<2>& dof_handler,
                          const dealii::TrilinosWrappers::MPI::Vector& displacement) {
   dealii::Vector<float> indicators(dof_handler.get_triangulation().n_active_cells());
@@ -140,9 +195,12 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
                         const std::vector<ContactInterface>& interfaces,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
-                        const bool with_energy) {
+                        const std::optional<double> grading) {
   unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids));
-  if (with_energy) flagged += flag_energy(dof_handler, displacement);
+  if (grading) {
+    flagged += flag_surroundings(dof_handler, interfaces, *grading);
+    flagged += flag_energy(dof_handler, displacement);
+  }
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
 

@@ -3,7 +3,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,15 +12,17 @@
 namespace geneva::fem {
 
 /// Flags the cells to refine: evenly those along every contact zone, so that the contact pressure
-/// lives on a smooth mesh, and those with a large energy-norm error (Kelly et al. 1983).
+/// lives on a smooth mesh; those that are large for their distance from it; and those with a large
+/// energy-norm error (Kelly et al. 1983).
 /// @param surface_ids boundary ids (source, target) of the interfaces
-/// @param with_energy whether the contact zone is resolved well enough for the energy-norm part to
-/// make sense
+/// @param grading greatest ratio of a cell's size to its distance from the contact; nothing while
+/// the contact is not resolved well enough for sizes and energy norm to make sense: then only the
+/// zones are refined
 /// @return number of flagged cells on all ranks
 unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
                         const std::vector<ContactInterface>& interfaces,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
-                        bool with_energy);
+                        std::optional<double> grading);
 
 }  // namespace geneva::fem
