@@ -64,6 +64,12 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model,
                                state.expected_bore_torque, bore_torque};
 }
 
+/// A path as the user would write it: relative where it lies below the current directory.
+std::string shown(const fs::path& path) {
+  const fs::path relative = path.lexically_proximate(fs::current_path());
+  return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
+}
+
 double peak_memory(const MPI_Comm communicator) {
   dealii::Utilities::System::MemoryStats memory{};
   dealii::Utilities::System::get_memory_stats(memory);
@@ -137,7 +143,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
     write_text(working / "log.txt", progress.log());
     directory->publish();
   });
-  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", directory->final().string(),
+  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown(directory->final()),
                             total.wall_time(), report.peak_memory / 1e6));
   return solution.outcome == fem::Outcome::converged ? 0 : 2;
 }

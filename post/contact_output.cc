@@ -96,13 +96,13 @@ void write_contact_vtu(const fem::Solution& solution, const Results& results,
                         n_points, n_cells);
   for (const ContactColumn& column : all) {
     if (column.name == "x" || column.name == "y") continue;
-    stream << fmt::format("<DataArray type=\"Float64\" Name=\"{}\" format=\"ascii\"", column.name);
-    if (!column.unit.empty())
-      stream << fmt::format(
-          ">\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey",
-          column.unit);
-    stream << ">\n";
+    stream << fmt::format("<DataArray type=\"Float64\" Name=\"{}\" format=\"ascii\">\n",
+                          column.name);
     for (const double value : column.values) stream << fmt::format("{:.12g}\n", value);
+    if (!column.unit.empty())  // after the values: readers take the text from the opening tag on
+      stream << fmt::format(
+          "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{}</InformationKey>\n",
+          column.unit);
     stream << "</DataArray>\n";
   }
   stream << "</PointData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "

@@ -163,7 +163,8 @@ std::string cell(const std::optional<double>& value) {
 
 std::string difference(const TableRow& row) {
   if (!row.computed || !row.closed_form || *row.closed_form == 0.) return "-";
-  return fmt::format("{:+.2f} %", 100. * (*row.computed / *row.closed_form - 1.));
+  const double percent = 100. * (*row.computed / *row.closed_form - 1.);
+  return std::abs(percent) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", percent);
 }
 
 std::vector<TableRow> contact_rows(const fem::ContactResult& contact,
