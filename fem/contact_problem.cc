@@ -30,6 +30,8 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// With fewer active nodes the load still acts on a point: only the contact zone is refined.
 constexpr unsigned int nodes_for_grading = 3;
+/// With fewer active nodes the pressure is of no use.
+constexpr unsigned int fewest_active_nodes = 6;
 /// Cells that a refinement makes beyond the flagged ones' children, to keep the mesh graded.
 constexpr double grading_overhead = 1.3;
 
@@ -73,8 +75,9 @@ class NestedIteration {
   void make_level() {
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
                              solution_.scales, origins_);
-    for (std::size_t i = 0; i < intervals_.size(); ++i)
-      level_.interfaces[i].active = inherited(level_.interfaces[i], intervals_[i]);
+    for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
+      level_.interfaces[i].active =
+          inherited(level_.interfaces[i], solution_.contacts[i].intervals, solution_.scales.length);
   }
 
   /// @return false if the active set did not settle: the last good mesh's result then stands
@@ -94,6 +97,7 @@ class NestedIteration {
           "active-set steps', or check that supports and contact pairs hold every body",
           settings_.max_active_set_steps, solution_.dof_handler->n_dofs()));
     state_ = std::move(*state);
+    keep_result();
     return true;
   }
 
@@ -124,10 +128,10 @@ class NestedIteration {
       record.active_nodes += static_cast<unsigned int>(
           std::count(interface.active.begin(), interface.active.end(), true));
     record.change = change(record);
-    record.error_estimate = solution_.history.empty()
-                                ? 1.
-                                : error_estimate(record.change, solution_.history.back().change,
-                                                 grading_, level_.interfaces);
+    record.error_estimate =
+        solution_.history.empty()
+            ? 1.
+            : error_estimate(record.change, previous_error_now(), grading_, level_.interfaces);
     record.seconds = timer_.wall_time();
     record.cycled = state_.cycled;
     record.one_solve_seconds = level_.cell_seconds + state_.assemble_and_solve_seconds;
@@ -141,12 +145,20 @@ class NestedIteration {
     return std::min(1., std::abs(now.peak_pressure / solution_.history.back().peak_pressure - 1.));
   }
 
+  /// What the change of the mesh before says of the error now. A change over m halvings of the
+  /// edges leaves an error of change/(2^m - 1) at least at first order, and the last refinement has
+  /// divided it by two to four.
+  [[nodiscard]] double previous_error_now() const {
+    const double halvings = static_cast<double>(previous_refinements_);
+    return solution_.history.back().change / (4. * (std::pow(2., halvings) - 1.));
+  }
+
   bool finished() {
     if (solution_.error_estimate <= settings_.accuracy) {
       end(Outcome::converged, "");
       return true;
     }
-    if (solution_.history.size() > settings_.max_levels)
+    if (n_refinements_ >= settings_.max_levels)
       return end(Outcome::level_limit,
                  fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "
                              "refinement levels'",
@@ -160,10 +172,7 @@ class NestedIteration {
                  fmt::format("the memory limit of {:.0f} MB was reached ({:.0f} MB are in use); "
                              "raise 'Maximum memory'",
                              settings_.max_memory / 1e6, peak_memory / 1e6));
-    intervals_.clear();
-    for (const ContactInterface& interface : level_.interfaces)
-      intervals_.push_back(active_intervals(interface));
-    const double flagged = flag();
+    const double flagged = flag(state_.displacement);
     const double next_dofs =
         (1. + grading_overhead * 3. * flagged / solution_.history.back().cells) *
         solution_.history.back().dofs;
@@ -180,24 +189,39 @@ class NestedIteration {
     return true;
   }
 
-  double flag() {
+  double flag(const Vector& displacement) {
     std::vector<std::pair<unsigned int, unsigned int>> ids;
     for (const ContactPair& pair : solution_.problem.pairs)
       ids.emplace_back(index_of(solution_.mesh.surfaces, pair.source),
                        index_of(solution_.mesh.surfaces, pair.target));
     const bool is_resolved = solution_.history.back().active_nodes >= nodes_for_grading;
-    return flag_cells(*solution_.dof_handler, state_.displacement, level_.interfaces, ids,
+    return flag_cells(*solution_.dof_handler, displacement, level_.interfaces, ids,
                       is_resolved ? std::optional(grading_) : std::nullopt);
   }
 
+  /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no
+  /// use, the zone around them is refined once more before the next solve.
   void refine() {
-    keep_result();
+    previous_refinements_ = last_refinements_;
+    last_refinements_ = 1;
+    refine_flagged(state_.displacement);
+    if (solution_.history.back().active_nodes >= fewest_active_nodes ||
+        n_refinements_ >= settings_.max_levels)
+      return;
+    Vector guess(level_.owned, level_.ghosts, communicator_);
+    guess = guess_;
+    flag(guess);
+    refine_flagged(guess);
+    last_refinements_ = 2;
+  }
+
+  void refine_flagged(const Vector& displacement) {
+    ++n_refinements_;
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
     dealii::parallel::distributed::SolutionTransfer<2, Vector> transfer(dof_handler);
     triangulation.prepare_coarsening_and_refinement();
-    const Vector before = state_.displacement;
-    transfer.prepare_for_coarsening_and_refinement(before);
+    transfer.prepare_for_coarsening_and_refinement(displacement);
     triangulation.execute_coarsening_and_refinement();
     dof_handler.distribute_dofs(*solution_.element);
     guess_.reinit(dof_handler.locally_owned_dofs(), communicator_);
@@ -223,8 +247,6 @@ class NestedIteration {
     if (solution_.outcome == Outcome::active_set_limit) {
       solution_.displacement.reinit(level_.owned, level_.ghosts, communicator_);
       solution_.displacement = guess_;
-    } else {
-      keep_result();
     }
     return std::move(solution_);
   }
@@ -237,7 +259,9 @@ class NestedIteration {
   dealii::Timer timer_;
   Solution solution_;
   std::optional<SurfaceOrigins> origins_;
-  std::vector<std::vector<std::pair<double, double>>> intervals_;
+  unsigned int n_refinements_ = 0;
+  unsigned int last_refinements_ = 1;      ///< between the last two meshes
+  unsigned int previous_refinements_ = 1;  ///< between the two before
   Level level_;
   LevelState state_;
   Vector guess_;

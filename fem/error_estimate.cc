@@ -40,7 +40,7 @@ double grading_for(const double accuracy) {
   return std::min(0.3, std::sqrt(0.25 * accuracy / grading_coefficient));
 }
 
-double error_estimate(const double change, const double previous_change, const double grading,
+double error_estimate(const double change, const double previous_error, const double grading,
                       const std::vector<ContactInterface>& interfaces) {
   std::ptrdiff_t active_nodes = 0;
   double ends = 0.;
@@ -49,9 +49,9 @@ double error_estimate(const double change, const double previous_change, const d
     ends = std::max(ends, end_uncertainty(interface));
   }
   if (active_nodes < fewest_nodes) return 1.;
-  if (ends == 0.) return std::min(1., std::max(change, previous_change / 4.));
+  if (ends == 0.) return std::min(1., std::max(change, previous_error));
   return std::min(
-      1., std::max({change, previous_change / 4., ends}) + grading_coefficient * grading * grading);
+      1., std::max({change, previous_error, ends}) + grading_coefficient * grading * grading);
 }
 
 }  // namespace geneva::fem

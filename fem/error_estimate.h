@@ -12,14 +12,14 @@ double grading_for(double accuracy);
 /// Relative error of the peak contact pressure: the greatest of
 /// - its change from the mesh before, which bounds the remaining error since halving the edges
 /// halves it at least;
-/// - a quarter of the change before that, lest two meshes agree by chance;
+/// - what the change before that leaves of an error now, lest two meshes agree by chance;
 /// - what the contact's free ends are worth that lie somewhere on an edge;
 /// plus what the cells around the contact are worth, whose ratio of size to distance stays the same
 /// from mesh to mesh.
 /// @param change relative change of the peak pressure from the mesh before
-/// @param previous_change the same one mesh earlier
+/// @param previous_error error of this mesh by the change one mesh earlier
 /// @return between 0 and 1; 1 where the contact has too few nodes to say anything
-double error_estimate(double change, double previous_change, double grading,
+double error_estimate(double change, double previous_error, double grading,
                       const std::vector<ContactInterface>& interfaces);
 
 }  // namespace geneva::fem

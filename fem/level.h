@@ -44,7 +44,7 @@ struct LevelState {
   dealii::TrilinosWrappers::MPI::Vector residual;      ///< K u - f, ghosted
   std::vector<ContactState> contacts;                  ///< by interface
   std::vector<unsigned int> linear_iterations;         ///< by active-set step
-  double assemble_and_solve_seconds = 0.;              ///< of the last step
+  double assemble_and_solve_seconds = 0.;              ///< of the first step
   bool cycled = false;  ///< the active set came back to an earlier one
 };
 

@@ -26,25 +26,33 @@ void assemble(const dealii::AffineConstraints<double>& constraints,
 LinearSystem::LinearSystem(const dealii::DoFHandler<2>& dof_handler, const dealii::IndexSet& ghosts,
                            const dealii::AffineConstraints<double>& constraints,
                            const std::vector<CellSystem>& cells,
-                           const std::vector<NodalForce>& nodal_forces)
-    : constraints_(constraints) {
+                           const std::vector<NodalForce>& nodal_forces, const LinearSystem* similar)
+    : constraints_(constraints),
+      matrix_(std::make_shared<dealii::TrilinosWrappers::SparseMatrix>()) {
   const dealii::IndexSet& owned = dof_handler.locally_owned_dofs();
   const MPI_Comm communicator = dof_handler.get_communicator();
   dealii::TrilinosWrappers::SparsityPattern pattern(owned, owned, ghosts, communicator, 20);
   dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, false,
                                           dealii::Utilities::MPI::this_mpi_process(communicator));
   pattern.compress();
-  matrix_.reinit(pattern);
+  matrix_->reinit(pattern);
   load_.reinit(owned, ghosts, communicator, true);
-  assemble(constraints, cells, nodal_forces, matrix_, load_);
+  assemble(constraints, cells, nodal_forces, *matrix_, load_);
 
+  if (similar != nullptr) {
+    multigrid_matrix_ = similar->multigrid_matrix_;
+    multigrid_ = similar->multigrid_;
+    return;
+  }
   dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
   options.elliptic = true;
   options.smoother_sweeps = 2;
   options.aggregation_threshold = 0.02;
   dealii::DoFTools::extract_constant_modes(dof_handler, dealii::ComponentMask(),
                                            options.constant_modes);
-  multigrid_.initialize(matrix_, options);
+  multigrid_matrix_ = matrix_;
+  multigrid_ = std::make_shared<dealii::TrilinosWrappers::PreconditionAMG>();
+  multigrid_->initialize(*multigrid_matrix_, options);
 }
 
 unsigned int LinearSystem::solve(Vector& displacement, const double tolerance) const {
@@ -53,7 +61,7 @@ unsigned int LinearSystem::solve(Vector& displacement, const double tolerance) c
   dealii::SolverControl control(1000, tolerance * load.l2_norm());
   dealii::SolverCG<Vector> solver(control);
   constraints_.set_zero(displacement);
-  solver.solve(matrix_, displacement, load, multigrid_);
+  solver.solve(*matrix_, displacement, load, *multigrid_);
   constraints_.distribute(displacement);
   return control.last_step();
 }

@@ -7,6 +7,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <memory>
 #include <vector>
 
 #include "fem/elasticity.h"
@@ -23,11 +24,14 @@ struct NodalForce {
 /// positive definite.
 class LinearSystem {
  public:
-  /// Assembles the system and sets up algebraic multigrid.
+  /// Assembles the system and sets up algebraic multigrid, or takes over that of a system that
+  /// differs by a few constraints.
+  /// @param similar the system whose multigrid is taken over; none: a new one is set up
   /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
   LinearSystem(const dealii::DoFHandler<2>& dof_handler, const dealii::IndexSet& ghosts,
                const dealii::AffineConstraints<double>& constraints,
-               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
+               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces,
+               const LinearSystem* similar);
 
   /// Conjugate gradients until the residual is below tolerance times the load, from the given first
   /// guess.
@@ -38,10 +42,12 @@ class LinearSystem {
   unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance) const;
 
  private:
-  const dealii::AffineConstraints<double>& constraints_;
-  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  dealii::AffineConstraints<double> constraints_;
+  std::shared_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix_;
   dealii::TrilinosWrappers::MPI::Vector load_;
-  dealii::TrilinosWrappers::PreconditionAMG multigrid_;
+  std::shared_ptr<dealii::TrilinosWrappers::SparseMatrix>
+      multigrid_matrix_;  ///< outlives multigrid_
+  std::shared_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid_;
 };
 
 }  // namespace geneva::fem

@@ -27,6 +27,16 @@ struct ContactNode {
   bool active;
 };
 
+/// A stretch of the source surface in contact, by its arc lengths [m].
+struct ContactInterval {
+  double begin;
+  double end;
+  bool
+      symmetric;  ///< one end is a plane or axis of symmetry of the model: the pressure peaks there
+
+  [[nodiscard]] double half_width() const { return symmetric ? end - begin : (end - begin) / 2.; }
+};
+
 /// What one contact pair carries, SI units.
 struct ContactResult {
   std::string source;
@@ -35,9 +45,10 @@ struct ContactResult {
   std::array<double, 2> force;     ///< on the source body [N]
   double moment;                   ///< of the pressure on the source body about the origin [N m]
   double peak_pressure;            ///< [Pa]
-  double half_width;               ///< of the widest contact interval [m]
-  bool symmetric;                  ///< the contact ends at a plane or axis of symmetry of the model
-  double max_penetration;          ///< greatest overlap left between inactive nodes [m]
+  std::vector<ContactInterval> intervals;
+  double half_width;       ///< of the widest interval [m]
+  bool symmetric;          ///< whether that one ends at a plane or axis of symmetry
+  double max_penetration;  ///< greatest overlap left between inactive nodes [m]
   unsigned int active_nodes;
   int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight
   int target_circle;      ///< the same of the target

@@ -81,15 +81,16 @@ std::vector<bool> first_touch(const std::vector<MortarRow>& rows, const double l
 }
 
 std::vector<bool> inherited(const ContactInterface& interface,
-                            const std::vector<std::pair<double, double>>& intervals) {
+                            const std::vector<ContactInterval>& intervals, const double length) {
   const double slack = 1e-9 * interface.source.length;
   std::vector<bool> active;
   active.reserve(interface.rows.size());
   for (const MortarRow& row : interface.rows) {
     const double at = interface.source.nodes[row.node].arc_length;
-    active.push_back(std::any_of(intervals.begin(), intervals.end(), [&](const auto& interval) {
-      return at >= interval.first - slack && at <= interval.second + slack;
-    }));
+    active.push_back(
+        std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& interval) {
+          return at >= interval.begin / length - slack && at <= interval.end / length + slack;
+        }));
   }
   if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
     return first_touch(interface.rows, interface.source.length);

@@ -7,6 +7,7 @@
 
 #include "fem/constraints.h"
 #include "fem/contact/mortar.h"
+#include "fem/solution.h"
 
 namespace geneva::fem {
 
@@ -28,10 +29,11 @@ struct ContactState {
 /// The rows that touch first: those whose initial gap is the smallest.
 std::vector<bool> first_touch(const std::vector<MortarRow>& rows, double length);
 
-/// The rows between active nodes of the coarser mesh, or first_touch if there is none.
-/// @param intervals arc lengths [begin, end] of the coarser mesh's contact on the source surface
+/// The rows within the contact that the coarser mesh found, or first_touch if there is none.
+/// @param intervals of the coarser mesh's contact [m]
+/// @param length unit of length of the triangulation [m]
 std::vector<bool> inherited(const ContactInterface& interface,
-                            const std::vector<std::pair<double, double>>& intervals);
+                            const std::vector<ContactInterval>& intervals, double length);
 
 /// Arc-length intervals of the source surface covered by active nodes.
 std::vector<std::pair<double, double>> active_intervals(const ContactInterface& interface);

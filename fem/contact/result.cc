@@ -51,41 +51,30 @@ double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge
   return std::clamp(end, std::min(inner, outside), std::max(inner, outside));
 }
 
-/// Half the length of a contact interval, or all of it where the pressure peaks at one end of the
-/// surface: there the model ends at a plane or axis of symmetry.
-struct HalfWidth {
-  double value;
-  bool symmetric;
-};
-
-HalfWidth half_of(const std::vector<ContactNode>& nodes, const std::size_t begin,
-                  const std::size_t end) {
+/// The contact between nodes `begin` and `end`, its ends fitted where they are free.
+ContactInterval fitted_interval(const std::vector<ContactNode>& nodes, const std::size_t begin,
+                                const std::size_t end) {
   const std::size_t count = end - begin + 1;
   const bool at_start = begin == 0;
   const bool at_finish = end + 1 == nodes.size();
-  const double from = at_start ? nodes[begin].arc_length : contact_end(nodes, begin, 1, count);
-  const double to = at_finish ? nodes[end].arc_length : contact_end(nodes, end, -1, count);
   double peak = 0.;
   for (std::size_t i = begin; i <= end; ++i) peak = std::max(peak, nodes[i].pressure);
-  const bool symmetric =
-      at_start != at_finish && nodes[at_start ? begin : end].pressure > 0.99 * peak;
-  return {symmetric ? to - from : (to - from) / 2., symmetric};
+  const bool peaks_at_end = nodes[at_start ? begin : end].pressure > 0.99 * peak;
+  return {at_start ? nodes[begin].arc_length : contact_end(nodes, begin, 1, count),
+          at_finish ? nodes[end].arc_length : contact_end(nodes, end, -1, count),
+          at_start != at_finish && peaks_at_end};
 }
 
-HalfWidth half_width(const std::vector<ContactNode>& nodes) {
-  HalfWidth widest{0., false};
-  for (std::size_t begin = 0; begin < nodes.size();) {
-    if (!nodes[begin].active) {
-      ++begin;
-      continue;
-    }
+std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode>& nodes) {
+  std::vector<ContactInterval> intervals;
+  for (std::size_t begin = 0; begin < nodes.size(); ++begin) {
+    if (!nodes[begin].active) continue;
     std::size_t end = begin;
     while (end + 1 < nodes.size() && nodes[end + 1].active) ++end;
-    const HalfWidth half = half_of(nodes, begin, end);
-    if (half.value > widest.value) widest = half;
-    begin = end + 1;
+    intervals.push_back(fitted_interval(nodes, begin, end));
+    begin = end;
   }
-  return widest;
+  return intervals;
 }
 
 /// Circle of a surface near a point, and whether it bulges outwards.
@@ -143,9 +132,12 @@ ContactResult contact_result(const ContactPair& pair, const ContactInterface& in
       peak = interface.source.nodes[interface.rows[i].node].position;
     }
   }
-  const HalfWidth half = half_width(result.nodes);
-  result.half_width = half.value;
-  result.symmetric = half.symmetric;
+  result.intervals = fitted_intervals(result.nodes);
+  for (const ContactInterval& interval : result.intervals)
+    if (interval.half_width() > result.half_width) {
+      result.half_width = interval.half_width();
+      result.symmetric = interval.symmetric;
+    }
   std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
   std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
   return result;

@@ -13,8 +13,7 @@ using mesh::MeshData;
 /// Index of a surface name, which is added if it is new.
 unsigned int named(MeshData& mesh, const std::string& surface) {
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
-  if (found != mesh.surfaces.end())
-    return static_cast<unsigned int>(found - mesh.surfaces.begin());
+  if (found != mesh.surfaces.end()) return static_cast<unsigned int>(found - mesh.surfaces.begin());
   mesh.surfaces.push_back(surface);
   return static_cast<unsigned int>(mesh.surfaces.size() - 1);
 }
@@ -98,8 +97,8 @@ void add_ring(MeshData& mesh, const std::string& body, const Ring& ring) {
   for (const double radius : ring.radii)
     for (std::size_t i = 0; i < rays; ++i) {
       const double angle = ring.angles[rays - 1 - i];
-      mesh.vertices.push_back({ring.centre[0] + radius * std::cos(angle),
-                               ring.centre[1] + radius * std::sin(angle)});
+      mesh.vertices.push_back(
+          {ring.centre[0] + radius * std::cos(angle), ring.centre[1] + radius * std::sin(angle)});
     }
   add_cells(mesh, grid, body);
   add_row_edges(mesh, grid, 0, ring.inner, add_circle(mesh, ring.centre, ring.radii.front()));

@@ -27,8 +27,8 @@ void add_rectangle(mesh::MeshData& mesh, const std::string& body, const std::vec
 struct Ring {
   std::array<double, 2> centre;  ///< [m]
   std::vector<double> radii;     ///< of the circles of nodes, increasing [m]
-  std::vector<double> angles;    ///< of the rays of nodes, increasing [rad]; closed if they span 2 pi
-  std::string inner, outer;      ///< surface names
+  std::vector<double> angles;  ///< of the rays of nodes, increasing [rad]; closed if they span 2 pi
+  std::string inner, outer;    ///< surface names
   std::string first_end, last_end;  ///< surface names of a sector's ends
 };
 

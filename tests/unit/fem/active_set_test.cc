@@ -1,0 +1,220 @@
+#include "fem/contact/active_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/contact/result.h"
+#include "fem/error_estimate.h"
+#include "tests/unit/fem/hand_made.h"
+
+namespace geneva::fem::test {
+namespace {
+
+/// A flat source on a flat target with nodes every 1/n.
+ContactInterface flat_pair(const unsigned int n, const double gap = 0.) {
+  std::vector<double> x;
+  for (unsigned int i = 0; i <= n; ++i) x.push_back(static_cast<double>(i) / n);
+  ContactInterface interface;
+  interface.source = underside(x, gap);
+  interface.target = upper_side(x);
+  interface.rows = mortar_rows(interface.source, interface.target, plane_data());
+  interface.active.assign(interface.rows.size(), false);
+  return interface;
+}
+
+ContactInterface with_active(const std::vector<bool>& active) {
+  ContactInterface interface = flat_pair(static_cast<unsigned int>(active.size()) - 1);
+  interface.active = active;
+  return interface;
+}
+
+TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
+  ContactInterface interface = flat_pair(4);
+  for (const double lift : {0., 0.3, -2.}) {
+    for (MortarRow& row : interface.rows)
+      row.initial_gap = row.weight * (lift + (row.node == 2 || row.node == 3 ? 0. : 0.1));
+    EXPECT_EQ(first_touch(interface.rows, 1.), (std::vector<bool>{false, false, true, true, false}));
+  }
+}
+
+TEST(ActiveSet, IntervalsReachFromFirstToLastActiveNode) {
+  const auto intervals = active_intervals(with_active({true, true, false, false, true}));
+  ASSERT_EQ(intervals.size(), 2U);
+  EXPECT_EQ(intervals[0], (std::pair{0., 0.25}));
+  EXPECT_EQ(intervals[1], (std::pair{1., 1.}));
+  EXPECT_TRUE(active_intervals(with_active({false, false})).empty());
+}
+
+TEST(ActiveSet, IsInheritedByTheNodesBetweenActiveOnesOfTheCoarserMesh) {
+  const auto intervals = active_intervals(with_active({false, true, true, false, false}));
+  const std::vector<bool> fine = inherited(flat_pair(8), intervals);
+  EXPECT_EQ(fine, (std::vector<bool>{false, false, true, true, true, false, false, false, false}));
+}
+
+TEST(ActiveSet, IsFirstTouchWhereNothingIsInherited) {
+  ContactInterface interface = flat_pair(4);
+  interface.rows[1].initial_gap = -0.1;
+  EXPECT_EQ(inherited(interface, {}), (std::vector<bool>{false, true, false, false, false}));
+}
+
+TEST(ActiveSet, OpensUnderTensionAndClosesWhereBodiesOverlap) {
+  const ContactInterface interface = with_active({true, true, true, false, false});
+  const ContactState state{{1., 0., -1e-3, 0., 0.}, {0., 0., 0., -1e-3, 1e-3}, 1.};
+  EXPECT_EQ(updated(interface, state), (std::vector<bool>{true, true, false, true, false}));
+}
+
+TEST(ActiveSet, TakesRoundOffForNoReasonToChange) {
+  const ContactInterface interface = with_active({true, true, false, false});
+  const ContactState state{{1., -1e-12, 0., 0.}, {0., 0., -1e-12, 1.}, 1.};
+  EXPECT_EQ(updated(interface, state), interface.active);
+}
+
+/// gap_j(u) = 0 solved for the component with the greatest share of the normal.
+TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
+  const double slope = 0.3;
+  ContactInterface interface;
+  interface.source = underside({0., 1., 2.5}, 1.);
+  interface.target = upper_side({-1., 0.4, 3.}, slope);
+  interface.rows = mortar_rows(interface.source, interface.target, plane_data());
+  interface.active = {true, false, true};
+  std::set<global_dof_index> held;
+  const auto lines = contact_lines(interface, held);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(held.size(), 2U);
+  // Any displacement that satisfies the line has no gap at its row.
+  const auto displacement = [](const global_dof_index dof) { return std::sin(double(dof)); };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const MortarRow& row = interface.rows[2 * i];
+    const SurfaceNode& node = interface.source.nodes[row.node];
+    ASSERT_EQ(lines[i].dof, node.dofs[1]) << "the normal points along y more than along x";
+    double solved = lines[i].inhomogeneity;
+    for (const auto& [dof, coefficient] : lines[i].entries) solved += coefficient * displacement(dof);
+    double gap = row.initial_gap + row.weight * (row.normal[0] * displacement(node.dofs[0]) +
+                                                 row.normal[1] * solved);
+    for (const auto& [target, coupling] : row.coupling)
+      for (unsigned int c = 0; c < 2; ++c)
+        gap -= coupling[c] * displacement(interface.target.nodes[target].dofs[c]);
+    EXPECT_NEAR(gap, 0., 1e-13) << "a dozen products of size 1";
+  }
+}
+
+TEST(ContactLines, LeaveHeldComponentsAlone) {
+  ContactInterface interface;
+  interface.source = underside({0., 1.}, 0.);
+  interface.target = upper_side({0., 1.}, 0.3);
+  interface.rows = mortar_rows(interface.source, interface.target, plane_data());
+  interface.active = {true, true};
+  const auto& dofs_of_first = interface.source.nodes[0].dofs;
+  const auto& dofs_of_second = interface.source.nodes[1].dofs;
+  std::set<global_dof_index> held{dofs_of_first[1], dofs_of_second[0], dofs_of_second[1]};
+  const auto lines = contact_lines(interface, held);
+  ASSERT_EQ(lines.size(), 1U) << "nothing is left to move the second node";
+  EXPECT_EQ(lines[0].dof, dofs_of_first[0]);
+}
+
+/// Hertz's pressure at the nodes of a flat pair, contact from 0.5 + offset - b to 0.5 + offset + b.
+ContactState hertz_state(ContactInterface& interface, const double centre, const double half_width) {
+  ContactState state;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const double x = interface.source.nodes[interface.rows[i].node].position[0] - centre;
+    const double square = 1. - x * x / (half_width * half_width);
+    interface.active[i] = square > 0.;
+    state.pressure.push_back(square > 0. ? std::sqrt(square) : 0.);
+    state.gap.push_back(square > 0. ? 0. : -square);
+  }
+  return state;
+}
+
+TEST(ContactResult, HalfWidthOfHertzPressureIsExactWhereverTheEndsLieBetweenNodes) {
+  for (const double centre : {0.5, 0.503, 0.5077})
+    for (const double half_width : {0.2, 0.243, 0.2499}) {
+      ContactInterface interface = flat_pair(40);
+      const ContactState state = hertz_state(interface, centre, half_width);
+      const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+      // The squared pressure is a parabola: the fit is exact up to its conditioning.
+      EXPECT_NEAR(result.half_width, half_width, 1e-10);
+      EXPECT_FALSE(result.symmetric);
+    }
+}
+
+TEST(ContactResult, HalfWidthOfHalfAModelReachesFromThePlaneOfSymmetry) {
+  ContactInterface interface = flat_pair(40);
+  const ContactState state = hertz_state(interface, 0., 0.333);
+  const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+  EXPECT_TRUE(result.symmetric);
+  EXPECT_NEAR(result.half_width, 0.333, 1e-10);
+}
+
+TEST(ContactResult, IsInTheUnitsOfTheScales) {
+  ContactInterface interface = flat_pair(40, 0.01);
+  const ContactState state = hertz_state(interface, 0.5, 0.2);
+  const Scales scales{2., 3.};
+  const ContactResult plain = contact_result({"a", "b"}, interface, state, {1., 1.});
+  const ContactResult result = contact_result({"a", "b"}, interface, state, scales);
+  EXPECT_EQ(result.active_nodes, plain.active_nodes);
+  EXPECT_NEAR(result.half_width, 2. * plain.half_width, 1e-14);
+  EXPECT_NEAR(result.peak_pressure, 3. * plain.peak_pressure, 1e-14);
+  EXPECT_NEAR(result.force[1], 12. * plain.force[1], 1e-13);
+  EXPECT_NEAR(result.moment, 24. * plain.moment, 1e-13);
+  for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+    EXPECT_NEAR(result.nodes[i].tributary, 4. * plain.nodes[i].tributary, 1e-14);
+    EXPECT_NEAR(result.nodes[i].initial_gap, 0.02, 1e-14);
+    EXPECT_NEAR(result.nodes[i].gap, 2. * plain.nodes[i].gap, 1e-14);
+    EXPECT_NEAR(result.nodes[i].position[0], 2. * plain.nodes[i].position[0], 1e-14);
+  }
+}
+
+TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
+  ContactInterface interface = flat_pair(4);
+  interface.active.assign(5, true);
+  const ContactState state{{1., 2., 3., 4., 5.}, {0., 0., 0., 0., 0.}, 1.};
+  const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+  // Linear pressure 1 + 4 x on a unit length: 3; its moment is the integral of x (1 + 4 x), where
+  // the lumped areas give 1/8 (5) + 1/4 (1/4 2 + 1/2 3 + 3/4 4) in place of 11/6.
+  EXPECT_NEAR(result.force[1], 3., 1e-14);
+  EXPECT_NEAR(result.force[0], 0., 1e-14);
+  EXPECT_NEAR(result.moment, 1.875, 1e-14);
+  EXPECT_EQ(result.peak_pressure, 5.);
+}
+
+TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
+  ContactInterface interface = flat_pair(3);
+  interface.active = {true, false, false, false};
+  const ContactState state{{1., 0., 0., 0.}, {-0.5, -0.1, -0.2, 0.3}, 1.};
+  EXPECT_EQ(contact_result({"a", "b"}, interface, state, {1., 1.}).max_penetration, 0.2);
+}
+
+TEST(ErrorEstimate, SaysNothingBelowSixNodes) {
+  EXPECT_EQ(error_estimate(1e-6, 1e-6, 0., {with_active({false, true, true, true, true, true})}), 1.);
+}
+
+TEST(ErrorEstimate, IsNeverSmallerThanTheLastChangeOrAQuarterOfTheOneBefore) {
+  std::vector<bool> active(1001, true);
+  active.front() = false;
+  const std::vector<ContactInterface> interfaces{with_active(active)};
+  EXPECT_GE(error_estimate(0.01, 0., 0., interfaces), 0.01);
+  EXPECT_GE(error_estimate(0., 0.04, 0., interfaces), 0.01);
+  EXPECT_GE(error_estimate(0., 0., 0.1, interfaces), 0.0003) << "3 % of the grading's square";
+  EXPECT_LE(error_estimate(5., 5., 0.3, interfaces), 1.);
+}
+
+TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
+  const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, true, false};
+  const std::vector<bool> one_end{true, true, true, true, true, true, true, true, false};
+  const std::vector<bool> no_end(8, true);
+  const double with_two = error_estimate(0., 0., 0., {with_active(free_ends)});
+  EXPECT_GT(with_two, 0.5 / 64.) << "of the order 1/N^2 with 8 nodes";
+  EXPECT_NEAR(error_estimate(0., 0., 0., {with_active(one_end)}), with_two / 4., 1e-15)
+      << "half a contact with twice as many nodes";
+  EXPECT_EQ(error_estimate(0., 0., 0., {with_active(no_end)}), 0.);
+}
+
+TEST(ErrorEstimate, GradingGetsFinerWithTheAccuracyAndStaysInItsRange) {
+  EXPECT_LE(grading_for(1.), 0.3);
+  EXPECT_GT(grading_for(1e-6), 0.);
+  EXPECT_NEAR(grading_for(1e-4) / grading_for(1e-6), 10., 1e-12) << "an error of second order";
+}
+
+}  // namespace
+}  // namespace geneva::fem::test

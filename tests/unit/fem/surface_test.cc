@@ -1,0 +1,229 @@
+#include "fem/contact/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "fem/contact/projection.h"
+#include "tests/unit/fem/discretisation.h"
+#include "tests/unit/fem/hand_made.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+
+/// A few roundings of numbers of size 1.
+constexpr double round_off = 1e-14;
+
+TEST(Surface, PutsTheEdgesOfAnOpenCurveInOrderFromTheEndNearestToTheOrigin) {
+  const std::vector<Point<2>> points{{0., 0.}, {1., 0.}, {1., 2.}, {4., 6.}};
+  Boundary boundary = curve(points);
+  std::reverse(boundary.faces.begin(), boundary.faces.end());
+  std::swap(boundary.faces[0], boundary.faces[1]);
+  const Surface surface = make_surface(boundary, 1, Point<2>(0.1, 0.));
+  ASSERT_EQ(surface.nodes.size(), 4U);
+  const std::array<double, 4> arc_lengths{0., 1., 3., 8.};
+  for (unsigned int i = 0; i < 4; ++i) {
+    EXPECT_EQ(surface.nodes[i].position, points[i]);
+    EXPECT_DOUBLE_EQ(surface.nodes[i].arc_length, arc_lengths[i]);
+  }
+  for (unsigned int i = 0; i < 3; ++i)
+    EXPECT_EQ(surface.faces[i].nodes, (std::array<unsigned int, 2>{i, i + 1}));
+  EXPECT_FALSE(surface.closed);
+  EXPECT_DOUBLE_EQ(surface.length, 8.);
+}
+
+TEST(Surface, LeavesOtherSurfacesOut) {
+  Boundary boundary = curve({{0., 0.}, {1., 0.}, {2., 0.}, {3., 0.}});
+  boundary.faces[2].surface = 7;
+  EXPECT_EQ(make_surface(boundary, 1, Point<2>()).nodes.size(), 3U);
+  EXPECT_EQ(make_surface(boundary, 7, Point<2>()).nodes.size(), 2U);
+}
+
+TEST(Surface, CountsTheArcLengthOfAClosedCurveFromTheNodeNearestToTheOrigin) {
+  const mesh::Circle circle{{1., 2.}, 3.};
+  Boundary boundary;
+  boundary.circles = {circle};
+  for (unsigned int i = 0; i < 8; ++i) {
+    boundary.nodes.push_back({Point<2>(1. + 3. * std::cos(pi * i / 4.), 2. + 3. * std::sin(pi * i / 4.)),
+                              {2 * i, 2 * i + 1},
+                              0});
+    boundary.faces.push_back({{i, (i + 1) % 8}, 1, 0});
+  }
+  const Surface surface = make_surface(boundary, 1, Point<2>(1., 6.));
+  EXPECT_TRUE(surface.closed);
+  EXPECT_EQ(surface.nodes.front().position, boundary.nodes[2].position);
+  for (unsigned int i = 0; i < 8; ++i)
+    EXPECT_NEAR(surface.nodes[i].arc_length, 3. * pi * i / 4., 10. * round_off);
+  EXPECT_EQ(surface.faces.back().nodes[1], 0U);
+}
+
+TEST(Surface, OfACircleIsTwoPiRLongOnAnyMesh) {
+  for (const unsigned int n : {3U, 4U, 7U, 24U, 1000U}) {
+    const Surface surface = full_circle({{0.3, -0.2}, 0.7}, n);
+    // n arcs, each with a few roundings of numbers of size 1 (asin is steep by 2 for n = 3).
+    EXPECT_NEAR(surface.length, 2. * pi * 0.7, n * round_off) << n << " edges";
+  }
+}
+
+TEST(Surface, NormalsOfACircleAreRadialAndPointOutOfTheBody) {
+  const mesh::Circle circle{{0.3, -0.2}, 0.7};
+  for (const bool is_hole : {false, true}) {
+    const std::vector<double> angles{0.1, 0.4, 0.5, 1.2};
+    const Surface surface = arc(
+        circle, is_hole ? std::vector<double>(angles.rbegin(), angles.rend()) : angles);
+    for (const SurfaceNode& node : surface.nodes) {
+      const Tensor<1, 2> radial = (node.position - Point<2>(0.3, -0.2)) / 0.7;
+      EXPECT_LT((node.normal - (is_hole ? -1. : 1.) * radial).norm(), round_off);
+    }
+    for (const SurfaceFace& face : surface.faces)
+      EXPECT_DOUBLE_EQ(curvature(surface, face), (is_hole ? -1. : 1.) / 0.7);
+  }
+}
+
+TEST(Surface, NormalOfAStraightEdgeIsToTheRightOfItsDirection) {
+  const Surface surface = upper_side({0., 1., 3.});
+  for (const SurfaceNode& node : surface.nodes) EXPECT_EQ(node.normal, (Tensor<1, 2>({0., 1.})));
+  for (const SurfaceFace& face : surface.faces) {
+    EXPECT_EQ(chord_normal(surface, face), (Tensor<1, 2>({0., 1.})));
+    EXPECT_EQ(curvature(surface, face), 0.);
+  }
+}
+
+TEST(Surface, TruePointIsTheOneOfTheCircleNearestToTheChord) {
+  const Surface surface = arc({{0., 0.}, 2.}, {0., pi / 3.});
+  const SurfaceFace& face = surface.faces.front();
+  const Point<2> middle = true_point(surface, face, chord_point(surface, face, 0.5));
+  EXPECT_LT(middle.distance(Point<2>(2. * std::cos(pi / 6.), 2. * std::sin(pi / 6.))), round_off * 2.);
+}
+
+TEST(Projection, OnAStraightEdgeIsTheFootOfThePerpendicular) {
+  const Surface surface = upper_side({-1., 3.}, 0.5);
+  const SurfaceFace& face = surface.faces.front();
+  for (const double eta : {-0.5, 0., 0.25, 0.7, 1., 2.})
+    for (const double distance : {-0.3, 0., 1e-6, 5.}) {
+      const Point<2> point = chord_point(surface, face, eta) + distance * chord_normal(surface, face);
+      EXPECT_NEAR(project_on_face(surface, face, point), eta, 10. * round_off);
+    }
+}
+
+TEST(Projection, OnACircleFollowsTheRadius) {
+  const double begin = 0.3;
+  const double end = 0.8;
+  const mesh::Circle circle{{0.5, 0.}, 2.};
+  const Surface surface = arc(circle, {begin, end});
+  const SurfaceFace& face = surface.faces.front();
+  for (const double angle : {0.3, 0.35, 0.5, 0.79, 0.8})
+    for (const double radius : {1.5, 2., 2.001, 9.}) {
+      const Point<2> point(0.5 + radius * std::cos(angle), radius * std::sin(angle));
+      // The chord divides the angle between its ends in the ratio of the sines.
+      const double eta =
+          std::sin(angle - begin) / (std::sin(angle - begin) + std::sin(end - angle));
+      EXPECT_NEAR(project_on_face(surface, face, point), eta, 10. * round_off);
+      const Tensor<1, 2> normal = face_normal(surface, face, eta);
+      EXPECT_LT((normal - Tensor<1, 2>({std::cos(angle), std::sin(angle)})).norm(), round_off);
+    }
+}
+
+/// Expects overlaps that follow each other without gap or overlap from begin to end.
+void expect_tiles(const std::vector<Overlap>& tiles, const double begin, const double end) {
+  ASSERT_FALSE(tiles.empty());
+  EXPECT_NEAR(tiles.front().begin, begin, round_off);
+  EXPECT_NEAR(tiles.back().end, end, round_off);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    EXPECT_LT(tiles[i].begin, tiles[i].end);
+    if (i > 0) EXPECT_NEAR(tiles[i].begin, tiles[i - 1].end, round_off);
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(tiles[i].target_face, tiles[j].target_face);
+  }
+}
+
+TEST(Overlaps, TileAnEdgeThatTheTargetCovers) {
+  const Surface source = underside({0., 1., 1.7, 4.}, 0.2);
+  const Surface target = upper_side({-1., 0.3, 0.9, 1., 1.4, 5.});
+  const std::array<std::size_t, 3> expected{3, 2, 2};
+  for (unsigned int face = 0; face < 3; ++face) {
+    const auto tiles = overlaps(source, source.faces[face], target);
+    expect_tiles(tiles, 0., 1.);
+    EXPECT_EQ(tiles.size(), expected[face]);
+  }
+}
+
+TEST(Overlaps, AreCutWhereTargetNodesProjectOnTheEdge) {
+  const auto tiles = overlaps(underside({0., 2.}, 0.2), {{0, 1}, -1}, upper_side({-1., 0.5, 3.}));
+  ASSERT_EQ(tiles.size(), 2U);
+  EXPECT_NEAR(tiles[0].end, 0.25, round_off);
+  EXPECT_EQ(tiles[0].target_face, 1U) << "the target's edges run from right to left";
+  EXPECT_EQ(tiles[1].target_face, 0U);
+}
+
+TEST(Overlaps, EndWhereTheTargetEnds) {
+  const auto tiles = overlaps(underside({0., 2.}, 0.2), {{0, 1}, -1}, upper_side({0.5, 0.7, 1.}));
+  expect_tiles(tiles, 0.25, 0.5);
+}
+
+TEST(Overlaps, OfACircleOnAFlatTileTheEdgesAtTheBottom) {
+  const Surface circle = full_circle({{0., 1.}, 1.}, 24);
+  const Surface flat = upper_side({-3., -1.1, -0.3, 0.05, 0.4, 3.});
+  unsigned int covered = 0;
+  for (const SurfaceFace& face : circle.faces) {
+    const auto tiles = overlaps(circle, face, flat);
+    const double height = chord_normal(circle, face)[1];
+    if (tiles.empty()) {
+      EXPECT_GT(height, -0.11) << "only edges that look away from the flat have no overlap";
+      continue;
+    }
+    ++covered;
+    expect_tiles(tiles, 0., 1.);
+    EXPECT_LT(height, -0.1);
+  }
+  EXPECT_EQ(covered, 12U) << "cos(84.3 deg) = 0.1: the edges at 7.5, 22.5 ... 82.5 deg";
+}
+
+TEST(Overlaps, OfAFlatUnderACircleTileTheEdges) {
+  const Surface flat = upper_side({-0.9, -0.3, 0.05, 0.4, 0.8});
+  const Surface circle = full_circle({{0., 1.}, 1.}, 24);
+  for (const SurfaceFace& face : flat.faces) expect_tiles(overlaps(flat, face, circle), 0., 1.);
+}
+
+TEST(Overlaps, OfAPinInAHoleTileTheEdges) {
+  const Surface pin = full_circle({{0., 0.}, 1.}, 24);
+  std::vector<double> angles;
+  for (int i = 0; i <= 31; ++i) angles.push_back(0.1 - 2. * pi * i / 31.);
+  const Surface hole = arc({{0., 0.}, 1.01}, angles);
+  for (const SurfaceFace& face : pin.faces) expect_tiles(overlaps(pin, face, hole), 0., 1.);
+}
+
+TEST(Overlaps, AreNoneBetweenSurfacesThatLookTheSameWay) {
+  const Surface source = upper_side({0., 1.});
+  EXPECT_TRUE(overlaps(source, source.faces[0], upper_side({-1., 2.})).empty());
+}
+
+TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
+  mesh::MeshData mesh = geneva::test::empty_mesh();
+  geneva::test::add_ring(mesh, "ring", {{0.2, 0.1}, {0.5, 1.}, geneva::test::equal_steps(0., 2. * pi, 8), "bore", "rim", "", ""});
+  Discretisation coarse(mesh);
+  Discretisation fine(mesh, 3);
+  for (const char* name : {"bore", "rim"}) {
+    const unsigned int id = geneva::test::surface_id(mesh, name);
+    const double radius = id == geneva::test::surface_id(mesh, "rim") ? 1. : 0.5;
+    const Surface before = make_surface(gather_boundary(*coarse.dof_handler, mesh.circles, 1.), id, Point<2>(2., 0.1));
+    const Surface after = make_surface(gather_boundary(*fine.dof_handler, mesh.circles, 1.), id, Point<2>(2., 0.1));
+    ASSERT_EQ(before.nodes.size(), 8U);
+    ASSERT_EQ(after.nodes.size(), 64U);
+    EXPECT_NEAR(before.length, 2. * pi * radius, 64. * round_off);
+    EXPECT_NEAR(after.length, 2. * pi * radius, 64. * round_off);
+    for (unsigned int i = 0; i < 8; ++i)
+      EXPECT_NEAR(before.nodes[i].arc_length, after.nodes[8 * i].arc_length, 64. * round_off);
+    for (const SurfaceNode& node : after.nodes) {
+      const Tensor<1, 2> radial = (node.position - Point<2>(0.2, 0.1)) / radius;
+      EXPECT_LT((node.normal - (radius < 1. ? -1. : 1.) * radial).norm(), 10. * round_off);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
