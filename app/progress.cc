@@ -28,9 +28,11 @@ void ProgressDisplay::line(const std::string& text) {
 
 void ProgressDisplay::step(const fem::StepReport& report) {
   if (!is_speaking_ || !is_terminal_) return;
-  const std::string status =
-      fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}", report.level,
-                  report.dofs, report.step, report.linear_iterations);
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const std::string status = fmt::format(
+      "level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}  {:.1f} s", report.level,
+      report.dofs, report.step, report.linear_iterations, last_level_, seconds);
   std::fputs(("\r\033[K" + status).c_str(), stdout);
   std::fflush(stdout);
   has_status_ = true;
@@ -48,6 +50,8 @@ void ProgressDisplay::level(const fem::LevelRecord& record) {
   line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22.6g}{:>12}{:>7.2f} s", levels_, record.dofs,
                    record.active_nodes, record.linear_iterations.size(), iterations,
                    record.peak_pressure * stress_.factor, error, record.seconds));
+  last_level_ = fmt::format("peak {:.5g} {}, est. error {}", record.peak_pressure * stress_.factor,
+                            stress_.name, error);
   if (record.cycled)
     line(
         "note: the active set came back to an earlier one on this mesh; its nodes then could only "

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <fstream>
+#include <chrono>
 #include <string>
 
 #include "fem/contact_problem.h"
@@ -29,6 +29,8 @@ class ProgressDisplay {
   bool is_terminal_;
   post::OutputUnit stress_;
   unsigned int levels_ = 0;
+  std::string last_level_;  ///< peak pressure and estimated error so far
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   bool has_status_ = false;
   std::string log_;
 };
