@@ -64,6 +64,19 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model,
                                state.expected_bore_torque, bore_torque};
 }
 
+/// Runs a task and puts the case file's name before what it says against the case, unless a file is
+/// named already.
+template <typename Task>
+auto naming(const Case& given, const Task& task) {
+  try {
+    return task();
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    if (text.find(given.directory.string()) != std::string::npos) throw;
+    throw std::invalid_argument((given.directory / "case.prm").string() + ": " + text);
+  }
+}
+
 /// A path as the user would write it: relative where it lies below the current directory.
 std::string shown(const fs::path& path) {
   const fs::path relative = path.lexically_proximate(fs::current_path());
@@ -105,17 +118,18 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
 
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
-  const Model model = make_model(communicator, given);
+  const Model model = naming(given, [&] { return make_model(communicator, given); });
   post::RunReport report{};
   report.mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
 
   timer.restart();
-  const fem::Solution solution =
-      fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
-                         {[&](const fem::StepReport& step) { progress.step(step); },
-                          [&](const fem::LevelRecord& level) { progress.level(level); }});
+  const fem::Solution solution = naming(given, [&] {
+    return fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
+                              {[&](const fem::StepReport& step) { progress.step(step); },
+                               [&](const fem::LevelRecord& level) { progress.level(level); }});
+  });
   report.solve_seconds = timer.wall_time();
 
   timer.restart();

@@ -9,8 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <tuple>
+#include <stdexcept>
 
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
@@ -86,6 +85,11 @@ class NestedIteration {
     try {
       state = try_level();
     } catch (const dealii::SolverControl::NoConvergence& failure) {
+      if (const std::string apart = open_pair(); !apart.empty())
+        throw std::invalid_argument(
+            fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
+                        "check the direction of the load",
+                        apart));
       return fail(fmt::format(
           "the linear solver did not converge on a mesh of {} unknowns (residual {:.2e} after {} "
           "iterations); check that supports and contact pairs hold every body",
@@ -97,8 +101,32 @@ class NestedIteration {
           "active-set steps', or check that supports and contact pairs hold every body",
           settings_.max_active_set_steps, solution_.dof_handler->n_dofs()));
     state_ = std::move(*state);
+    if (n_active_nodes() == 0)
+      throw std::invalid_argument(
+          fmt::format("contact pair {} stays open under this load: there is no contact to analyse; "
+                      "check the load and the "
+                      "distance of the bodies",
+                      open_pair()));
     keep_result();
     return true;
+  }
+
+  [[nodiscard]] unsigned int n_active_nodes() const {
+    std::ptrdiff_t count = 0;
+    for (const ContactInterface& interface : level_.interfaces)
+      count += std::count(interface.active.begin(), interface.active.end(), true);
+    return static_cast<unsigned int>(count);
+  }
+
+  /// The first contact pair without an active node; empty if there is none.
+  [[nodiscard]] std::string open_pair() const {
+    for (std::size_t i = 0; i < level_.interfaces.size(); ++i) {
+      const auto& active = level_.interfaces[i].active;
+      const ContactPair& pair = solution_.problem.pairs[i];
+      if (std::count(active.begin(), active.end(), true) == 0)
+        return fmt::format("'{} -> {}'", pair.source, pair.target);
+    }
+    return "";
   }
 
   bool fail(const std::string& message) {
@@ -124,9 +152,7 @@ class NestedIteration {
     for (const ContactState& contact : state_.contacts)
       for (const double pressure : contact.pressure)
         record.peak_pressure = std::max(record.peak_pressure, pressure * solution_.scales.stress);
-    for (const ContactInterface& interface : level_.interfaces)
-      record.active_nodes += static_cast<unsigned int>(
-          std::count(interface.active.begin(), interface.active.end(), true));
+    record.active_nodes = n_active_nodes();
     record.change = change(record);
     record.error_estimate =
         solution_.history.empty()

@@ -37,7 +37,8 @@ struct Progress {
 /// pressure is as accurate as asked.
 /// @param mesh coarse mesh, SI units, the same on all ranks
 /// @return the last converged state; `outcome` tells whether the accuracy was reached
-/// @throws std::invalid_argument where check() and check_rigid_motions() do
+/// @throws std::invalid_argument where check() and check_rigid_motions() do, and if the load opens
+/// all contact
 /// @throws NotConverged if not even the first mesh gave a state
 Solution solve_contact(MPI_Comm communicator, const mesh::MeshData& mesh, const Problem& problem,
                        const Settings& settings, const Progress& progress);
