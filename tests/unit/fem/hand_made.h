@@ -60,11 +60,10 @@ inline Surface full_circle(const mesh::Circle& circle, const unsigned int n) {
   boundary.circles = {circle};
   for (unsigned int i = 0; i < n; ++i) {
     const double angle = 2. * pi * i / n;
-    boundary.nodes.push_back(
-        {dealii::Point<2>(circle.centre[0] + circle.radius * std::cos(angle),
-                          circle.centre[1] + circle.radius * std::sin(angle)),
-         {2 * i, 2 * i + 1},
-         0});
+    boundary.nodes.push_back({dealii::Point<2>(circle.centre[0] + circle.radius * std::cos(angle),
+                                               circle.centre[1] + circle.radius * std::sin(angle)),
+                              {2 * i, 2 * i + 1},
+                              0});
     boundary.faces.push_back({{i, (i + 1) % n}, 1, 0});
   }
   return make_surface(boundary, 1, boundary.nodes.front().position);
@@ -75,8 +74,8 @@ inline MortarData plane_data(const double thickness = 1., const double source_sh
   return {[thickness](const dealii::Point<2>&) { return thickness; }, source_share};
 }
 
-inline MortarData axisymmetric_data() {
-  return {[](const dealii::Point<2>& point) { return 2. * pi * point[0]; }, 0.5};
+inline MortarData axisymmetric_data(const double axis = 0.) {
+  return {[axis](const dealii::Point<2>& point) { return 2. * pi * (point[0] - axis); }, 0.5};
 }
 
 }  // namespace geneva::fem::test

@@ -1,0 +1,353 @@
+#include "fem/elasticity.h"
+
+#include <gtest/gtest.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numeric>
+
+#include "tests/unit/fem/discretisation.h"
+#include "tests/unit/fem/hand_made.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Point;
+using dealii::SymmetricTensor;
+using dealii::Tensor;
+using geneva::test::equal_steps;
+
+const Material steel{2., 0.3};
+constexpr std::array<PlaneKind, 3> all_kinds{PlaneKind::plane_strain, PlaneKind::plane_stress,
+                                             PlaneKind::axisymmetric};
+
+/// The patch of MacNeal and Harder (Finite Elements in Analysis and Design 1, 1985): five distorted
+/// cells in a rectangle of 0.24 by 0.12, moved along x.
+mesh::MeshData patch(const double x0 = 0.) {
+  mesh::MeshData mesh = geneva::test::empty_mesh();
+  mesh.surfaces = {"", "bottom", "right", "top", "left"};
+  mesh.bodies = {"patch"};
+  mesh.vertices = {{0., 0.},     {0.24, 0.},   {0.24, 0.12}, {0., 0.12},
+                   {0.04, 0.02}, {0.18, 0.03}, {0.16, 0.08}, {0.08, 0.08}};
+  for (auto& vertex : mesh.vertices) vertex[0] += x0;
+  for (unsigned int i = 0; i < 4; ++i) {
+    mesh.quads.push_back({{i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i}, 0});
+    mesh.edges.push_back({{i, (i + 1) % 4}, 1 + i, -1});
+  }
+  mesh.quads.push_back({{4, 5, 6, 7}, 0});
+  return mesh;
+}
+
+/// A sector of a ring that is not centred at the origin, beside a rectangle.
+mesh::MeshData ring_and_rectangle() {
+  mesh::MeshData mesh = geneva::test::empty_mesh();
+  geneva::test::add_ring(
+      mesh, "ring",
+      {{0.5, 0.25}, {0.25, 0.5, 1.}, equal_steps(0.3, 0.3 + 2. * pi, 9), "bore", "rim", "", ""});
+  geneva::test::add_rectangle(mesh, "block", {2., 2.5, 3.5}, {-1., 0., 0.3, 0.5},
+                              {"bottom", "right", "top", "left"});
+  return mesh;
+}
+
+Problem problem_on(const mesh::MeshData& mesh, const PlaneKind plane = PlaneKind::plane_strain) {
+  Problem problem;
+  problem.plane = plane;
+  problem.thickness = 0.7;
+  for (const std::string& body : mesh.bodies) problem.bodies.push_back({body, steel, {}});
+  return problem;
+}
+
+/// Greatest entry of a cell's matrix.
+double size_of(const dealii::FullMatrix<double>& matrix) { return matrix.linfty_norm(); }
+
+/// The greatest force K u on any cell relative to K's size: 0 for motions without strain.
+double greatest_cell_force(const mesh::MeshData& mesh, const PlaneKind plane, const Field& motion) {
+  const Discretisation grid(mesh);
+  const auto systems = cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
+  auto system = systems.begin();
+  double greatest = 0.;
+  for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const dealii::Vector<double> displacement = values_on(cell, motion);
+    dealii::Vector<double> force(displacement.size());
+    system->stiffness.vmult(force, displacement);
+    greatest = std::max(greatest, force.linfty_norm() / size_of(system->stiffness));
+    ++system;
+  }
+  return greatest;
+}
+
+/// K u - f at every unknown, on every rank.
+std::vector<double> residual(const Discretisation& grid, const std::vector<CellSystem>& systems,
+                             const Field& displacement) {
+  std::vector<double> sum(grid.dof_handler->n_dofs(), 0.);
+  auto system = systems.begin();
+  for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    dealii::Vector<double> force(system->load.size());
+    system->stiffness.vmult(force, values_on(cell, displacement));
+    force -= system->load;
+    for (unsigned int i = 0; i < force.size(); ++i) sum[system->dofs[i]] += force[i];
+    ++system;
+  }
+  dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD, sum);
+  return sum;
+}
+
+/// Force and moment about the origin of the loads of all ranks.
+struct Resultant {
+  Tensor<1, 2> force;
+  double moment = 0.;
+};
+
+Resultant resultant(const mesh::MeshData& mesh, const Problem& problem,
+                    const unsigned int refinements = 0) {
+  const Discretisation grid(mesh, refinements);
+  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  auto system = systems.begin();
+  Resultant sum;
+  for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    for (unsigned int i = 0; i < system->load.size(); ++i) {
+      const auto [component, vertex] = grid.element.system_to_component_index(i);
+      sum.force[component] += system->load[i];
+      sum.moment += component == 0 ? -cell->vertex(vertex)[1] * system->load[i]
+                                   : cell->vertex(vertex)[0] * system->load[i];
+    }
+    ++system;
+  }
+  sum.force = dealii::Utilities::MPI::sum(sum.force, MPI_COMM_WORLD);
+  sum.moment = dealii::Utilities::MPI::sum(sum.moment, MPI_COMM_WORLD);
+  return sum;
+}
+
+TEST(Lame, OfPlaneStrainAndOfBodiesOfRevolutionAreThoseOfSpace) {
+  for (const PlaneKind plane : {PlaneKind::plane_strain, PlaneKind::axisymmetric}) {
+    const Lame constants = lame({2.6, 0.3}, plane);
+    EXPECT_DOUBLE_EQ(constants.mu, 1.);
+    EXPECT_DOUBLE_EQ(constants.lambda, 1.5);
+    EXPECT_DOUBLE_EQ(constants.lambda_plane, constants.lambda);
+  }
+}
+
+TEST(Lame, OfPlaneStressActOnTheStrainsInThePlane) {
+  const Lame constants = lame({2.6, 0.3}, PlaneKind::plane_stress);
+  EXPECT_DOUBLE_EQ(constants.mu, 1.);
+  EXPECT_DOUBLE_EQ(constants.lambda_plane, 2.6 * 0.3 / (1. - 0.09)) << "E nu/(1 - nu^2)";
+}
+
+SymmetricTensor<2, 2> strain(const double xx, const double yy, const double xy) {
+  SymmetricTensor<2, 2> result;
+  result[0][0] = xx;
+  result[1][1] = yy;
+  result[0][1] = xy;
+  return result;
+}
+
+TEST(Stress, OfUniaxialTensionIsEStrainInPlaneStress) {
+  const PlaneStress s = stress(lame(steel, PlaneKind::plane_stress), PlaneKind::plane_stress,
+                               strain(1., -0.3, 0.), 0.);
+  EXPECT_NEAR(s.in_plane[0][0], 2., 1e-15);
+  EXPECT_NEAR(s.in_plane[1][1], 0., 1e-15);
+  EXPECT_EQ(s.out_of_plane, 0.);
+}
+
+TEST(Stress, OutOfPlaneIsNuTimesTheOthersInPlaneStrain) {
+  const PlaneStress s = stress(lame(steel, PlaneKind::plane_strain), PlaneKind::plane_strain,
+                               strain(1., 0.4, 0.2), 0.);
+  EXPECT_NEAR(s.out_of_plane, 0.3 * dealii::trace(s.in_plane), 1e-15);
+  EXPECT_NEAR(s.in_plane[0][1], 2. / 1.3 * 0.2, 1e-15) << "2 mu epsilon_xy";
+}
+
+TEST(Stress, OfABodyOfRevolutionFollowsHookesLawInSpace) {
+  // Stresses (r, z, hoop) = (1, 2, 3) by E epsilon_i = sigma_i - nu (sigma_j + sigma_k).
+  const PlaneStress s =
+      stress(lame(steel, PlaneKind::axisymmetric), PlaneKind::axisymmetric,
+             strain((1. - 0.3 * 5.) / 2., (2. - 0.3 * 4.) / 2., 0.), (3. - 0.3 * 3.) / 2.);
+  EXPECT_NEAR(s.in_plane[0][0], 1., 1e-14);
+  EXPECT_NEAR(s.in_plane[1][1], 2., 1e-14);
+  EXPECT_NEAR(s.out_of_plane, 3., 1e-14);
+}
+
+/// A cell's matrix holds a few hundred products of about its own size.
+constexpr double round_off = 1e-13;
+
+TEST(Stiffness, KnowsNoForceFromRigidMotionsInAPlane) {
+  for (const PlaneKind plane : {PlaneKind::plane_strain, PlaneKind::plane_stress})
+    for (const mesh::MeshData& mesh : {patch(), ring_and_rectangle()}) {
+      const auto along_x = [](const Point<2>&) { return Tensor<1, 2>({1., 0.}); };
+      const auto along_y = [](const Point<2>&) { return Tensor<1, 2>({0., 1.}); };
+      const auto rotation = [](const Point<2>& x) { return Tensor<1, 2>({-x[1], x[0]}); };
+      EXPECT_LT(greatest_cell_force(mesh, plane, along_x), round_off);
+      EXPECT_LT(greatest_cell_force(mesh, plane, along_y), round_off);
+      EXPECT_LT(greatest_cell_force(mesh, plane, rotation), round_off);
+    }
+}
+
+TEST(Stiffness, KnowsNoForceFromAnAxialTranslationOfABodyOfRevolution) {
+  const auto along_y = [](const Point<2>&) { return Tensor<1, 2>({0., 1.}); };
+  EXPECT_LT(greatest_cell_force(patch(0.1), PlaneKind::axisymmetric, along_y), round_off);
+  EXPECT_LT(greatest_cell_force(patch(), PlaneKind::axisymmetric, along_y), round_off) << "on axis";
+}
+
+TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
+  for (const PlaneKind plane : all_kinds) {
+    const mesh::MeshData mesh = patch(0.1);
+    const Discretisation grid(mesh);
+    for (const CellSystem& system :
+         cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces)) {
+      Eigen::MatrixXd matrix(8, 8);
+      for (unsigned int i = 0; i < 8; ++i)
+        for (unsigned int j = 0; j < 8; ++j) {
+          matrix(i, j) = system.stiffness(i, j);
+          EXPECT_EQ(system.stiffness(i, j), system.stiffness(j, i));
+        }
+      const Eigen::VectorXd eigenvalues =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+      const Eigen::Index rigid = plane == PlaneKind::axisymmetric ? 1 : 3;
+      // The hourglass is the softest motion with strain: far above round-off on cells like these.
+      for (Eigen::Index i = 0; i < 8; ++i)
+        EXPECT_EQ(std::abs(eigenvalues(i)) < round_off * eigenvalues(7), i < rigid);
+    }
+  }
+}
+
+/// A constant strain in equilibrium with its tractions: the displacement is linear and
+/// K u - f vanishes at every node of a distorted mesh.
+void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, const double x0) {
+  const mesh::MeshData mesh = patch(x0);
+  Problem problem = problem_on(mesh, plane);
+  const bool axisymmetric = plane == PlaneKind::axisymmetric;
+  const PlaneStress constant = stress(lame(steel, plane), plane, dealii::symmetrize(gradient),
+                                      axisymmetric ? gradient[0][0] : 0.);
+  const std::array<Tensor<1, 2>, 4> normals{Tensor<1, 2>({0., -1.}), Tensor<1, 2>({1., 0.}),
+                                            Tensor<1, 2>({0., 1.}), Tensor<1, 2>({-1., 0.})};
+  for (unsigned int side = 0; side < 4; ++side) {
+    const Tensor<1, 2> traction = constant.in_plane * normals[side];
+    problem.loads.push_back({mesh.surfaces[1 + side], 0., {traction[0], traction[1]}});
+  }
+  const Discretisation grid(mesh);
+  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  const auto defects =
+      residual(grid, systems, [&](const Point<2>& x) { return gradient * Tensor<1, 2>(x); });
+  for (const double defect : defects)
+    EXPECT_NEAR(defect, 0., 1e-14) << "forces of size E times a length of 0.1";
+}
+
+TEST(PatchTest, ConstantStrainsInAPlaneAreExact) {
+  for (const PlaneKind plane : {PlaneKind::plane_strain, PlaneKind::plane_stress})
+    expect_patch_passes(plane, Tensor<2, 2>({{1e-1, 0.3e-1}, {0.7e-1, -0.4e-1}}), 0.);
+}
+
+TEST(PatchTest, ConstantStrainsOfABodyOfRevolutionAreExact) {
+  for (const double inner_radius : {0., 0.1})
+    expect_patch_passes(PlaneKind::axisymmetric, Tensor<2, 2>({{1e-1, 0.}, {0., -0.4e-1}}),
+                        inner_radius);
+}
+
+TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  problem.bodies[1].force.uniform = {3., -2.};
+  const Resultant sum = resultant(mesh, problem);
+  const double volume = 1.5 * 1.5 * 0.7;
+  EXPECT_NEAR(sum.force[0], 3. * volume, round_off);
+  EXPECT_NEAR(sum.force[1], -2. * volume, round_off);
+  EXPECT_NEAR(sum.moment, volume * (2.75 * -2. - -0.25 * 3.), 10. * round_off);
+}
+
+TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
+  const mesh::MeshData mesh = patch(0.1);
+  Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+  problem.bodies[0].force.uniform = {0., -2.};
+  const double volume = pi * (0.34 * 0.34 - 0.1 * 0.1) * 0.12;
+  EXPECT_NEAR(resultant(mesh, problem).force[1], -2. * volume, round_off);
+}
+
+/// The inertia's moment is the given one on any mesh, so that the reaction torque is too.
+TEST(BodyForce, MomentOfTheInertiaIsMinusJAlphaOnAnyMesh) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  problem.bodies[0].force.rotation = {0.37, 5., 11.};
+  for (const unsigned int refinements : {0U, 1U, 3U})
+    EXPECT_NEAR(resultant(mesh, problem, refinements).moment, -0.37 * 11., 20. * round_off);
+}
+
+TEST(BodyForce, OfASteadyRotationIsCentrifugal) {
+  // A rectangle from (2, -1) to (3.5, 0.5): density J/(t integral r^2), force m omega^2 x_centre.
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  const double inertia = 0.4;
+  problem.bodies[1].force.rotation = {inertia, 5., 0.};
+  const double square_radius =
+      2.75 * 2.75 + 0.25 * 0.25 + 2. * 1.5 * 1.5 / 12.;  // of gyration about the origin
+  const double mass = inertia / square_radius;
+  const Resultant sum = resultant(mesh, problem);
+  EXPECT_NEAR(sum.force[0], mass * 25. * 2.75, 10. * round_off);
+  EXPECT_NEAR(sum.force[1], mass * 25. * -0.25, 10. * round_off);
+  EXPECT_NEAR(sum.moment, 0., 10. * round_off) << "it points away from the origin";
+}
+
+TEST(BodyForce, OfAnAcceleratedRotationLagsBehind) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  problem.bodies[1].force.rotation = {0.4, 0., 3.};
+  const double mass = 0.4 / (2.75 * 2.75 + 0.25 * 0.25 + 2. * 1.5 * 1.5 / 12.);
+  const Resultant sum = resultant(mesh, problem);
+  // -alpha x r = alpha (y, -x): against a counter-clockwise acceleration.
+  EXPECT_NEAR(sum.force[0], mass * 3. * -0.25, 10. * round_off);
+  EXPECT_NEAR(sum.force[1], mass * 3. * -2.75, 10. * round_off);
+}
+
+TEST(SurfaceLoad, PressurePushesAgainstTheOutwardNormal) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  problem.loads = {{"top", 4., {0., 0.}}};
+  const Resultant sum = resultant(mesh, problem, 1);
+  EXPECT_NEAR(sum.force[0], 0., round_off);
+  EXPECT_NEAR(sum.force[1], -4. * 1.5 * 0.7, round_off);
+}
+
+TEST(SurfaceLoad, PressureAllAroundABodyOrAHoleHasNoResultant) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  for (const auto& closed :
+       std::vector<std::vector<std::string>>{{"rim"}, {"bore"}, {"bottom", "right", "top", "left"}})
+    for (const unsigned int refinements : {0U, 2U}) {
+      Problem problem = problem_on(mesh);
+      for (const std::string& surface : closed) problem.loads.push_back({surface, 4., {0., 0.}});
+      const Resultant sum = resultant(mesh, problem, refinements);
+      EXPECT_LT(sum.force.norm(), 10. * round_off);
+      EXPECT_NEAR(sum.moment, 0., 10. * round_off);
+    }
+}
+
+TEST(SurfaceLoad, PressureAllAroundABodyOfRevolutionHasNoAxialResultant) {
+  for (const double inner_radius : {0., 0.1}) {
+    const mesh::MeshData mesh = patch(inner_radius);
+    Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+    for (const char* side : {"bottom", "right", "top", "left"})
+      problem.loads.push_back({side, 4., {0., 0.}});
+    EXPECT_NEAR(resultant(mesh, problem).force[1], 0., round_off);
+  }
+}
+
+TEST(SurfaceLoad, TractionOnABodyOfRevolutionActsOnTheWholeRing) {
+  const mesh::MeshData mesh = patch(0.1);
+  Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+  problem.loads = {{"top", 0., {0., 5.}}};
+  EXPECT_NEAR(resultant(mesh, problem).force[1], 5. * pi * (0.34 * 0.34 - 0.1 * 0.1), round_off);
+}
+
+TEST(SurfaceLoad, LoadsOnOneSurfaceAddUp) {
+  const mesh::MeshData mesh = ring_and_rectangle();
+  Problem problem = problem_on(mesh);
+  problem.loads = {{"top", 4., {1., 0.}}, {"top", -1., {0., 2.}}};
+  const Resultant sum = resultant(mesh, problem);
+  EXPECT_NEAR(sum.force[0], 1. * 1.5 * 0.7, round_off);
+  EXPECT_NEAR(sum.force[1], (-4. + 1. + 2.) * 1.5 * 0.7, round_off);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/contact/result.h"
+#include "fem/contact_problem.h"
+#include "fem/level.h"
+#include "tests/support/line_contact.h"
+#include "tests/unit/fem/discretisation.h"
+#include "tests/unit/fem/hand_made.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Tensor;
+using geneva::test::LineContact;
+
+/// A load so heavy that the contact is wide on the coarse mesh: about R/2 to either side.
+LineContact heavy(const bool block_is_source) {
+  LineContact contact;
+  contact.force = 2e6;
+  contact.cells_around = 40;
+  contact.turn = 0.3;
+  contact.block_cell = 0.21;
+  contact.shift = 0.17;
+  contact.block_is_source = block_is_source;
+  return contact;
+}
+
+/// A contact problem solved on its coarse mesh, with everything that a Solution does not keep.
+struct CoarseSolution {
+  explicit CoarseSolution(const LineContact& contact)
+      : mesh(mesh_of(contact)),
+        problem(problem_of(contact)),
+        scales(scales_of(problem, mesh)),
+        grid(geneva::test::enlarged(mesh, 1. / scales.length)),
+        level(make_level(*grid.dof_handler, mesh, scaled(problem, scales), scales, origins)) {
+    dealii::TrilinosWrappers::MPI::Vector guess(level.owned, MPI_COMM_WORLD);
+    state = solve_level(*grid.dof_handler, level, guess, {}, [](unsigned int, unsigned int) {});
+  }
+
+  mesh::MeshData mesh;
+  Problem problem;
+  Scales scales;
+  Discretisation grid;
+  std::optional<SurfaceOrigins> origins;
+  Level level;
+  std::optional<LevelState> state;
+};
+
+/// Sum of the residual at the nodes of a surface: the force that acts on it beside the known loads.
+Tensor<1, 2> force_on(const CoarseSolution& solution, const Surface& surface) {
+  Tensor<1, 2> sum;
+  for (const SurfaceNode& node : surface.nodes)
+    for (unsigned int c = 0; c < 2; ++c) sum[c] += solution.state->residual(node.dofs[c]);
+  return sum * solution.scales.force();
+}
+
+/// Conjugate gradients stop at 1e-10 of the load: forces agree to a small multiple of it.
+constexpr double solver_tolerance = 1e-9;
+
+TEST(ContactForces, OfBothSidesCancelAndCarryTheLoad) {
+  for (const bool block_is_source : {false, true}) {
+    const LineContact contact = heavy(block_is_source);
+    const CoarseSolution solution(contact);
+    ASSERT_TRUE(solution.state.has_value());
+    const ContactInterface& interface = solution.level.interfaces.front();
+    ASSERT_GE(active_intervals(interface).size(), 1U);
+    const Tensor<1, 2> on_source = force_on(solution, interface.source);
+    const Tensor<1, 2> on_target = force_on(solution, interface.target);
+    EXPECT_LT((on_source + on_target).norm(), solver_tolerance * contact.force);
+    EXPECT_NEAR(on_source[1], block_is_source ? -contact.force : contact.force,
+                solver_tolerance * contact.force);
+
+    const ContactResult result = contact_result(solution.problem.pairs[0], interface,
+                                                solution.state->contacts[0], solution.scales);
+    EXPECT_GE(result.active_nodes, 5U);
+    for (unsigned int c = 0; c < 2; ++c)
+      EXPECT_NEAR(result.force[c], on_source[c], solver_tolerance * contact.force)
+          << "the pressure's resultant is the nodes' force";
+  }
+}
+
+TEST(ContactForces, ActiveNodesAreClosedAndPressedInactiveOnesOpenAndFree) {
+  for (const bool block_is_source : {false, true}) {
+    const CoarseSolution solution(heavy(block_is_source));
+    ASSERT_TRUE(solution.state.has_value());
+    const ContactInterface& interface = solution.level.interfaces.front();
+    const ContactState& contact = solution.state->contacts.front();
+    for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+      if (interface.active[i]) {
+        // Displacements of about 0.1 of the mesh's size, to the solver's tolerance.
+        EXPECT_NEAR(contact.gap[i], 0., solver_tolerance);
+        EXPECT_GE(contact.pressure[i], 0.);
+      } else {
+        EXPECT_GE(contact.gap[i], -solver_tolerance);
+        EXPECT_EQ(contact.pressure[i], 0.);
+      }
+    }
+  }
+}
+
+TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
+  const CoarseSolution solution(heavy(true));
+  ASSERT_TRUE(solution.state.has_value());
+  const ContactInterface& interface = solution.level.interfaces.front();
+  for (const MortarRow& row : interface.rows) {
+    const SurfaceNode& node = interface.source.nodes[row.node];
+    const double along = -row.normal[1] * solution.state->residual(node.dofs[0]) +
+                         row.normal[0] * solution.state->residual(node.dofs[1]);
+    EXPECT_NEAR(along * solution.scales.force(), 0., solver_tolerance * 2e6);
+  }
+}
+
+/// Runs the nested iteration for a few levels.
+Solution solved(const LineContact& contact, const Problem& problem) {
+  Settings settings;
+  settings.max_levels = 2;
+  return solve_contact(MPI_COMM_WORLD, mesh_of(contact), problem, settings, {});
+}
+
+TEST(Reactions, OfSupportAndTieAreTheLoad) {
+  for (const bool block_is_source : {false, true}) {
+    const LineContact contact = heavy(block_is_source);
+    const Solution solution = solved(contact, problem_of(contact));
+    ASSERT_EQ(solution.reactions.size(), 2U);
+    const Reaction& support = solution.reactions[0];
+    const Reaction& tie = solution.reactions[1];
+    const double tolerance = solver_tolerance * contact.force;
+    EXPECT_EQ(support.surface, "bottom");
+    EXPECT_NEAR(support.force[1], contact.force, tolerance);
+    EXPECT_EQ(tie.surface, "core");
+    EXPECT_NEAR(tie.force[1], -contact.force, tolerance);
+    EXPECT_NEAR(support.force[0] + tie.force[0], 0., tolerance) << "both hold the bodies along x";
+    EXPECT_EQ(solution.applied_force, (std::array<double, 2>{0., 0.}));
+    const ContactResult& result = solution.contacts[0];
+    const double on_cylinder = block_is_source ? -1. : 1.;
+    for (std::size_t c = 0; c < 2; ++c)
+      EXPECT_NEAR(on_cylinder * result.force[c] + tie.force[c], 0., tolerance);
+  }
+}
+
+TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
+  const LineContact contact = heavy(false);
+  Problem problem = problem_of(contact);
+  problem.bodies[1].force.uniform = {1e9, -2e9};
+  problem.loads = {{"core", 1e8, {0., 0.}}, {"top", 0., {3e7, 0.}}};
+  const Solution solution = solved(contact, problem);
+  const double volume = 0.08 * 0.04 * contact.thickness;
+  const double tolerance = solver_tolerance * contact.force;
+  EXPECT_NEAR(solution.applied_force[0], 1e9 * volume + 3e7 * 0.08 * contact.thickness, tolerance);
+  EXPECT_NEAR(solution.applied_force[1], -2e9 * volume, tolerance)
+      << "pressure all around the core has no resultant";
+  std::array<double, 2> sum = solution.applied_force;
+  for (const Reaction& reaction : solution.reactions)
+    for (std::size_t c = 0; c < 2; ++c) sum[c] += reaction.force[c];
+  for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(sum[c], 0., tolerance);
+}
+
+/// A plane of symmetry without friction pulls across itself only, also where a tie meets it.
+TEST(Reactions, OfAPlaneOfSymmetryHaveNoForceAlongIt) {
+  mesh::MeshData mesh = geneva::test::empty_mesh();
+  const double R = 0.01;
+  geneva::test::add_ring(mesh, "cylinder",
+                         {{0., R},
+                          {0.5 * R, 0.75 * R, R},
+                          geneva::test::equal_steps(-pi / 2., pi / 2., 20),
+                          "core",
+                          "cylinder",
+                          "plane",
+                          "plane"});
+  geneva::test::add_rectangle(mesh, "block", geneva::test::equal_steps(0., 4. * R, 20),
+                              geneva::test::equal_steps(-4. * R, 0., 20),
+                              {"bottom", "", "top", "plane"});
+  LineContact contact = heavy(false);
+  Problem problem = problem_of(contact);
+  problem.supports = {{"plane", {0., std::nullopt}}, {"bottom", {std::nullopt, 0.}}};
+  Settings settings;
+  settings.max_levels = 1;
+  const Solution solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
+  ASSERT_EQ(solution.reactions.size(), 3U);
+  const double tolerance = solver_tolerance * contact.force;
+  EXPECT_NEAR(solution.reactions[0].force[1], 0., tolerance);
+  EXPECT_NEAR(solution.reactions[1].force[0], 0., tolerance);
+  EXPECT_NEAR(solution.reactions[1].force[1], contact.force, tolerance);
+  EXPECT_NEAR(solution.reactions[2].force[1], -contact.force, tolerance);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test

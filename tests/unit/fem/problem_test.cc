@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/contact_problem.h"
+#include "fem/problem_check.h"
+#include "fem/scaling.h"
+#include "tests/support/line_contact.h"
+#include "tests/support/structured_mesh.h"
+#include "tests/unit/loads/refusal.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using geneva::test::LineContact;
+using loads::test::expect_refused;
+
+const mesh::MeshData& mesh() {
+  static const mesh::MeshData data = mesh_of(LineContact());
+  return data;
+}
+
+Problem problem() { return problem_of(LineContact()); }
+
+/// Every field has another value, so that a forgotten one shows.
+Problem full_problem() {
+  Problem full = problem();
+  full.thickness = 0.02;
+  full.bodies[0].force.uniform = {3e4, -7e4};
+  full.bodies[0].force.rotation = {2e-3, 10., 300.};
+  full.supports = {{"bottom", {1e-6, std::nullopt}}, {"core", {std::nullopt, -2e-6}}};
+  full.loads = {{"top", 1e6, {2e5, -3e5}}};
+  full.ties = {{"core", {0.6, -0.8}, 500.}};
+  return full;
+}
+
+void expect_same(const Problem& a, const Problem& b) {
+  // Two roundings: a division and the multiplication that undoes it.
+  const auto same = [](const double x, const double y) { EXPECT_NEAR(x, y, 1e-15 * std::abs(y)); };
+  same(a.thickness, b.thickness);
+  for (std::size_t i = 0; i < b.bodies.size(); ++i) {
+    same(a.bodies[i].material.youngs_modulus, b.bodies[i].material.youngs_modulus);
+    EXPECT_EQ(a.bodies[i].material.poissons_ratio, b.bodies[i].material.poissons_ratio);
+    same(a.bodies[i].force.rotation.inertia, b.bodies[i].force.rotation.inertia);
+    EXPECT_EQ(a.bodies[i].force.rotation.speed, b.bodies[i].force.rotation.speed);
+    EXPECT_EQ(a.bodies[i].force.rotation.acceleration, b.bodies[i].force.rotation.acceleration);
+    for (std::size_t c = 0; c < 2; ++c)
+      same(a.bodies[i].force.uniform[c], b.bodies[i].force.uniform[c]);
+  }
+  for (std::size_t i = 0; i < b.supports.size(); ++i)
+    for (std::size_t c = 0; c < 2; ++c) {
+      ASSERT_EQ(a.supports[i].displacement[c].has_value(),
+                b.supports[i].displacement[c].has_value());
+      if (b.supports[i].displacement[c])
+        same(*a.supports[i].displacement[c], *b.supports[i].displacement[c]);
+    }
+  same(a.loads[0].pressure, b.loads[0].pressure);
+  for (std::size_t c = 0; c < 2; ++c) {
+    same(a.loads[0].traction[c], b.loads[0].traction[c]);
+    EXPECT_EQ(a.ties[0].direction[c], b.ties[0].direction[c]);
+  }
+  same(a.ties[0].force, b.ties[0].force);
+}
+
+TEST(Scaling, UnitsAreTheGreatestExtentAndModulus) {
+  Problem other = problem();
+  other.bodies[1].material.youngs_modulus = 3e11;
+  const Scales scales = scales_of(other, mesh());
+  EXPECT_DOUBLE_EQ(scales.length, 0.08) << "the block's width, 8 R";
+  EXPECT_EQ(scales.stress, 3e11);
+  EXPECT_DOUBLE_EQ(scales.force(), 3e11 * 0.08 * 0.08);
+}
+
+TEST(Scaling, BackAndForthChangesNothing) {
+  const Scales scales{0.08, 3e11};
+  expect_same(scaled(scaled(full_problem(), scales), {1. / scales.length, 1. / scales.stress}),
+              full_problem());
+}
+
+TEST(Scaling, DividesByTheUnitOfEveryQuantity) {
+  const Scales scales{2., 10.};
+  const Problem full = full_problem();
+  const Problem small = scaled(full, scales);
+  EXPECT_DOUBLE_EQ(small.thickness, full.thickness / 2.);
+  EXPECT_DOUBLE_EQ(small.bodies[0].material.youngs_modulus, 2e10);
+  EXPECT_DOUBLE_EQ(small.bodies[0].force.uniform[0], 3e4 * 2. / 10.) << "force per volume";
+  EXPECT_DOUBLE_EQ(small.bodies[0].force.rotation.inertia, 2e-3 / 80.) << "J alpha is a moment";
+  EXPECT_DOUBLE_EQ(*small.supports[0].displacement[0], 0.5e-6);
+  EXPECT_DOUBLE_EQ(small.loads[0].pressure, 1e5);
+  EXPECT_DOUBLE_EQ(small.loads[0].traction[1], -3e4);
+  EXPECT_DOUBLE_EQ(small.ties[0].force, 500. / 40.);
+}
+
+TEST(OrderBodies, PutsThemInTheMeshsOrder) {
+  Problem reversed = problem();
+  std::swap(reversed.bodies[0], reversed.bodies[1]);
+  order_bodies(reversed, mesh());
+  EXPECT_EQ(reversed.bodies[0].name, "cylinder");
+  EXPECT_EQ(reversed.bodies[1].name, "block");
+}
+
+TEST(OrderBodies, RefusesABodyWithoutMaterial) {
+  Problem incomplete = problem();
+  incomplete.bodies.pop_back();
+  expect_refused([&] { order_bodies(incomplete, mesh()); }, {"'block'", "no material"});
+}
+
+TEST(OrderBodies, RefusesAMaterialWithoutBody) {
+  Problem misspelt = problem();
+  misspelt.bodies[0].name = "cylnder";
+  expect_refused([&] { order_bodies(misspelt, mesh()); },
+                 {"body 'cylnder' is not in the mesh", "'cylinder', 'block'"});
+}
+
+TEST(Check, AcceptsAGoodProblem) { EXPECT_NO_THROW(check(problem(), mesh())); }
+
+/// Expects check() to refuse the problem after a change, with the parts in the message.
+template <typename Change>
+void expect_check_refuses(const Change& change, std::initializer_list<std::string> parts) {
+  Problem changed = problem();
+  change(changed);
+  expect_refused([&] { check(changed, mesh()); }, parts);
+}
+
+TEST(Check, RefusesNamesThatAreNotInTheMeshAndTellsWhatThereIs) {
+  const auto known = "'core', 'cylinder', 'bottom', 'top'";
+  expect_check_refuses([](Problem& p) { p.supports[0].surface = "botom"; },
+                       {"support surface 'botom'", "not in the mesh", known});
+  expect_check_refuses([](Problem& p) { p.ties[0].surface = "kore"; },
+                       {"rigid surface 'kore'", known});
+  expect_check_refuses(
+      [](Problem& p) {
+        p.loads = {{"lid", 1., {0., 0.}}};
+      },
+      {"loaded surface 'lid'", known});
+  expect_check_refuses([](Problem& p) { p.pairs[0].source = "rim"; },
+                       {"contact surface 'rim'", known});
+  expect_check_refuses([](Problem& p) { p.pairs[0].target = "ground"; },
+                       {"contact surface 'ground'", known});
+  expect_check_refuses([](Problem& p) { p.bodies[0].name = "pin"; },
+                       {"body 'pin'", "'cylinder', 'block'"});
+}
+
+TEST(Check, RefusesTheSurfaceWithoutAName) {
+  expect_check_refuses([](Problem& p) { p.supports[0].surface = ""; }, {"support surface ''"});
+}
+
+TEST(Check, RefusesAProblemWithoutContact) {
+  expect_check_refuses([](Problem& p) { p.pairs.clear(); }, {"no contact pair"});
+}
+
+TEST(Check, RefusesASurfaceThatTouchesItself) {
+  expect_check_refuses(
+      [](Problem& p) {
+        p.pairs[0] = {"top", "top"};
+      },
+      {"'top'", "cannot touch itself"});
+}
+
+TEST(Check, RefusesContactWithinABody) {
+  expect_check_refuses(
+      [](Problem& p) {
+        p.pairs[0] = {"top", "bottom"};
+      },
+      {"'top' and 'bottom'", "same body"});
+}
+
+TEST(Check, RefusesASurfaceThatIsTheSourceTwice) {
+  expect_check_refuses(
+      [](Problem& p) {
+        p.pairs.push_back({"cylinder", "bottom"});
+      },
+      {"'cylinder'", "source of two contact pairs", "target of one"});
+}
+
+TEST(Check, RefusesASurfaceThatIsSourceAndTarget) {
+  expect_check_refuses(
+      [](Problem& p) {
+        p.pairs.push_back({"bottom", "cylinder"});
+      },
+      {"'cylinder'", "source of one pair and the target of another"});
+}
+
+TEST(Check, RefusesAContactSurfaceOfTwoBodies) {
+  mesh::MeshData two = geneva::test::empty_mesh();
+  for (const double left : {0., 2.})
+    geneva::test::add_rectangle(two, left == 0. ? "a" : "b", {left, left + 1.}, {0., 1.},
+                                {"", "", "lids", ""});
+  geneva::test::add_rectangle(two, "c", {0., 3.}, {1., 2.}, {"under", "", "", ""});
+  Problem changed = problem();
+  changed.bodies = {{"a", {1., 0.3}, {}}, {"b", {1., 0.3}, {}}, {"c", {1., 0.3}, {}}};
+  changed.supports.clear();
+  changed.ties.clear();
+  changed.pairs = {{"under", "lids"}};
+  expect_refused([&] { check(changed, two); }, {"'lids'", "belongs to 2 bodies"});
+}
+
+TEST(Check, RefusesABodyThatNothingHolds) {
+  mesh::MeshData three = mesh();
+  geneva::test::add_rectangle(three, "stray", {1., 2.}, {0., 1.}, {"", "", "", ""});
+  Problem changed = problem();
+  changed.bodies.push_back({"stray", {1., 0.3}, {}});
+  expect_refused([&] { check(changed, three); }, {"'stray'", "nothing holds it"});
+}
+
+/// Expects solve_contact() to refuse a problem whose bodies can still move.
+template <typename Change>
+void expect_solver_refuses(const Change& change, std::initializer_list<std::string> parts) {
+  Problem changed = problem();
+  change(changed);
+  expect_refused([&] { solve_contact(MPI_COMM_WORLD, mesh(), changed, {}, {}); }, parts);
+}
+
+TEST(SolveContact, RefusesWhatCheckRefuses) {
+  expect_solver_refuses([](Problem& p) { p.pairs.clear(); }, {"no contact pair"});
+}
+
+TEST(SolveContact, RefusesABodyThatCanMoveAlongX) {
+  expect_solver_refuses(
+      [](Problem& p) {
+        p.supports = {{"bottom", {std::nullopt, 0.}}};
+      },
+      {"body '", "can move along x freely"});
+}
+
+TEST(SolveContact, RefusesACylinderThatCanRollAway) {
+  expect_solver_refuses([](Problem& p) { p.ties.clear(); }, {"body 'cylinder' can"});
+}
+
+TEST(SolveContact, RefusesSupportsThatContradictEachOther) {
+  expect_solver_refuses(
+      [](Problem& p) {
+        p.supports.push_back({"bottom", {std::nullopt, 1e-6}});
+      },
+      {"'bottom'", "different displacement"});
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
