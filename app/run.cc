@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/case_file.h"
@@ -51,6 +53,20 @@ std::string heading(const Case& given, const Model& model) {
         state.load.force * force.factor, force.name);
   }
   return text;
+}
+
+/// What the user should know before trusting linear elasticity.
+std::vector<std::string> validity_notices(const fem::Solution& solution) {
+  constexpr double small_strain = 0.1;
+  double modulus = std::numeric_limits<double>::max();
+  for (const fem::Body& body : solution.problem.bodies)
+    modulus = std::min(modulus, body.material.youngs_modulus);
+  const double ratio = solution.history.back().peak_pressure / modulus;
+  if (ratio < small_strain) return {};
+  return {fmt::format(
+      "the peak pressure is {:.2g} times Young's modulus: strains are not small there, and linear "
+      "elasticity no longer holds; check the load and its unit",
+      ratio)};
 }
 
 std::optional<post::MechanismReport> mechanism_report(const Model& model,
@@ -144,6 +160,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   report.gmsh_version = GMSH_API_VERSION;
   report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   report.peak_memory = peak_memory(communicator);
+  for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
   if (!solution.message.empty()) progress.line("not converged: " + solution.message);
   progress.line("\n" + post::comparison_table(solution, results, report, given.units));
   together(communicator, [&] {

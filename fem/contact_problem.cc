@@ -184,6 +184,13 @@ class NestedIteration {
       end(Outcome::converged, "");
       return true;
     }
+    if (grows_without_bound(solution_.history))
+      return end(Outcome::unbounded_pressure,
+                 "the peak pressure grows by more than 10 % from each mesh to the next: the "
+                 "contact reaches a sharp "
+                 "edge, where linear elasticity knows no finite pressure; round the edge in the "
+                 "geometry, or move the "
+                 "contact away from it");
     if (n_refinements_ >= settings_.max_levels)
       return end(Outcome::level_limit,
                  fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "

@@ -22,4 +22,9 @@ double grading_for(double accuracy);
 double error_estimate(double change, double previous_error, double grading,
                       const std::vector<ContactInterface>& interfaces);
 
+/// Whether the peak pressures of successive meshes grow without bound, as they do where a contact
+/// reaches a sharp edge.
+/// @param history levels so far, the newest last
+bool grows_without_bound(const std::vector<LevelRecord>& history);
+
 }  // namespace geneva::fem

@@ -79,7 +79,15 @@ struct LevelRecord {
 };
 
 /// Why the refinement ended.
-enum class Outcome { converged, level_limit, dof_limit, memory_limit, active_set_limit };
+enum class Outcome {
+  converged,
+  level_limit,
+  dof_limit,
+  memory_limit,
+  active_set_limit,
+  unbounded_pressure  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
+                      ///< edge
+};
 
 /// The converged elastic state; the mesh and the displacement are in the units of `scales`.
 struct Solution {
