@@ -40,8 +40,17 @@ OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
   if (is_blocked)
     throw std::invalid_argument(
         fmt::format("results directory {}: a file of that name is in the way", final_.string()));
+  if (fs::exists(final_ / "case.prm", error) && !fs::exists(final_ / "summary.json", error))
+    throw std::invalid_argument(
+        fmt::format("results directory {} holds a case of its own, whose case.prm would be "
+                    "overwritten; give another "
+                    "one with --output",
+                    final_.string()));
   const bool is_existing = fs::is_directory(final_, error);
   fs::remove_all(working_, error);
+  for (fs::path parent = final_.parent_path(); !parent.empty() && !fs::exists(parent);
+       parent = parent.parent_path())
+    made_.push_back(parent);
   fs::create_directories(working_, error);
   if (error || (is_existing && access(final_.c_str(), W_OK | X_OK) != 0))
     throw std::invalid_argument(
@@ -51,7 +60,9 @@ OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
 
 OutputDirectory::~OutputDirectory() {
   std::error_code ignored;
-  if (is_owner_) fs::remove_all(working_, ignored);
+  if (!is_owner_) return;
+  fs::remove_all(working_, ignored);
+  for (const fs::path& parent : made_) fs::remove(parent, ignored);  // those still empty
 }
 
 void OutputDirectory::publish() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace geneva::app {
 
@@ -27,6 +28,7 @@ class OutputDirectory {
  private:
   std::filesystem::path final_;
   std::filesystem::path working_;
+  std::vector<std::filesystem::path> made_;  ///< parents that did not exist, deepest first
   bool is_owner_;
 };
 

@@ -7,6 +7,7 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -34,10 +35,16 @@ void write_text(const fs::path& file, const std::string& text) {
   post::close_output(stream, file);
 }
 
+/// Name of the case: that of its directory, also where the user says ".".
+std::string name_of(const Case& given) {
+  const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
+  return path.parent_path().filename().string();
+}
+
 std::string heading(const Case& given, const Model& model) {
   const auto length = post::output_unit(given.units, post::Dimension::length);
   const auto force = post::output_unit(given.units, post::Dimension::force);
-  std::string text = given.directory.filename().string();
+  std::string text = name_of(given);
   if (!given.title.empty()) text += ": " + given.title;
   if (model.mechanism) {
     const auto& state = *model.mechanism;
@@ -67,6 +74,16 @@ std::vector<std::string> validity_notices(const fem::Solution& solution) {
       "the peak pressure is {:.2g} times Young's modulus: strains are not small there, and linear "
       "elasticity no longer holds; check the load and its unit",
       ratio)};
+}
+
+/// What was reached, what was wanted and why the refinement ended; empty if it converged.
+std::string shortfall(const fem::Solution& solution, const double accuracy) {
+  if (solution.outcome == fem::Outcome::converged) return "";
+  const std::string reached = solution.error_estimate < 1.
+                                  ? fmt::format("{:.2g} %", 100. * solution.error_estimate)
+                                  : std::string("not even 100 %");
+  return fmt::format("not converged: the accuracy reached is {}, wanted is {:.2g} %: {}", reached,
+                     100. * accuracy, solution.message);
 }
 
 std::optional<post::MechanismReport> mechanism_report(const Model& model,
@@ -151,7 +168,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   timer.restart();
   const post::Results results = post::analyse(solution);
   post::write_fields(solution, results, given.units, directory->working());
-  report.case_name = given.directory.filename().string();
+  report.case_name = name_of(given);
   report.title = given.title;
   report.mechanism = mechanism_report(model, solution);
   report.published_peak_pressure = given.published_peak_pressure;
@@ -161,7 +178,10 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   report.peak_memory = peak_memory(communicator);
   for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
-  if (!solution.message.empty()) progress.line("not converged: " + solution.message);
+  if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
+    progress.line(why);
+    if (is_first) std::cerr << "geneva: " << why << '\n';
+  }
   progress.line("\n" + post::comparison_table(solution, results, report, given.units));
   together(communicator, [&] {
     if (!is_first) return;

@@ -223,12 +223,8 @@ class NestedIteration {
   }
 
   double flag(const Vector& displacement) {
-    std::vector<std::pair<unsigned int, unsigned int>> ids;
-    for (const ContactPair& pair : solution_.problem.pairs)
-      ids.emplace_back(index_of(solution_.mesh.surfaces, pair.source),
-                       index_of(solution_.mesh.surfaces, pair.target));
     const bool is_resolved = solution_.history.back().active_nodes >= nodes_for_grading;
-    return flag_cells(*solution_.dof_handler, displacement, level_.interfaces, ids,
+    return flag_cells(*solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
                       is_resolved ? std::optional(grading_) : std::nullopt);
   }
 
@@ -237,19 +233,35 @@ class NestedIteration {
   void refine() {
     previous_refinements_ = last_refinements_;
     last_refinements_ = 1;
+    ++n_refinements_;
     refine_flagged(state_.displacement);
-    if (solution_.history.back().active_nodes >= fewest_active_nodes ||
-        n_refinements_ >= settings_.max_levels)
-      return;
+    if (solution_.history.back().active_nodes < fewest_active_nodes &&
+        n_refinements_ < settings_.max_levels) {
+      const Vector guess = ghosted_guess();
+      flag(guess);
+      ++n_refinements_;
+      refine_flagged(guess);
+      last_refinements_ = 2;
+    }
+    while (flag_uneven_edges(*solution_.dof_handler, level_.interfaces, surface_ids()) > 0)
+      refine_flagged(ghosted_guess());
+  }
+
+  [[nodiscard]] Vector ghosted_guess() const {
     Vector guess(level_.owned, level_.ghosts, communicator_);
     guess = guess_;
-    flag(guess);
-    refine_flagged(guess);
-    last_refinements_ = 2;
+    return guess;
+  }
+
+  [[nodiscard]] std::vector<std::pair<unsigned int, unsigned int>> surface_ids() const {
+    std::vector<std::pair<unsigned int, unsigned int>> ids;
+    for (const ContactPair& pair : solution_.problem.pairs)
+      ids.emplace_back(index_of(solution_.mesh.surfaces, pair.source),
+                       index_of(solution_.mesh.surfaces, pair.target));
+    return ids;
   }
 
   void refine_flagged(const Vector& displacement) {
-    ++n_refinements_;
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
     dealii::parallel::distributed::SolutionTransfer<2, Vector> transfer(dof_handler);

@@ -23,16 +23,16 @@ void require_name(const std::vector<std::string>& names, const std::string& name
 }
 
 void check_names(const Problem& problem, const mesh::MeshData& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
+  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
   for (const Support& support : problem.supports)
-    require_name(mesh.surfaces, support.surface, "support surface");
+    require_name(mesh.surfaces, support.surface, "'Supports': surface");
   for (const SurfaceLoad& load : problem.loads)
-    require_name(mesh.surfaces, load.surface, "loaded surface");
+    require_name(mesh.surfaces, load.surface, "'Loads': surface");
   for (const RigidTie& tie : problem.ties)
-    require_name(mesh.surfaces, tie.surface, "rigid surface");
+    require_name(mesh.surfaces, tie.surface, "'Loads': surface");
   for (const ContactPair& pair : problem.pairs) {
-    require_name(mesh.surfaces, pair.source, "contact surface");
-    require_name(mesh.surfaces, pair.target, "contact surface");
+    require_name(mesh.surfaces, pair.source, "'Contact pairs': surface");
+    require_name(mesh.surfaces, pair.target, "'Contact pairs': surface");
   }
 }
 
@@ -41,34 +41,38 @@ unsigned int contact_body(const mesh::MeshData& mesh, const std::string& surface
   const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
   if (bodies.empty())
     throw std::invalid_argument(
-        fmt::format("contact surface '{}' is empty: it has no edges", surface));
+        fmt::format("'Contact pairs': surface '{}' is empty: it has no edges", surface));
   if (bodies.size() > 1)
-    throw std::invalid_argument(
-        fmt::format("contact surface '{}' belongs to {} bodies; give each body its own surface",
-                    surface, bodies.size()));
+    throw std::invalid_argument(fmt::format(
+        "'Contact pairs': surface '{}' belongs to {} bodies; give each body its own surface",
+        surface, bodies.size()));
   return *bodies.begin();
 }
 
 void check_pairs(const Problem& problem, const mesh::MeshData& mesh) {
-  if (problem.pairs.empty()) throw std::invalid_argument("the problem has no contact pair");
+  if (problem.pairs.empty())
+    throw std::invalid_argument("'Contact pairs': there is none; at least one is needed");
   std::set<std::string> sources;
   for (const ContactPair& pair : problem.pairs) {
     if (pair.source == pair.target)
       throw std::invalid_argument(
-          fmt::format("contact surface '{}' cannot touch itself", pair.source));
+          fmt::format("'Contact pairs': surface '{}' cannot touch itself", pair.source));
     if (contact_body(mesh, pair.source) == contact_body(mesh, pair.target))
-      throw std::invalid_argument(fmt::format(
-          "contact surfaces '{}' and '{}' belong to the same body", pair.source, pair.target));
+      throw std::invalid_argument(
+          fmt::format("'Contact pairs': surfaces '{}' and '{}' belong to the same body",
+                      pair.source, pair.target));
     if (!sources.insert(pair.source).second)
-      throw std::invalid_argument(fmt::format(
-          "surface '{}' is the source of two contact pairs; make it the target of one of them",
-          pair.source));
+      throw std::invalid_argument(
+          fmt::format("'Contact pairs': surface '{}' is the source of two pairs; make it the "
+                      "target of one of them",
+                      pair.source));
   }
   for (const ContactPair& pair : problem.pairs)
     if (sources.count(pair.target) > 0)
-      throw std::invalid_argument(fmt::format(
-          "contact surfaces overlap: '{}' is the source of one pair and the target of another",
-          pair.target));
+      throw std::invalid_argument(
+          fmt::format("'Contact pairs': the surfaces overlap: '{}' is the source of one pair and "
+                      "the target of another",
+                      pair.target));
 }
 
 /// A body that nothing holds and nothing touches can float away.
@@ -94,7 +98,7 @@ void check_held(const Problem& problem, const mesh::MeshData& mesh) {
 }  // namespace
 
 void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "body");
+  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
   std::vector<Body> ordered;
   for (const std::string& name : mesh.bodies) {
     const auto body = std::find_if(problem.bodies.begin(), problem.bodies.end(),

@@ -17,8 +17,9 @@ namespace {
 constexpr double zone_margin = 0.25;
 /// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
 constexpr double energy_share = 0.8;
-/// The side whose edges in the contact zone are shorter than this share of the other side's waits.
-constexpr double even_share = 0.6;
+/// The longest edge of a contact zone is at most this many times as long as the shortest, on both
+/// sides together.
+constexpr double evenness = 1.7;
 
 /// An edge of the contact zone, named by the dof of its start.
 struct ZoneEdge {
@@ -44,7 +45,9 @@ void add_zone_edges(const Surface& surface, const std::pair<double, double>& int
     const auto [from, to] = span(face);
     if (from <= end + slack && to >= begin - slack) longest = std::max(longest, to - from);
   }
-  const double margin = std::max(zone_margin * (end - begin), 0.5 * longest);
+  // A little more than the margin: on even meshes a node may stand exactly at its end, and
+  // round-off must not decide.
+  const double margin = std::max(zone_margin * (end - begin), 0.5 * longest) + 1e-3 * longest;
   for (const SurfaceFace& face : surface.faces) {
     const auto [from, to] = span(face);
     if (from < end + margin && to > begin - margin)
@@ -79,12 +82,16 @@ double shortest(const std::vector<ZoneEdge>& edges) {
   return edges.empty() ? 0. : length;
 }
 
-void add_to(Zone& zone, const unsigned int surface_id, const std::vector<ZoneEdge>& edges) {
-  for (const ZoneEdge& edge : edges) zone.emplace(surface_id, edge.start);
+void add_longer(Zone& zone, const unsigned int surface_id, const std::vector<ZoneEdge>& edges,
+                const double limit) {
+  for (const ZoneEdge& edge : edges)
+    if (edge.length > limit) zone.emplace(surface_id, edge.start);
 }
 
+/// @param only_uneven only edges that are long for their zone
 Zone zone_edges(const std::vector<ContactInterface>& interfaces,
-                const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids) {
+                const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
+                const bool only_uneven) {
   Zone zone;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     std::vector<ZoneEdge> source_edges;
@@ -93,11 +100,10 @@ Zone zone_edges(const std::vector<ContactInterface>& interfaces,
       add_zone_edges(interfaces[i].source, interval, source_edges);
     for (const auto& interval : target_intervals(interfaces[i]))
       add_zone_edges(interfaces[i].target, interval, target_edges);
-    const double source_length = shortest(source_edges);
-    const double target_length = shortest(target_edges);
-    const double longer = std::max(source_length, target_length);
-    if (source_length > even_share * longer) add_to(zone, surface_ids[i].first, source_edges);
-    if (target_length > even_share * longer) add_to(zone, surface_ids[i].second, target_edges);
+    const double limit =
+        only_uneven ? evenness * std::min(shortest(source_edges), shortest(target_edges)) : 0.;
+    add_longer(zone, surface_ids[i].first, source_edges, limit);
+    add_longer(zone, surface_ids[i].second, target_edges, limit);
   }
   return zone;
 }
@@ -196,11 +202,18 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const std::vector<ContactInterface>& interfaces,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                         const std::optional<double> grading) {
-  unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids));
+  unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids, false));
   if (grading) {
     flagged += flag_surroundings(dof_handler, interfaces, *grading);
     flagged += flag_energy(dof_handler, displacement);
   }
+  return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
+}
+
+unsigned int flag_uneven_edges(
+    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface>& interfaces,
+    const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids) {
+  const unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids, true));
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
 

@@ -25,4 +25,11 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                         std::optional<double> grading);
 
+/// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
+/// the contact pressure ripples where edges change their length.
+/// @return number of flagged cells on all ranks
+unsigned int flag_uneven_edges(
+    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface>& interfaces,
+    const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids);
+
 }  // namespace geneva::fem

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "post/output_file.h"
 
 namespace geneva::post {
@@ -27,7 +29,7 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult& contact,
       {"contact_pressure", stress.name, {}}, {"gap", length.name, {}}, {"status", "", {}},
       {"hertz_pressure", stress.name, {}}};
   for (const fem::ContactNode& node : contact.nodes) {
-    const double hertz = analysis.hertz ? analysis.hertz->pressure(node.arc_length) : 0.;
+    const double hertz = analysis.hertz ? analysis.hertz->pressure(node.arc_length) : std::nan("");
     const std::array<double, 7> row{node.arc_length * length.factor,
                                     node.position[0] * length.factor,
                                     node.position[1] * length.factor,
@@ -55,7 +57,8 @@ void write_contact_csv(const fem::Solution& solution, const Results& results,
       stream << fmt::format("{} -> {}", solution.contacts[pair].source,
                             solution.contacts[pair].target);
       for (const ContactColumn& column : columns)
-        stream << fmt::format(",{:.12g}", column.values[row]);
+        stream << (std::isnan(column.values[row]) ? ","
+                                                  : fmt::format(",{:.12g}", column.values[row]));
       stream << '\n';
     }
   }

@@ -7,7 +7,10 @@
 #include <deal.II/numerics/data_postprocessor.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <tuple>
 
 #include "post/output_file.h"
 
@@ -19,6 +22,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Interpretation = dealii::DataComponentInterpretation::DataComponentInterpretation;
+using NonscalarRanges =
+    std::vector<std::tuple<unsigned int, unsigned int, std::string, Interpretation>>;
 constexpr Interpretation scalar = dealii::DataComponentInterpretation::component_is_scalar;
 constexpr Interpretation tensor_part =
     dealii::DataComponentInterpretation::component_is_part_of_tensor;
@@ -30,6 +35,35 @@ class ScaledDataOut : public dealii::DataOut<2> {
     for (auto& patch : patches)
       for (auto& vertex : patch.vertices) vertex *= factor;
   }
+
+  /// From now on each component of a tensor is an array of its own: HDF5 output knows no plane
+  /// tensors and would keep only some of their components.
+  void take_tensors_apart() { tensors_apart_ = true; }
+
+ protected:
+  [[nodiscard]] std::vector<std::string> get_dataset_names() const override {
+    std::vector<std::string> names = dealii::DataOut<2>::get_dataset_names();
+    if (!tensors_apart_) return names;
+    constexpr std::array<const char*, 4> components{"_xx", "_xy", "_yx", "_yy"};
+    for (const auto& range : dealii::DataOut<2>::get_nonscalar_data_ranges())
+      if (std::get<3>(range) == tensor_part)
+        for (unsigned int i = 0; i < components.size(); ++i)
+          names[std::get<0>(range) + i] += components[i];
+    return names;
+  }
+
+  [[nodiscard]] NonscalarRanges get_nonscalar_data_ranges() const override {
+    NonscalarRanges ranges = dealii::DataOut<2>::get_nonscalar_data_ranges();
+    if (tensors_apart_)
+      ranges.erase(
+          std::remove_if(ranges.begin(), ranges.end(),
+                         [](const auto& range) { return std::get<3>(range) == tensor_part; }),
+          ranges.end());
+    return ranges;
+  }
+
+ private:
+  bool tensors_apart_ = false;
 };
 
 /// Displacement in output units.
@@ -234,6 +268,7 @@ void write_fields(const fem::Solution& solution, const Results& results, const U
   data.build_patches();
   data.scale_positions(length);
   write_vtu(data, communicator, directory);
+  data.take_tensors_apart();
   write_hdf5(data, solution, communicator, directory);
 }
 

@@ -16,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 # Longer than any run of these tests takes; a run that hangs is ended and fails.
@@ -40,7 +39,6 @@ class Run:
     code: int
     out: str
     err: str
-    seconds: float
 
     def describe(self):
         return f"exit code {self.code}\nstdout:\n{self.out}\nstderr:\n{self.err}"
@@ -53,17 +51,22 @@ class CliTest(unittest.TestCase):
     source = pathlib.Path()
 
     def setUp(self):
-        self.directory = pathlib.Path(tempfile.mkdtemp(prefix="geneva-"))
+        self.directory = pathlib.Path(tempfile.mkdtemp(prefix="geneva-test-"))
         self.addCleanup(shutil.rmtree, self.directory, ignore_errors=True)
 
     def geneva(self, *arguments, ranks=None, time_limit=TIME_LIMIT):
         command = [str(self.program), *map(str, arguments)]
         if ranks is not None:
             command = ["mpirun", "--oversubscribe", "-n", str(ranks), *command]
-        start = time.monotonic()
-        done = subprocess.run(command, cwd=self.directory, env=environment(), stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, errors="replace", timeout=time_limit, check=False)
-        return Run(done.returncode, done.stdout, done.stderr, time.monotonic() - start)
+        with subprocess.Popen(command, cwd=self.directory, env=environment(), stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace") as process:
+            try:
+                out, err = process.communicate(timeout=time_limit)
+            except subprocess.TimeoutExpired:
+                process.terminate()  # mpirun then ends its ranks
+                out, err = process.communicate()
+                self.fail(f"{' '.join(command)} did not end within {time_limit:g} s\n{out}\n{err}")
+        return Run(process.returncode, out, err)
 
     def copy_case(self, name, to=None):
         """Copies a shipped case without the results that a run left in it."""

@@ -69,7 +69,7 @@ class FinishedRuns(CliTest):
 
 
 def setUpModule():
-    FinishedRuns.place = pathlib.Path(tempfile.mkdtemp(prefix="geneva-"))
+    FinishedRuns.place = pathlib.Path(tempfile.mkdtemp(prefix="geneva-test-"))
     unittest.addModuleCleanup(shutil.rmtree, FinishedRuns.place, ignore_errors=True)
     for name in (MECHANISM, GEOMETRY):
         case = FinishedRuns.place / name
@@ -361,6 +361,14 @@ class Output(FinishedRuns):
                 output += part
             os.close(reading)
             return process.wait(geneva_cli.TIME_LIMIT), output.decode(errors="replace")
+
+    def test_a_case_goes_by_its_directory_s_name_wherever_it_is_started(self):
+        case = self.copy_case(GEOMETRY)
+        done = subprocess.run([str(self.program), "run", "."], cwd=case, env=geneva_cli.environment(),
+                              capture_output=True, text=True, timeout=geneva_cli.TIME_LIMIT, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(read_summary(case / "results")["case"]["name"], GEOMETRY)
+        self.assertTrue(done.stdout.startswith(f"{GEOMETRY}: "), done.stdout[:200])
 
     def test_version_and_help_are_printed(self):
         version = self.geneva("--version")

@@ -52,7 +52,8 @@ def judge(check, summary, columns):
         return Verdict(value >= check["at_least"], f"{value:.6g}, at least {check['at_least']:g}")
     if "at_least_share" in check:
         true_error = abs(number(look_up(summary, check["of_error_of"])) / check["value"] - 1)
-        return Verdict(value >= check["at_least_share"] * true_error, f"{value:.3%}, the true error is {true_error:.3%}")
+        holds = value >= check["at_least_share"] * true_error
+        return Verdict(holds, f"{value:.3%}, the true error is {true_error:.3%}")
     return compare(value, check)
 
 

@@ -10,9 +10,9 @@ namespace geneva::test {
 /// Mechanics, 1985, section 4.2). The block is 8 R wide and 4 R deep and held at its bottom.
 struct LineContact {
   double radius = 0.01;     ///< R of the cylinder [m]
-  double core = 0.5;        ///< radius of the core [R]
+  double core = 0.25;       ///< radius of the rigid core [R]
   double thickness = 0.01;  ///< [m]
-  double force = 1000.;     ///< [N]
+  double force = 250.;      ///< [N]; the contact is then R/93 wide in plane strain
   fem::PlaneKind plane = fem::PlaneKind::plane_strain;
   fem::Material cylinder{2e11, 0.3};
   fem::Material block{2e11, 0.3};

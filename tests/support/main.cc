@@ -3,18 +3,24 @@
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
+#include <string>
 
 namespace {
 
 /// Tells of failures only: for all ranks but the first.
 class FailurePrinter : public testing::EmptyTestEventListener {
+  void OnTestStart(const testing::TestInfo& test) override {
+    name_ = std::string(test.test_suite_name()) + '.' + test.name();
+  }
+
   void OnTestPartResult(const testing::TestPartResult& result) override {
     if (!result.failed()) return;
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
     std::cerr << "rank " << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ", "
-              << (test == nullptr ? "" : test->name()) << ": " << result.file_name() << ':'
+              << name_ << ": " << (result.file_name() == nullptr ? "" : result.file_name()) << ':'
               << result.line_number() << ": " << result.message() << std::endl;
   }
+
+  std::string name_;
 };
 
 }  // namespace

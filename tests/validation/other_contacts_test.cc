@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/support/solving.h"
+#include "tests/support/structured_mesh.h"
+#include "tests/unit/loads/refusal.h"
+
+namespace geneva::test {
+namespace {
+
+const double pi = std::acos(-1.);
+const fem::Material steel{2e11, 0.3};
+
+/// K. L. Johnson, Contact Mechanics, 1985, Eq. 4.22 (radius) and 4.24 (peak pressure).
+///
+/// A sphere of radius R on a block, both as bodies of revolution. R/a = 54: the half-spaces of
+/// Hertz neglect (a/R)^2 = 3e-4. The ring of radius h about the axis carries the weight h^2, so
+/// that the pressure there is twice as uncertain as in a plane: 1 %.
+TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
+  const double R = 0.01;
+  const double force = 100.;
+  mesh::MeshData mesh = empty_mesh();
+  add_ring(mesh, "sphere",
+           {{0., R},
+            equal_steps(0.25 * R, R, 3),
+            equal_steps(-pi / 2., pi / 2., 12),
+            "core",
+            "sphere",
+            "axis",
+            "axis"});
+  add_rectangle(mesh, "block", equal_steps(0., 4. * R, 9), equal_steps(-4. * R, 0., 9),
+                {"bottom", "", "top", "axis"});
+  fem::Problem problem;
+  problem.plane = fem::PlaneKind::axisymmetric;
+  problem.bodies = {{"sphere", steel, {}}, {"block", steel, {}}};
+  problem.supports = {{"axis", {0., std::nullopt}}, {"bottom", {0., 0.}}};
+  problem.ties = {{"core", {0., -1.}, force}};
+  const auto exact =
+      loads::hertz_point(force, R, loads::contact_modulus({2e11, 0.3}, {2e11, 0.3}), 0.3);
+  for (const bool block_is_source : {false, true}) {
+    problem.pairs = {{"sphere", "top"}};
+    if (block_is_source) problem.pairs = {{"top", "sphere"}};
+    const fem::Solution solution = solve(mesh, problem);
+    EXPECT_EQ(solution.outcome, fem::Outcome::converged);
+    const fem::ContactResult& contact = solution.contacts[0];
+    EXPECT_NEAR(error_of(contact.peak_pressure, exact.peak_pressure), 0., 0.01) << contact.source;
+    EXPECT_NEAR(error_of(contact.half_width, exact.contact_radius), 0., 0.02) << contact.source;
+    EXPECT_NEAR(std::abs(contact.force[1]), force, 1e-8 * force);
+    EXPECT_TRUE(contact.symmetric);
+    const auto form = post::closed_form(solution, contact);
+    ASSERT_TRUE(form && form->point);
+    EXPECT_NEAR(error_of(form->peak_pressure(), exact.peak_pressure), 0., 1e-8);
+  }
+}
+
+/// Two cylinders held at their cores under a block that is pressed down: each carries half the
+/// load. The cylinders are 6 R apart; one changes the other's contact by the curvature that its
+/// load gives the block's surface, of the order (b/6 R)^2.
+TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
+  LineContact one;
+  const double R = one.radius;
+  mesh::MeshData mesh = empty_mesh();
+  for (const double side : {-1., 1.}) {
+    const std::string name = side < 0. ? "left" : "right";
+    add_ring(mesh, name,
+             {{3. * side * R, -R},
+              equal_steps(0.25 * R, R, 3),
+              equal_steps(0., 2. * pi, 24),
+              name + " core",
+              name,
+              "",
+              ""});
+  }
+  add_rectangle(mesh, "block", equal_steps(-6. * R, 6. * R, 24), equal_steps(0., 4. * R, 8),
+                {"under", "", "lid", ""});
+  fem::Problem problem;
+  problem.thickness = one.thickness;
+  problem.bodies = {{"left", steel, {}}, {"right", steel, {}}, {"block", steel, {}}};
+  problem.supports = {{"left core", {0., 0.}}, {"right core", {0., 0.}}};
+  problem.ties = {{"lid", {0., -1.}, 2. * one.force}};
+  problem.pairs = {{"left", "under"}, {"right", "under"}};
+  const fem::Solution solution = solve(mesh, problem);
+  ASSERT_EQ(solution.contacts.size(), 2U);
+  for (const fem::ContactResult& contact : solution.contacts) {
+    EXPECT_NEAR(contact.force[1], -one.force, 1e-8 * one.force)
+        << "a mirrored mesh, solved to 1e-10";
+    EXPECT_NEAR(error_of(contact.peak_pressure, hertz(one).peak_pressure), 0., 0.005);
+    EXPECT_NEAR(error_of(contact.half_width, hertz(one).half_width), 0., 0.02);
+  }
+  EXPECT_NEAR(solution.reactions[0].force[1], one.force, 1e-8 * one.force);
+  EXPECT_NEAR(solution.reactions[1].force[1], one.force, 1e-8 * one.force);
+}
+
+/// Three blocks on top of each other between frictionless planes, on meshes that match nowhere,
+/// under a constant pressure.
+mesh::MeshData three_blocks() {
+  mesh::MeshData mesh = empty_mesh();
+  add_rectangle(mesh, "low", equal_steps(0., 3., 5), equal_steps(0., 1., 2),
+                {"bottom", "", "low top", "side"});
+  add_rectangle(mesh, "middle", {0., 0.45, 1.1, 1.3, 2.2, 3.}, {1., 1.4, 2.},
+                {"middle under", "", "middle top", "side"});
+  add_rectangle(mesh, "high", equal_steps(0., 3., 7), equal_steps(2., 3., 3),
+                {"high under", "", "lid", "side"});
+  return mesh;
+}
+
+/// The patch test of contact: R. L. Taylor and P. Papadopoulos, On a patch test for contact
+/// problems in two dimensions (1991). The state is in the finite-element space, so that only the
+/// solver's tolerance is left.
+TEST(TaylorPapadopoulos, ContactPatchTestOnMeshesThatDoNotMatch) {
+  const double pressure = 3e6;
+  for (const bool upper_is_source : {false, true})
+    for (const double stiffness : {1., 0.1}) {
+      fem::Problem problem;
+      problem.thickness = 0.2;
+      problem.bodies = {
+          {"low", steel, {}}, {"middle", {stiffness * 2e11, 0.3}, {}}, {"high", steel, {}}};
+      problem.supports = {{"side", {0., std::nullopt}}, {"bottom", {std::nullopt, 0.}}};
+      problem.loads = {{"lid", pressure, {0., 0.}}};
+      problem.pairs = {{"low top", "middle under"}, {"middle top", "high under"}};
+      if (upper_is_source)
+        problem.pairs = {{"middle under", "low top"}, {"high under", "middle top"}};
+      fem::Settings settings;
+      settings.linear_tolerance = 1e-13;
+      const fem::Solution solution = solve(three_blocks(), problem, settings);
+      EXPECT_EQ(solution.outcome, fem::Outcome::converged);
+      for (const fem::ContactResult& contact : solution.contacts) {
+        EXPECT_EQ(contact.active_nodes, contact.nodes.size());
+        for (const fem::ContactNode& node : contact.nodes)
+          EXPECT_NEAR(error_of(node.pressure, pressure), 0., 1e-10) << contact.source;
+      }
+      for (const post::CellStress& cell : post::cell_stresses(solution)) {
+        // Free to expand to one side, held in the thickness: uniaxial compression.
+        EXPECT_NEAR(cell.stress.in_plane[1][1], -pressure, 1e-9 * pressure);
+        EXPECT_NEAR(cell.stress.in_plane[0][0], 0., 1e-9 * pressure);
+        EXPECT_NEAR(cell.stress.in_plane[0][1], 0., 1e-9 * pressure);
+        EXPECT_NEAR(cell.stress.out_of_plane, -0.3 * pressure, 1e-9 * pressure);
+      }
+      EXPECT_LT(post::analyse(solution).equilibrium.force_defect, 1e-10);
+      EXPECT_LT(post::analyse(solution).equilibrium.moment_defect, 1e-10);
+    }
+}
+
+TEST(Limits, OfLevelsIsSaidAndTheSolutionIsOfUse) {
+  fem::Settings settings;
+  settings.max_levels = 6;
+  const fem::Solution solution = solve(LineContact(), settings);
+  EXPECT_EQ(solution.outcome, fem::Outcome::level_limit);
+  EXPECT_NE(solution.message.find("limit of 6 refinement levels"), std::string::npos)
+      << solution.message;
+  EXPECT_NE(solution.message.find("'Maximum refinement levels'"), std::string::npos)
+      << solution.message;
+  EXPECT_GT(solution.error_estimate, settings.accuracy);
+  EXPECT_LE(solution.history.size(), 7U);
+  ASSERT_EQ(solution.contacts.size(), 1U);
+  EXPECT_NEAR(solution.contacts[0].force[1], LineContact().force, 1e-8 * LineContact().force);
+  const post::Results results = post::analyse(solution);
+  EXPECT_TRUE(results.contacts[0].hertz.has_value());
+  EXPECT_LT(results.equilibrium.force_defect, 1e-8);
+}
+
+TEST(Limits, OfUnknownsIsSaidAndKept) {
+  fem::Settings settings;
+  settings.max_dofs = 2000;
+  const fem::Solution solution = solve(LineContact(), settings);
+  EXPECT_EQ(solution.outcome, fem::Outcome::dof_limit);
+  EXPECT_NE(solution.message.find("the limit is 2000"), std::string::npos) << solution.message;
+  EXPECT_NE(solution.message.find("'Maximum unknowns'"), std::string::npos) << solution.message;
+  EXPECT_LE(solution.history.back().dofs, 2000U);
+  EXPECT_EQ(solution.dof_handler->n_dofs(), solution.history.back().dofs);
+  EXPECT_GT(solution.error_estimate, settings.accuracy);
+  EXPECT_TRUE(post::analyse(solution).contacts[0].hertz.has_value());
+}
+
+TEST(Limits, OfMemoryIsSaid) {
+  fem::Settings settings;
+  settings.max_memory = 1e6;
+  const fem::Solution solution = solve(LineContact(), settings);
+  EXPECT_EQ(solution.outcome, fem::Outcome::memory_limit);
+  EXPECT_NE(solution.message.find("'Maximum memory'"), std::string::npos) << solution.message;
+  EXPECT_EQ(solution.history.size(), 1U);
+}
+
+TEST(Limits, OfActiveSetStepsIsAnErrorWhereNoMeshWasSolved) {
+  fem::Settings settings;
+  settings.max_active_set_steps = 1;
+  LineContact contact;
+  contact.force = 2e6;  // more than one node touches on the first mesh
+  try {
+    solve(contact, settings);
+    ADD_FAILURE() << "was not refused";
+  } catch (const fem::NotConverged& error) {
+    EXPECT_NE(std::string(error.what()).find("'Maximum active-set steps'"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Limits, TheLastGoodMeshStandsWhereTheActiveSetDoesNotSettle) {
+  fem::Settings settings;
+  settings.max_active_set_steps = 1;
+  const fem::Solution solution = solve(LineContact(), settings);
+  EXPECT_EQ(solution.outcome, fem::Outcome::active_set_limit);
+  EXPECT_NE(solution.message.find("did not settle within 1 steps"), std::string::npos)
+      << solution.message;
+  ASSERT_FALSE(solution.history.empty());
+  ASSERT_EQ(solution.contacts.size(), 1U);
+  EXPECT_NEAR(solution.contacts[0].force[1], LineContact().force, 1e-8 * LineContact().force);
+  EXPECT_EQ(solution.contacts[0].active_nodes, solution.history.back().active_nodes);
+  EXPECT_LT(post::analyse(solution).equilibrium.force_defect, 1e-8);
+}
+
+/// A punch with square edges: K. L. Johnson, 1985, section 2.8 (rigid, Eq. 2.64) and 5.1 (elastic).
+TEST(JohnsonContactMechanics, Sec51PressureAtASharpEdgeIsCalledUnbounded) {
+  mesh::MeshData mesh = empty_mesh();
+  add_rectangle(mesh, "punch", equal_steps(-1., 1., 6), equal_steps(0., 2., 6),
+                {"face", "", "lid", ""});
+  add_rectangle(mesh, "block", equal_steps(-5., 5., 21), equal_steps(-5., 0., 10),
+                {"bottom", "", "top", ""});
+  fem::Problem problem;
+  problem.bodies = {{"punch", steel, {}}, {"block", steel, {}}};
+  problem.supports = {{"bottom", {0., 0.}}};
+  problem.ties = {{"lid", {0., -1.}, 1e6}};
+  problem.pairs = {{"face", "top"}};
+  const fem::Solution solution = solve(mesh, problem);
+  EXPECT_EQ(solution.outcome, fem::Outcome::unbounded_pressure);
+  EXPECT_NE(solution.message.find("sharp edge"), std::string::npos) << solution.message;
+  EXPECT_FALSE(post::closed_form(solution, solution.contacts[0]).has_value());
+}
+
+TEST(Refusals, ALoadThatPullsTheBodiesApart) {
+  LineContact contact;
+  contact.force = -100.;
+  loads::test::expect_refused([&] { solve(contact); },
+                              {"'cylinder -> top'", "pulls", "direction of the load"});
+}
+
+}  // namespace
+}  // namespace geneva::test
