@@ -81,7 +81,7 @@ mesh::MeshData on_rank_zero(const MPI_Comm communicator,
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
     try {
       mesh = task();
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::exception& error) {
       is_refused = true;
       refusal = error.what();
     }

@@ -8,32 +8,37 @@
 
 namespace geneva::fem {
 
-/// Forces that supports and ties exert, from the residual at their nodes.
+/// A surface and the displacement components that it holds.
+struct Holder {
+  std::string surface;
+  std::array<bool, 2> holds;
+};
+
+/// Each dof counts for the first holder that has it: at common nodes only its line is in force.
 std::vector<Reaction> reactions(const Solution& solution, const Level& level,
                                 const dealii::TrilinosWrappers::MPI::Vector& residual) {
-  std::vector<std::string> surfaces;
-  for (const Support& support : solution.problem.supports) surfaces.push_back(support.surface);
-  for (const RigidTie& tie : solution.problem.ties) surfaces.push_back(tie.surface);
+  std::vector<Holder> holders;
+  for (const Support& support : solution.problem.supports)
+    holders.push_back({support.surface,
+                       {support.displacement[0].has_value(), support.displacement[1].has_value()}});
+  for (const RigidTie& tie : solution.problem.ties) holders.push_back({tie.surface, {true, true}});
   std::vector<Reaction> result;
-  std::set<unsigned int> counted;
-  for (const std::string& name : surfaces) {
-    Reaction reaction{name, {}, 0.};
-    const unsigned int surface = index_of(solution.mesh.surfaces, name);
+  std::set<global_dof_index> counted;
+  for (const Holder& holder : holders) {
+    Reaction reaction{holder.surface, {}, 0.};
+    const unsigned int surface = index_of(solution.mesh.surfaces, holder.surface);
     for (const BoundaryFace& face : level.boundary.faces) {
       if (face.surface != surface) continue;
-      for (const unsigned int index : face.nodes) {
-        if (!counted.insert(index).second) continue;
-        const BoundaryNode& node = level.boundary.nodes[index];
-        const std::array<double, 2> force{
-            level.held.count(node.dofs[0]) > 0 ? residual(node.dofs[0]) * solution.scales.force()
-                                               : 0.,
-            level.held.count(node.dofs[1]) > 0 ? residual(node.dofs[1]) * solution.scales.force()
-                                               : 0.};
-        reaction.force[0] += force[0];
-        reaction.force[1] += force[1];
-        reaction.moment +=
-            (node.position[0] * force[1] - node.position[1] * force[0]) * solution.scales.length;
-      }
+      for (const unsigned int index : face.nodes)
+        for (unsigned int component = 0; component < 2; ++component) {
+          const BoundaryNode& node = level.boundary.nodes[index];
+          const global_dof_index dof = node.dofs[component];
+          if (!holder.holds[component] || !counted.insert(dof).second) continue;
+          const double force = residual(dof) * solution.scales.force();
+          const double arm = component == 0 ? -node.position[1] : node.position[0];
+          reaction.force[component] += force;
+          reaction.moment += force * arm * solution.scales.length;
+        }
     }
     result.push_back(reaction);
   }

@@ -29,7 +29,7 @@ struct PinLoad {
 PinLoad pin_load(const ExternalGeneva& geneva, double centre_distance, const DriverMotion& motion,
                  double wheel_inertia, const WheelLoad& load, double driver_angle);
 
-/// Driver angle [rad] of the greatest pin force over the engagement (it comes before that of the
+/// Driver angle [rad] of the greatest pin force over the engagement (it comes after that of the
 /// greatest acceleration, since the arm still shrinks); found to 1e-10 rad. The driver's speed and
 /// acceleration are taken as the same all along; without driver acceleration and with M_f = 0 the
 /// angle is negative, before the line of centres.

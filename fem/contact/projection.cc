@@ -45,9 +45,12 @@ std::optional<Overlap> overlap_with(const Surface& source, const SurfaceFace& fa
   const double begin = std::max(0., std::min(first->xi, second->xi));
   const double end = std::min(1., std::max(first->xi, second->xi));
   if (end - begin < 1e-12) return std::nullopt;
+  const auto gap_at = [&](const double xi) {
+    return first->gap + (xi - first->xi) / (second->xi - first->xi) * (second->gap - first->gap);
+  };
   // An overlap of a quarter of the surface is no interference: the normal has come out on the
   // body's far side.
-  if (std::min(first->gap, second->gap) < -0.25 * target.length) return std::nullopt;
+  if (std::min(gap_at(begin), gap_at(end)) < -0.25 * target.length) return std::nullopt;
   return Overlap{begin, end, target_face};
 }
 

@@ -214,6 +214,28 @@ TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
   EXPECT_EQ(error_estimate(0., 0., 0., {with_active(no_end)}), 0.);
 }
 
+std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsigned int nodes) {
+  std::vector<LevelRecord> history;
+  for (const double peak : peaks) {
+    LevelRecord record{};
+    record.peak_pressure = peak;
+    record.active_nodes = nodes;
+    history.push_back(record);
+  }
+  return history;
+}
+
+TEST(UnboundedPressure, GrowsOnThreeMeshesInARow) {
+  EXPECT_TRUE(grows_without_bound(history_of({1., 1.2, 1.4, 1.7}, 20)));
+  EXPECT_TRUE(grows_without_bound(history_of({9., 1., 1.2, 1.4, 1.7}, 20)));
+  EXPECT_FALSE(grows_without_bound(history_of({1.2, 1.4, 1.7}, 20))) << "too few meshes to say so";
+  EXPECT_FALSE(grows_without_bound(history_of({1., 1.2, 1.4, 1.45}, 20)));
+  EXPECT_FALSE(grows_without_bound(history_of({1., 1.2, 1.1, 1.3}, 20)));
+  EXPECT_FALSE(grows_without_bound(history_of({1., 2., 4., 8.}, 3)))
+      << "a contact that is not resolved gets narrower with the mesh";
+  EXPECT_FALSE(grows_without_bound({}));
+}
+
 TEST(ErrorEstimate, GradingGetsFinerWithTheAccuracyAndStaysInItsRange) {
   EXPECT_LE(grading_for(1.), 0.3);
   EXPECT_GT(grading_for(1e-6), 0.);

@@ -116,6 +116,7 @@ TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
 Solution solved(const LineContact& contact, const Problem& problem) {
   Settings settings;
   settings.max_levels = 2;
+  settings.linear_tolerance = 1e-13;
   return solve_contact(MPI_COMM_WORLD, mesh_of(contact), problem, settings, {});
 }
 
