@@ -145,17 +145,30 @@ TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
   const LineContact contact = heavy(false);
   Problem problem = problem_of(contact);
   problem.bodies[1].force.uniform = {1e9, -2e9};
+  problem.bodies[1].force.rotation = {0.5, 0., 200.};
   problem.loads = {{"core", 1e8, {0., 0.}}, {"top", 0., {3e7, 0.}}};
   const Solution solution = solved(contact, problem);
   const double volume = 0.08 * 0.04 * contact.thickness;
+  // Euler force m alpha (y, -x) at the block's centre (0, -0.02 m); m = J over the square of the
+  // radius of gyration about the origin.
+  const double euler = 0.5 / (0.02 * 0.02 + (0.08 * 0.08 + 0.04 * 0.04) / 12.) * 200. * -0.02;
   const double tolerance = solver_tolerance * contact.force;
-  EXPECT_NEAR(solution.applied_force[0], 1e9 * volume + 3e7 * 0.08 * contact.thickness, tolerance);
+  EXPECT_NEAR(solution.applied_force[0], 1e9 * volume + 3e7 * 0.08 * contact.thickness + euler,
+              tolerance);
   EXPECT_NEAR(solution.applied_force[1], -2e9 * volume, tolerance)
       << "pressure all around the core has no resultant";
+  EXPECT_NEAR(solution.applied_moment, 0.02 * 1e9 * volume - 0.5 * 200., tolerance * 0.08);
   std::array<double, 2> sum = solution.applied_force;
-  for (const Reaction& reaction : solution.reactions)
+  double moment = solution.applied_moment;
+  for (const Reaction& reaction : solution.reactions) {
     for (std::size_t c = 0; c < 2; ++c) sum[c] += reaction.force[c];
+    moment += reaction.moment;
+  }
   for (std::size_t c = 0; c < 2; ++c) EXPECT_NEAR(sum[c], 0., tolerance);
+  // The points of cylinder and block that meet are apart by the height of the chord's arc,
+  // h^2/(8 R), off the normal by the contact's angle (0.5 at its ends), to either side.
+  const double edge = 2. * pi * contact.radius / contact.cells_around / 4.;
+  EXPECT_NEAR(moment, 0., contact.force * edge * edge / (8. * contact.radius) * 0.5);
 }
 
 /// A plane of symmetry without friction pulls across itself only, also where a tie meets it.
