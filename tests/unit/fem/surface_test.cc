@@ -206,6 +206,21 @@ TEST(Overlaps, OfAPinInAHoleTileTheEdges) {
   for (const SurfaceFace& face : pin.faces) expect_tiles(overlaps(pin, face, hole), 0., 1.);
 }
 
+/// The lines along the normals at the ends of a wide target edge can pass a short source edge on
+/// either side without the one looking at the other: a quarter of the way around.
+TEST(Overlaps, OfAShortEdgeAreOnlyWithTheTargetEdgesThatItLooksAt) {
+  const Surface pin = full_circle({{0., 0.}, 1.}, 30);
+  std::vector<double> angles;
+  for (int i = 0; i <= 700; ++i) angles.push_back(0.1 - 2. * pi * i / 700.);
+  const Surface hole = arc({{0., 0.}, 1.5}, angles);
+  for (const SurfaceFace& face : hole.faces)
+    for (const Overlap& overlap : overlaps(hole, face, pin)) {
+      const double cosine =
+          chord_normal(hole, face) * chord_normal(pin, pin.faces[overlap.target_face]);
+      EXPECT_LT(cosine, -std::cos(2. * pi / 30.)) << "at most one pin edge beside the nearest";
+    }
+}
+
 TEST(Overlaps, AreNoneBetweenSurfacesThatLookTheSameWay) {
   const Surface source = upper_side({0., 1.});
   EXPECT_TRUE(overlaps(source, source.faces[0], upper_side({-1., 2.})).empty());
