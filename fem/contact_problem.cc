@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "fem/constraints.h"
@@ -243,8 +244,20 @@ class NestedIteration {
       refine_flagged(guess);
       last_refinements_ = 2;
     }
-    while (flag_uneven_edges(*solution_.dof_handler, level_.interfaces, surface_ids()) > 0)
+    make_zones_even();
+  }
+
+  /// Ends where it does not help: cells that share a vertex differ by one level at most, so that
+  /// neighbours whose sizes differ by more cannot be made equal.
+  void make_zones_even() {
+    double before = std::numeric_limits<double>::max();
+    double now = unevenness(level_.interfaces);
+    while (now < before &&
+           flag_uneven_edges(*solution_.dof_handler, level_.interfaces, surface_ids()) > 0) {
       refine_flagged(ghosted_guess());
+      before = now;
+      now = unevenness(level_.interfaces);
+    }
   }
 
   [[nodiscard]] Vector ghosted_guess() const {

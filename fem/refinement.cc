@@ -79,7 +79,13 @@ using Zone = std::set<std::pair<unsigned int, global_dof_index>>;  ///< (boundar
 double shortest(const std::vector<ZoneEdge>& edges) {
   double length = std::numeric_limits<double>::max();
   for (const ZoneEdge& edge : edges) length = std::min(length, edge.length);
-  return edges.empty() ? 0. : length;
+  return length;
+}
+
+double longest(const std::vector<ZoneEdge>& edges) {
+  double length = 0.;
+  for (const ZoneEdge& edge : edges) length = std::max(length, edge.length);
+  return length;
 }
 
 void add_longer(Zone& zone, const unsigned int surface_id, const std::vector<ZoneEdge>& edges,
@@ -88,22 +94,32 @@ void add_longer(Zone& zone, const unsigned int surface_id, const std::vector<Zon
     if (edge.length > limit) zone.emplace(surface_id, edge.start);
 }
 
+/// The edges of one contact's zone.
+struct ZoneSides {
+  std::vector<ZoneEdge> source;
+  std::vector<ZoneEdge> target;
+};
+
+ZoneSides zone_sides(const ContactInterface& interface) {
+  ZoneSides sides;
+  for (const auto& interval : active_intervals(interface))
+    add_zone_edges(interface.source, interval, sides.source);
+  for (const auto& interval : target_intervals(interface))
+    add_zone_edges(interface.target, interval, sides.target);
+  return sides;
+}
+
 /// @param only_uneven only edges that are long for their zone
 Zone zone_edges(const std::vector<ContactInterface>& interfaces,
                 const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                 const bool only_uneven) {
   Zone zone;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    std::vector<ZoneEdge> source_edges;
-    std::vector<ZoneEdge> target_edges;
-    for (const auto& interval : active_intervals(interfaces[i]))
-      add_zone_edges(interfaces[i].source, interval, source_edges);
-    for (const auto& interval : target_intervals(interfaces[i]))
-      add_zone_edges(interfaces[i].target, interval, target_edges);
+    const ZoneSides sides = zone_sides(interfaces[i]);
     const double limit =
-        only_uneven ? evenness * std::min(shortest(source_edges), shortest(target_edges)) : 0.;
-    add_longer(zone, surface_ids[i].first, source_edges, limit);
-    add_longer(zone, surface_ids[i].second, target_edges, limit);
+        only_uneven ? evenness * std::min(shortest(sides.source), shortest(sides.target)) : 0.;
+    add_longer(zone, surface_ids[i].first, sides.source, limit);
+    add_longer(zone, surface_ids[i].second, sides.target, limit);
   }
   return zone;
 }
@@ -208,6 +224,16 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
     flagged += flag_energy(dof_handler, displacement);
   }
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
+}
+
+double unevenness(const std::vector<ContactInterface>& interfaces) {
+  double greatest = 1.;
+  for (const ContactInterface& interface : interfaces) {
+    const ZoneSides sides = zone_sides(interface);
+    greatest = std::max(greatest, std::max(longest(sides.source), longest(sides.target)) /
+                                      std::min(shortest(sides.source), shortest(sides.target)));
+  }
+  return greatest;
 }
 
 unsigned int flag_uneven_edges(

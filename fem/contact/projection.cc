@@ -11,13 +11,13 @@ using dealii::Tensor;
 
 namespace {
 
-/// Edges can touch only if their outward normals are opposed by more than this cosine.
+/// An edge and a node can touch only if their outward normals are opposed by more than this cosine.
 constexpr double opposed = -0.1;
 
 double cross(const Tensor<1, 2>& a, const Tensor<1, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Where the normal of a target node meets the line through a source edge: parameter along the
-/// edge, and the gap.
+/// Where the normal of a target node meets the line through a source edge that it looks at:
+/// parameter along the edge, and the gap.
 struct NodeProjection {
   double xi;
   double gap;
@@ -27,8 +27,10 @@ std::optional<NodeProjection> project_node(const Surface& source, const SurfaceF
                                            const SurfaceNode& target_node) {
   const Point<2>& start = source.nodes[face.nodes[0]].position;
   const Tensor<1, 2> chord = source.nodes[face.nodes[1]].position - start;
+  // Minus the cosine between the outward normals, times the edge's length: where it changes its sign
+  // between two nodes, their normals pass the edge on either side without looking at it.
   const double determinant = cross(chord, target_node.normal);
-  if (std::abs(determinant) < 1e-8 * chord.norm()) return std::nullopt;
+  if (-determinant > opposed * chord.norm()) return std::nullopt;
   const Tensor<1, 2> to_node = target_node.position - start;
   return NodeProjection{cross(to_node, target_node.normal) / determinant,
                         cross(to_node, chord) / determinant};
