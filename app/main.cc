@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Exit codes: a wrong case, a run that did not converge, a bug.
+/// Exit codes: a wrong case or a machine that cannot run it, a run that did not converge, a bug.
 enum ExitCode { wrong_input = 1, not_converged = 2, internal_error = 3 };
 
 int say(const int code, const std::string& text) {
@@ -31,6 +31,8 @@ int run(const std::string& case_directory, const std::string& output) {
     return say(wrong_input, error.what());
   } catch (const geneva::fem::NotConverged& error) {
     return say(not_converged, error.what());
+  } catch (const std::runtime_error& error) {
+    return say(wrong_input, error.what());  // of the machine: a full disk, a missing unit database
   } catch (const std::exception& error) {
     return say(internal_error, std::string("internal error, please report it: ") + error.what());
   }

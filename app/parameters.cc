@@ -48,8 +48,9 @@ std::vector<Parameter> settings_parameters() {
        "Accuracy",
        "0.5 %",
        quantity(Dimension::dimensionless, accuracy),
-       "Wanted relative error of the peak contact pressure: the mesh is refined until the change "
-       "between two meshes is smaller."},
+       "Wanted relative error of the peak contact pressure: the mesh is refined until the "
+       "estimated "
+       "error is smaller."},
       {{},
        "Maximum refinement levels",
        "20",

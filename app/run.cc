@@ -136,10 +136,48 @@ void together(const MPI_Comm communicator, const Task& task) {
     if (!text.empty()) throw std::invalid_argument(text);
 }
 
+/// What the report says beside the solution; times are added as they become known.
+post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model& model,
+                            const fem::Solution& solution) {
+  post::RunReport report{};
+  report.case_name = name_of(given);
+  report.title = given.title;
+  report.mechanism = mechanism_report(model, solution);
+  report.published_peak_pressure = given.published_peak_pressure;
+  report.published_source = given.published_source;
+  report.geneva_version = version;
+  report.gmsh_version = GMSH_API_VERSION;
+  report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  report.peak_memory = peak_memory(communicator);
+  return report;
+}
+
+/// Says what the user should know of the solution, then the table.
+void present(const Case& given, const fem::Solution& solution, const post::Results& results,
+             const post::RunReport& report, const bool is_first, ProgressDisplay& progress) {
+  for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
+  if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
+    progress.line(why);
+    if (is_first) std::cerr << "geneva: " << why << '\n';
+  }
+  progress.line("\n" + post::comparison_table(solution, results, report, given.units));
+}
+
+/// Writes what rank 0 writes alone, and puts everything in its place.
+void publish(const Case& given, const fem::Solution& solution, const post::Results& results,
+             const post::RunReport& report, const std::string& log, OutputDirectory& directory) {
+  const fs::path& working = directory.working();
+  post::write_contact(solution, results, given.units, working);
+  write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
+  write_text(working / "case.prm", given.completed);
+  write_text(working / "log.txt", log);
+  directory.publish();
+}
+
 }  // namespace
 
 int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output) {
-  dealii::Timer total;
+  const dealii::Timer total;
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Case given = read_case(case_directory);
 
@@ -152,8 +190,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
   const Model model = naming(given, [&] { return make_model(communicator, given); });
-  post::RunReport report{};
-  report.mesh_seconds = timer.wall_time();
+  const double mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
 
@@ -163,36 +200,19 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
                               {[&](const fem::StepReport& step) { progress.step(step); },
                                [&](const fem::LevelRecord& level) { progress.level(level); }});
   });
-  report.solve_seconds = timer.wall_time();
+  const double solve_seconds = timer.wall_time();
 
   timer.restart();
   const post::Results results = post::analyse(solution);
+  post::RunReport report = make_report(communicator, given, model, solution);
+  present(given, solution, results, report, is_first, progress);
   post::write_fields(solution, results, given.units, directory->working());
-  report.case_name = name_of(given);
-  report.title = given.title;
-  report.mechanism = mechanism_report(model, solution);
-  report.published_peak_pressure = given.published_peak_pressure;
-  report.published_source = given.published_source;
-  report.geneva_version = version;
-  report.gmsh_version = GMSH_API_VERSION;
-  report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  report.peak_memory = peak_memory(communicator);
-  for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
-  if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
-    progress.line(why);
-    if (is_first) std::cerr << "geneva: " << why << '\n';
-  }
-  progress.line("\n" + post::comparison_table(solution, results, report, given.units));
+  report.mesh_seconds = mesh_seconds;
+  report.solve_seconds = solve_seconds;
+  report.post_seconds = timer.wall_time();
+  report.total_seconds = total.wall_time();
   together(communicator, [&] {
-    if (!is_first) return;
-    const fs::path& working = directory->working();
-    post::write_contact(solution, results, given.units, working);
-    report.post_seconds = timer.wall_time();
-    report.total_seconds = total.wall_time();
-    write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
-    write_text(working / "case.prm", given.completed);
-    write_text(working / "log.txt", progress.log());
-    directory->publish();
+    if (is_first) publish(given, solution, results, report, progress.log(), *directory);
   });
   progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown(directory->final()),
                             total.wall_time(), report.peak_memory / 1e6));

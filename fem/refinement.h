@@ -25,8 +25,8 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                         std::optional<double> grading);
 
-/// The longest edge of a contact zone over its shortest one, on both sides together; the greatest of
-/// all zones.
+/// The longest edge of a contact zone over its shortest one, on both sides together; the greatest
+/// of all zones.
 double unevenness(const std::vector<ContactInterface>& interfaces);
 
 /// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:

@@ -6,6 +6,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 #include <fmt/format.h>
+#include <hdf5.h>
 
 #include <algorithm>
 #include <array>
@@ -236,8 +237,10 @@ void append_history(const fem::Solution& solution, const MPI_Comm communicator,
   for (const auto& [name, column] : columns) history.write_dataset(name, column);
 }
 
+/// @throws std::runtime_error if the disk is full
 void write_hdf5(const ScaledDataOut& data, const fem::Solution& solution,
-                const MPI_Comm communicator, const fs::path& directory) {
+                const MPI_Comm communicator, const fs::path& directory) try {
+  H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // failures are said below, not as a stack of calls
   // Duplicate vertices stay: the two bodies touch, and merging their vertices would average their
   // stresses.
   dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(false, true));
@@ -247,6 +250,9 @@ void write_hdf5(const ScaledDataOut& data, const fem::Solution& solution,
   const dealii::XDMFEntry entry = data.create_xdmf_entry(filter, "results.h5", 0., communicator);
   data.write_xdmf_file({entry}, (directory / "results.xdmf").string(), communicator);
   append_history(solution, communicator, file);
+} catch (const dealii::ExceptionBase&) {
+  throw std::runtime_error("cannot write all of " + (directory / "results.h5").string() +
+                           ": is the disk full?");
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace geneva::post {
 
-/// How well the forces balance; relative to the contact force (moments: times the distance of
-/// contact and origin).
+/// How well the forces balance; relative to the contact force (moments: times the extent of the
+/// model).
 struct Equilibrium {
   double force_defect;
   double moment_defect;  ///< 0 in an axisymmetric model

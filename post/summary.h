@@ -26,7 +26,6 @@ struct RunReport {
   std::optional<MechanismReport> mechanism;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
-  double start_seconds;  ///< process start to the first line of the program, when known
   double mesh_seconds;
   double solve_seconds;
   double post_seconds;

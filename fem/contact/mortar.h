@@ -34,9 +34,9 @@ struct MortarData {
 ///
 /// The gap is that of the true surfaces. Within the contact the surfaces' relative curvature is
 /// taken up by the displacements, each body's share being that of its compliance (K. L. Johnson,
-/// Contact Mechanics, 1985, Eq. 4.22); a displacement that is linear along an edge misses the part
-/// u'' xi (1 - xi) h^2/2 of that, which is added to the gap. Without it the pressure of meshes that
-/// do not match ripples in proportion to h.
+/// Contact Mechanics, 1985, section 4.1); a displacement that is linear along an edge misses the
+/// part u'' xi (1 - xi) h^2/2 of that, which is added to the gap. Without it the pressure of meshes
+/// that do not match ripples in proportion to h.
 std::vector<MortarRow> mortar_rows(const Surface& source, const Surface& target,
                                    const MortarData& data);
 

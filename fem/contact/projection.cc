@@ -27,8 +27,8 @@ std::optional<NodeProjection> project_node(const Surface& source, const SurfaceF
                                            const SurfaceNode& target_node) {
   const Point<2>& start = source.nodes[face.nodes[0]].position;
   const Tensor<1, 2> chord = source.nodes[face.nodes[1]].position - start;
-  // Minus the cosine between the outward normals, times the edge's length: where it changes its sign
-  // between two nodes, their normals pass the edge on either side without looking at it.
+  // Minus the cosine between the outward normals, times the edge's length: where it changes its
+  // sign between two nodes, their normals pass the edge on either side without looking at it.
   const double determinant = cross(chord, target_node.normal);
   if (-determinant > opposed * chord.norm()) return std::nullopt;
   const Tensor<1, 2> to_node = target_node.position - start;

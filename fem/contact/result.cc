@@ -26,7 +26,7 @@ Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& po
 /// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2
 /// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so the
 /// parabola fitted to this half of the contact without its last node is followed to zero, and kept
-/// between the last active and the first open node.
+/// between the last but one active node and the first open one.
 double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
                    const std::size_t count) {
   const auto node = [&](const int steps) -> const ContactNode& {
