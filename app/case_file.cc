@@ -104,7 +104,7 @@ Case read_case(const fs::path& directory) {
   result.published_peak_pressure = published.optional_value("Peak pressure");
   result.published_source = published.text("Source");
   if (model == "mechanism")
-    result.mechanism = read_mechanism(values);
+    result.mechanism = read_mechanism(values, result.directory);
   else
     result.geometry = read_geometry_case(values, result.directory);
   result.completed = values.completed();

@@ -4,10 +4,12 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fem/problem.h"
-#include "loads/engagement.h"
+#include "loads/drive.h"
 #include "loads/johnson.h"
+#include "loads/long_dwell_geneva.h"
 #include "post/units.h"
 
 namespace geneva::app {
@@ -19,18 +21,44 @@ struct CaseMaterial {
   double density;
 };
 
-/// Model = mechanism: an external Geneva wheel and its pin.
+/// How the driver moves.
+struct DriverMotion {
+  enum class Kind { constant, table, law_on_carrier, law_on_cross };
+
+  Kind kind;
+  double speed;         ///< > 0 [rad/s] at driver angle 0, if constant
+  double acceleration;  ///< [rad/s^2], if constant
+  loads::MotionLaw law;
+  double motion_time;          ///< [s] of each engagement, with a law
+  std::vector<double> times;   ///< [s], of a table
+  std::vector<double> angles;  ///< [rad], of a table
+};
+
+/// Model = mechanism: a Geneva wheel and its pin.
 struct MechanismCase {
+  enum class Kind { external, internal, spherical, long_dwell };
   enum class AngleKind { at_maximum_wheel_acceleration, at_maximum_pin_force, given };
   enum class InertiaKind { from_geometry, johnson, given };
 
+  Kind kind;
   loads::GenevaDimensionsInput dimensions;
-  loads::DriverMotion motion;
+  double shaft_angle;       ///< [rad], spherical
+  double sphere_radius;     ///< [m], spherical
+  double sprocket_spacing;  ///< [m], long dwell
+  loads::SprocketLine sprocket_line;
+  int pins;                        ///< equally spaced, unless angles are given
+  std::vector<double> pin_angles;  ///< [rad], may be empty
+  DriverMotion motion;
   loads::WheelLoad load;
+  double external_torque;  ///< on the wheel, against its motion if positive [N m]
+  double slot_friction;    ///< coefficient
   AngleKind angle_kind;
   double driver_angle;  ///< [rad], if given
   InertiaKind inertia_kind;
-  double wheel_inertia;  ///< [kg m^2], if given
+  double wheel_inertia;               ///< [kg m^2], if given
+  bool is_local;                      ///< pin on a block of slot wall instead of the whole wheel
+  std::optional<double> block_width;  ///< [m]
+  std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
   CaseMaterial wheel;
 };

@@ -10,8 +10,9 @@
 namespace geneva::app {
 
 /// Reads the subsection Mechanism.
-/// @throws std::invalid_argument if values contradict each other or make no wheel
-MechanismCase read_mechanism(const CaseValues& values);
+/// @throws std::invalid_argument if values contradict each other or make no mechanism, or if the
+/// motion table is missing, outside of the case directory or no table
+MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
 
 /// Reads the subsection Geometry.
 /// @throws std::invalid_argument if values contradict each other or the file is missing or outside

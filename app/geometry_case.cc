@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "app/case_models.h"
+#include "app/case_path.h"
 
 namespace geneva::app {
 
@@ -47,24 +48,11 @@ std::string found_file(const ParameterText& text, const fs::path& directory) {
   return has_geo ? "geometry.geo" : "geometry.msh";
 }
 
-bool is_inside(const fs::path& file, const fs::path& directory) {
-  const auto end = std::mismatch(directory.begin(), directory.end(), file.begin(), file.end());
-  return end.first == directory.end();
-}
-
 fs::path read_file_name(const CaseSection& section, const fs::path& directory) {
   const fs::path name = section.text("File");
   if (name.extension() != ".geo" && name.extension() != ".msh")
     section.refuse("File", "the name of a .geo or .msh file in the case directory is wanted");
-  std::error_code error;
-  fs::path file = directory / name;
-  const fs::path real_file = fs::weakly_canonical(file, error);
-  const fs::path real_directory = error ? fs::path() : fs::canonical(directory, error);
-  if (error || name.is_absolute() || !is_inside(real_file, real_directory))
-    section.refuse("File", "a file in the case directory is wanted, not one outside of it");
-  if (!fs::is_regular_file(real_file, error))
-    section.refuse("File", "there is no such file in the case directory");
-  return file;
+  return file_in_directory(section, "File", directory);
 }
 
 double read_length_unit(const CaseSection& section) {

@@ -5,26 +5,54 @@
 #include <stdexcept>
 
 #include "app/case_models.h"
-#include "loads/external_geneva.h"
-#include "loads/pi.h"
+#include "app/case_path.h"
+#include "app/mechanism_motion.h"
+#include "app/mechanism_state.h"
+#include "app/motion_table.h"
 
 namespace geneva::app {
 
 namespace {
 
-void require_one_size(const CaseSection& section) {
-  const std::array<const char*, 3> sizes{"Wheel diameter", "Crank radius", "Centre distance"};
+using Kind = MechanismCase::Kind;
+
+Kind read_kind(const CaseSection& section) {
+  const std::string type = section.text("Type");
+  if (type == names::internal) return Kind::internal;
+  if (type == names::spherical) return Kind::spherical;
+  return type == names::long_dwell ? Kind::long_dwell : Kind::external;
+}
+
+/// Refuses parameters that belong to other types.
+void refuse_given(const CaseSection& section, const std::vector<const char*>& parameters,
+                  const std::string& only_with) {
+  for (const char* name : parameters)
+    if (section.is_given(name))
+      section.refuse(name, fmt::format("this has an effect with {} only", only_with));
+}
+
+void require_one_size(const CaseSection& section, const Kind kind) {
+  std::vector<std::string> sizes{"Wheel diameter", "Crank radius", "Centre distance"};
+  if (kind == Kind::long_dwell) sizes = {"Crank radius"};
+  if (kind == Kind::spherical) sizes = {"Sphere radius"};
+  if (kind != Kind::spherical) refuse_given(section, {"Sphere radius"}, "Type = spherical");
+  if (kind == Kind::spherical || kind == Kind::long_dwell)
+    refuse_given(section, {"Wheel diameter", "Centre distance"}, "Type = external or internal");
+  if (kind == Kind::spherical)
+    refuse_given(section, {"Crank radius"}, "Type = external, internal or long dwell");
   std::vector<std::string> given;
-  for (const char* name : sizes)
-    if (section.is_given(name)) given.emplace_back(name);
+  for (const std::string& name : sizes)
+    if (section.is_given(name)) given.push_back(name);
   if (given.size() == 1) return;
-  section.refuse(fmt::format("exactly one of {} is wanted; given: {}",
-                             listed({sizes.begin(), sizes.end()}),
+  if (sizes.size() == 1)
+    section.refuse_missing(sizes.front(),
+                           fmt::format("'Type' = '{}' needs it", section.text("Type")));
+  section.refuse(fmt::format("exactly one of {} is wanted; given: {}", listed(sizes),
                              given.empty() ? "none" : listed(given)));
 }
 
-loads::GenevaDimensionsInput read_dimensions(const CaseSection& section) {
-  require_one_size(section);
+loads::GenevaDimensionsInput read_dimensions(const CaseSection& section, const Kind kind) {
+  require_one_size(section, kind);
   loads::GenevaDimensionsInput input{};
   input.stations = static_cast<int>(section.value("Stations"));
   input.wheel_diameter = section.optional_value("Wheel diameter");
@@ -38,49 +66,134 @@ loads::GenevaDimensionsInput read_dimensions(const CaseSection& section) {
   input.locking_radius = section.optional_value("Locking radius");
   input.bore_radius = section.optional_value("Bore radius");
   input.pin_core_radius = section.optional_value("Pin core radius");
-  try {
-    loads::complete_dimensions(input);
-  } catch (const std::invalid_argument& error) {
-    section.refuse(error.what());
-  }
   return input;
 }
 
-void read_angle(const CaseSection& section, MechanismCase& result) {
-  using Kind = MechanismCase::AngleKind;
+/// Runs a check of the loads room and names the subsection in what it refuses.
+template <typename Check>
+void checked(const CaseSection& section, const Check& check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& error) {
+    section.refuse(error.what());
+  }
+}
+
+std::vector<double> read_pin_angles(const CaseSection& section) {
+  std::vector<double> angles;
+  if (!section.is_given("Pin angles")) return angles;
+  if (section.value("Pins") != 1.)
+    section.refuse("Pins", "'Pin angles' places the pins already: give one of the two");
+  for (const std::string& part : split_list(section.text("Pin angles"))) {
+    try {
+      angles.push_back(post::parse_quantity(part, post::Dimension::angle));
+    } catch (const std::invalid_argument& error) {
+      section.refuse("Pin angles", error.what());
+    }
+  }
+  if (std::abs(angles.front()) > 1e-12)
+    section.refuse("Pin angles",
+                   "the first is 0 deg: the driver angle is counted from the first pin");
+  return angles;
+}
+
+DriverMotion read_motion(const CaseSection& section, const Kind kind,
+                         const std::filesystem::path& directory) {
+  using Motion = DriverMotion::Kind;
+  const std::string word = section.text("Driver motion");
+  DriverMotion motion{};
+  const bool on_cross = word == names::cycloidal_cross || word == names::harmonic_cross;
+  motion.kind = word == names::constant ? Motion::constant
+                : word == names::table  ? Motion::table
+                : on_cross              ? Motion::law_on_cross
+                                        : Motion::law_on_carrier;
+  motion.law = word == names::cycloidal_carrier || word == names::cycloidal_cross
+                   ? loads::MotionLaw::cycloidal
+                   : loads::MotionLaw::harmonic;
+  if (on_cross && kind != Kind::external && kind != Kind::internal)
+    section.refuse("Driver motion",
+                   "a law on the cross is for Type = external or internal; for others it can be "
+                   "set on the carrier, or given as a table");
+  const std::string needed = fmt::format("'Driver motion' = '{}' needs it", word);
+  const bool is_constant = motion.kind == Motion::constant;
+  const bool is_table = motion.kind == Motion::table;
+  if (!is_constant) refuse_given(section, {"Driver speed"}, "Driver motion = constant");
+  if (is_constant || is_table) refuse_given(section, {"Motion time"}, "a law of motion");
+  if (!is_table) refuse_given(section, {"Motion table"}, "Driver motion = table");
+  motion.acceleration = section.value("Driver acceleration");
+  if (!is_constant && motion.acceleration != 0.)
+    section.refuse("Driver acceleration", "this has an effect with Driver motion = constant only");
+  if (is_constant) {
+    if (!section.is_given("Driver speed")) section.refuse_missing("Driver speed", needed);
+    motion.speed = section.value("Driver speed");
+  } else if (is_table) {
+    if (!section.is_given("Motion table")) section.refuse_missing("Motion table", needed);
+    MotionTable table = read_motion_table(file_in_directory(section, "Motion table", directory));
+    motion.times = std::move(table.times);
+    motion.angles = std::move(table.angles);
+  } else {
+    if (!section.is_given("Motion time")) section.refuse_missing("Motion time", needed);
+    motion.motion_time = section.value("Motion time");
+  }
+  return motion;
+}
+
+void read_angle(const CaseSection& section, const loads::DrivenMechanism& driven,
+                MechanismCase& result) {
+  using AngleKind = MechanismCase::AngleKind;
   result.driver_angle = 0.;
   const auto angle = section.optional_value("Driver angle");
   if (!angle) {
     result.angle_kind = section.text("Driver angle") == names::at_maximum_force
-                            ? Kind::at_maximum_pin_force
-                            : Kind::at_maximum_wheel_acceleration;
+                            ? AngleKind::at_maximum_pin_force
+                            : AngleKind::at_maximum_wheel_acceleration;
     return;
   }
-  const loads::ExternalGeneva geneva(result.dimensions.stations);
-  const double limit = geneva.engagement_angle();
-  // a few roundings, so that the very end of the engagement can be given
-  if (std::abs(*angle) > limit + 1e-12)
-    section.refuse("Driver angle",
-                   fmt::format("with {0} stations the pin is in the slot from -{1:.6g} deg to "
-                               "{1:.6g} deg only",
-                               geneva.stations(), limit * 180. / loads::pi));
-  result.angle_kind = Kind::given;
+  try {
+    static_cast<void>(driven.at_engaged_angle(*angle));
+  } catch (const std::invalid_argument& error) {
+    section.refuse("Driver angle", error.what());
+  }
+  result.angle_kind = AngleKind::given;
   result.driver_angle = *angle;
 }
 
+void read_contact_model(const CaseSection& section, MechanismCase& result) {
+  result.is_local = section.text("Contact model") == names::local;
+  result.block_width = section.optional_value("Block width");
+  result.block_depth = section.optional_value("Block depth");
+  for (const char* name : {"Block width", "Block depth"})
+    if (!result.is_local && section.optional_value(name))
+      section.refuse(name, "this has an effect with Contact model = local only");
+  const bool is_drawn = result.kind == Kind::external || result.kind == Kind::internal;
+  if (!result.is_local && !is_drawn)
+    section.refuse("Contact model",
+                   fmt::format("the whole wheel is drawn with Type = external or internal only; "
+                               "Type = {} needs 'Contact model = {}'",
+                               section.text("Type"), names::local));
+}
+
 void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
-  using Kind = MechanismCase::InertiaKind;
+  using InertiaKind = MechanismCase::InertiaKind;
   const auto inertia = section.optional_value("Wheel inertia");
   const bool is_johnson = section.text("Wheel inertia") == names::johnson;
-  result.inertia_kind = inertia ? Kind::given : is_johnson ? Kind::johnson : Kind::from_geometry;
+  result.inertia_kind = inertia      ? InertiaKind::given
+                        : is_johnson ? InertiaKind::johnson
+                                     : InertiaKind::from_geometry;
   result.wheel_inertia = inertia.value_or(0.);
   const int stations = result.dimensions.stations;
-  if (is_johnson && !loads::johnson_row(stations).k5)
+  const bool is_drawn = result.kind == Kind::external || result.kind == Kind::internal;
+  if (is_johnson && (result.kind != Kind::external || !loads::johnson_row(stations).k5))
     section.refuse(
         "Wheel inertia",
-        fmt::format("Johnson gives the inertia of wheels with 3 to 10 stations, this one "
-                    "has {}; '{}' or a value is wanted",
-                    stations, names::from_geometry));
+        fmt::format("Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
+                    "is {} and has {}; {} is wanted",
+                    section.text("Type"), stations,
+                    is_drawn ? fmt::format("'{}' or a value", names::from_geometry) : "a value"));
+  if (!inertia && !is_drawn)
+    section.refuse("Wheel inertia",
+                   fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
+                               section.text("Type"), post::example_of(post::Dimension::inertia)));
 }
 
 double read_load_inertia(const CaseSection& section) {
@@ -106,13 +219,27 @@ CaseMaterial read_material(const CaseSection& section) {
 
 }  // namespace
 
-MechanismCase read_mechanism(const CaseValues& values) {
+MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory) {
   const CaseSection section(values, {names::mechanism});
   MechanismCase result{};
-  result.dimensions = read_dimensions(section);
-  result.motion = {section.value("Driver speed"), section.value("Driver acceleration")};
+  result.kind = read_kind(section);
+  result.dimensions = read_dimensions(section, result.kind);
+  result.shaft_angle = section.value("Shaft angle");
+  result.sphere_radius = section.optional_value("Sphere radius").value_or(0.);
+  result.sprocket_spacing = section.value("Sprocket spacing");
+  result.sprocket_line = section.text("Sprocket line") == names::across
+                             ? loads::SprocketLine::across_line_of_centres
+                             : loads::SprocketLine::along_line_of_centres;
+  result.pins = static_cast<int>(section.value("Pins"));
+  result.pin_angles = read_pin_angles(section);
+  result.motion = read_motion(section, result.kind, directory);
   result.load = {read_load_inertia(section), section.value("Friction moment")};
-  read_angle(section, result);
+  result.external_torque = section.value("External torque");
+  result.slot_friction = section.value("Slot friction");
+  read_contact_model(section, result);
+  checked(section, [&] { check_drawing(result); });
+  checked(section, [&] { driven_mechanism(result); });
+  read_angle(section, driven_mechanism(result), result);
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
-#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -17,47 +16,12 @@ namespace geneva::app {
 
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180.;
-
-double driver_angle(const MechanismCase& mechanism, const loads::ExternalGeneva& geneva,
-                    const double centre_distance, const double inertia) {
-  switch (mechanism.angle_kind) {
-    case MechanismCase::AngleKind::at_maximum_wheel_acceleration:
-      return -geneva.peak_acceleration_angle();
-    case MechanismCase::AngleKind::at_maximum_pin_force:
-      return loads::peak_force_angle(geneva, centre_distance, mechanism.motion, inertia,
-                                     mechanism.load);
-    case MechanismCase::AngleKind::given:
-      return mechanism.driver_angle;
-  }
-  throw std::logic_error("unknown kind of driver angle");
-}
-
-double inertia_used(const MechanismCase& mechanism, const double from_geometry,
-                    const double wheel_diameter) {
-  switch (mechanism.inertia_kind) {
-    case MechanismCase::InertiaKind::from_geometry:
-      return from_geometry;
-    case MechanismCase::InertiaKind::given:
-      return mechanism.wheel_inertia;
-    case MechanismCase::InertiaKind::johnson:
-      break;
-  }
-  const auto k5 = loads::johnson_row(mechanism.dimensions.stations).k5;
-  if (!k5)
-    throw std::invalid_argument(fmt::format(
-        "'Wheel inertia' = 'Johnson': his Table 1 ends at 10 stations, the case has {}; use 'from "
-        "geometry' or give a value",
-        mechanism.dimensions.stations));
-  return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
-}
-
 fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
                                const mesh::MeshData& mesh) {
   fem::Problem problem;
   problem.plane = fem::PlaneKind::plane_strain;
-  problem.thickness = state.dimensions.thickness;
-  const fem::Rotation rotation{state.inertia_used, state.load.wheel_speed,
+  problem.thickness = state.sizes.thickness;
+  const fem::Rotation rotation{state.train.wheel_inertia, state.load.wheel_speed,
                                state.load.wheel_acceleration};
   for (unsigned int body = 0; body < mesh.bodies.size(); ++body) {
     const bool is_wheel = mesh.bodies[body] == "wheel";
@@ -106,30 +70,6 @@ std::vector<std::string> notices_of(const MechanismCase& mechanism) {
 
 }  // namespace
 
-MechanismState mechanism_state(const MechanismCase& mechanism) {
-  const loads::ExternalGeneva geneva(mechanism.dimensions.stations);
-  MechanismState state{};
-  state.dimensions = loads::complete_dimensions(mechanism.dimensions);
-  state.inertia_from_geometry = loads::wheel_inertia(state.dimensions, mechanism.wheel.density);
-  state.inertia_used =
-      inertia_used(mechanism, state.inertia_from_geometry, state.dimensions.wheel_diameter);
-  const double angle =
-      driver_angle(mechanism, geneva, state.dimensions.centre_distance, state.inertia_used);
-  state.load = loads::pin_load(geneva, state.dimensions.centre_distance, mechanism.motion,
-                               state.inertia_used, mechanism.load, angle);
-  if (state.load.force <= 0.)
-    throw std::invalid_argument(
-        fmt::format("'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin "
-                    "would leave the driving wall (the "
-                    "wheel decelerates); choose an angle with a positive force, for example 'at "
-                    "maximum wheel acceleration' "
-                    "({:.6g} deg)",
-                    angle / degree, state.load.force, -geneva.peak_acceleration_angle() / degree));
-  state.expected_bore_torque =
-      mechanism.load.load_inertia * state.load.wheel_acceleration + mechanism.load.friction_moment;
-  return state;
-}
-
 Model make_model(const MPI_Comm communicator, const Case& given) {
   Model model;
   if (given.mechanism) {
@@ -137,9 +77,9 @@ Model make_model(const MPI_Comm communicator, const Case& given) {
     model.notices = notices_of(*given.mechanism);
     const MechanismState& state = *model.mechanism;
     model.mesh = on_rank_zero(communicator, [&] {
-      return mesh::mesh_outlines({loads::wheel_outline(state.dimensions),
-                                  loads::pin_outline(state.dimensions, state.load.pin_distance)},
-                                 mesh::default_sizing(state.dimensions, state.load.pin_distance));
+      return mesh::mesh_outlines({loads::wheel_outline(*state.wheel),
+                                  loads::pin_outline(*state.wheel, state.load.pin_distance)},
+                                 mesh::default_sizing(*state.wheel, state.load.pin_distance));
     });
     model.problem = mechanism_problem(*given.mechanism, state, model.mesh);
     return model;

@@ -48,9 +48,8 @@ std::vector<Parameter> settings_parameters() {
        "Accuracy",
        "0.5 %",
        quantity(Dimension::dimensionless, accuracy),
-       "Wanted relative error of the peak contact pressure: the mesh is refined until the "
-       "estimated "
-       "error is smaller."},
+       "Wanted relative error of the peak contact pressure: the mesh is refined until its "
+       "estimate is smaller."},
       {{},
        "Maximum refinement levels",
        "20",
@@ -99,6 +98,35 @@ Parameter ruled_length(const std::string& name, const std::string& help,
           help};
 }
 
+std::vector<Parameter> kind_parameters() {
+  const SectionPath section{names::mechanism};
+  const std::string spherical = " Only with Type = spherical.";
+  const std::string chain = " Only with Type = long dwell.";
+  return {
+      {section, "Type", names::external,
+       ChoiceRule{{names::external, names::internal, names::spherical, names::long_dwell}},
+       "'external': the slots open outwards. 'internal': a ring wheel whose slots open inwards. "
+       "'spherical': the shafts meet at an angle. 'long dwell': a chain around two sprockets "
+       "carries the pin."},
+      {section, "Shaft angle", "90 deg", positive(Dimension::angle),
+       "Angle between the shafts of driver and wheel, between 0 and 180 deg." + spherical},
+      {section, "Sphere radius", "", positive(Dimension::length, {""}),
+       "Distance of the pin from the point where the shafts meet." + spherical},
+      {section, "Sprocket spacing", "0 m", quantity(Dimension::length, zero_or_greater()),
+       "Distance between the axes of the two sprockets, whose pitch radius is the crank radius." +
+           chain},
+      {section, "Sprocket line", names::along, ChoiceRule{{names::along, names::across}},
+       "'along line of centres': the second sprocket lies behind the first, seen from the wheel; "
+       "'across line of centres': they lie side by side, and the pin passes the wheel on the "
+       "straight stretch." +
+           chain},
+      {section, "Pins", "1", whole(1, 24, "from 1 to 24"),
+       "Number of equally spaced pins on the driver."},
+      {section, "Pin angles", "", TextRule{"angles with their units, separated by commas"},
+       "Angles of the pins on the driver where they are not equally spaced, against its sense of "
+       "rotation; the first is 0 deg. Instead of 'Pins'."}};
+}
+
 std::vector<Parameter> size_parameters() {
   const SectionPath section{names::mechanism};
   const QuantityRule size = positive(Dimension::length, {""});
@@ -110,7 +138,10 @@ std::vector<Parameter> size_parameters() {
        true},
       {section, "Wheel diameter", "", size, "Diameter D of the wheel's rim." + one_of},
       {section, "Crank radius", "", size,
-       "Distance r from the driver's axis to the pin's axis: r = (D/2) tan(pi/n)." + one_of},
+       "Distance r from the driver's axis to the pin's axis: r = (D/2) tan(pi/n). Long dwell: "
+       "pitch "
+       "radius of the sprockets." +
+           one_of},
       {section, "Centre distance", "", size,
        "Distance c from the driver's axis to the wheel's axis: c = (D/2)/cos(pi/n)." + one_of},
       ruled_length("Pin diameter",
@@ -145,14 +176,41 @@ std::vector<Parameter> size_parameters() {
 std::vector<Parameter> motion_parameters() {
   const SectionPath section{names::mechanism};
   const std::vector<std::string> angles{names::at_maximum_acceleration, names::at_maximum_force};
-  return {{section, "Driver speed", "", positive(Dimension::angular_speed),
-           "Angular speed of the driver.", true},
+  const std::string constant = " Only with Driver motion = constant.";
+  return {{section, "Driver motion", names::constant,
+           ChoiceRule{{names::constant, names::table, names::cycloidal_carrier,
+                       names::harmonic_carrier, names::cycloidal_cross, names::harmonic_cross}},
+           "'constant': constant speed, or constant acceleration. 'table': the angles of a file. "
+           "'... on the carrier': the driver goes through each engagement by a law of motion; "
+           "'... on the cross': it moves so that the wheel turns by the law."},
+          {section, "Driver speed", "", positive(Dimension::angular_speed, {""}),
+           "Angular speed of the driver; where it accelerates, that at driver angle 0." + constant},
           {section, "Driver acceleration", "0 rad/s^2", quantity(Dimension::angular_acceleration),
-           "Angular acceleration of the driver; negative: it slows down."},
+           "Angular acceleration of the driver; negative: it slows down." + constant},
+          {section, "Motion time", "", positive(Dimension::time, {""}),
+           "Time in which the pin is in the slot. Only with a law of motion."},
+          {section, "Motion table", "", TextRule{"the name of a file in the case directory"},
+           "Comma-separated file with a heading of two names with units, 'time [s], angle [deg]', "
+           "and a row for each instant; angle 0 is midway through the first pin's engagement. Only "
+           "with Driver motion = table."},
           {section, "Driver angle", names::at_maximum_acceleration,
            quantity(Dimension::angle, Range(), angles),
            "Where the driver stands, from the line of centres; negative before the pin reaches "
            "it."}};
+}
+
+std::vector<Parameter> contact_model_parameters() {
+  const SectionPath section{names::mechanism};
+  return {
+      {section, "Contact model", names::full_wheel, ChoiceRule{{names::full_wheel, names::local}},
+       "'full wheel': the whole slotted wheel, external or internal. 'local': the pin on a "
+       "block of slot wall, held at its back, for every mechanism."},
+      ruled_length("Block width",
+                   "Width of the block along the slot. Default: four pin diameters. Only with "
+                   "Contact model = local."),
+      ruled_length("Block depth",
+                   "Depth of the block behind the slot wall. Default: two pin diameters. Only "
+                   "with Contact model = local.")};
 }
 
 std::vector<Parameter> inertia_parameters() {
@@ -175,7 +233,12 @@ std::vector<Parameter> inertia_parameters() {
       {section, "Load density", "", positive(Dimension::density, {""}),
        "Mass density of the cylinder." + cylinder},
       {section, "Friction moment", "0 N.m", quantity(Dimension::moment, zero_or_greater()),
-       "Moment on the wheel's axis against its motion."}};
+       "Moment on the wheel's axis against its motion."},
+      {section, "External torque", "0 N.m", quantity(Dimension::moment),
+       "Torque of the driven machine on the wheel's axis, against its motion; negative: with it."},
+      {section, "Slot friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
+       "Coefficient of friction between pin and slot wall, for the pin force only: the contact "
+       "itself is computed without friction."}};
 }
 
 std::vector<Parameter> body_parameters(const std::string& body) {
@@ -255,7 +318,7 @@ std::vector<Parameter> general_parameters() {
        "Model",
        model_rule().words.front(),
        model_rule(),
-       "'mechanism': an external Geneva wheel and its pin, drawn by this program (subsection "
+       "'mechanism': a Geneva wheel and its pin, drawn by this program (subsection "
        "Mechanism). 'geometry': a plane geometry of your own (subsection Geometry)."},
       {{}, "Title", "", TextRule{"any text"}, "Title of the report."},
       {{},
@@ -275,9 +338,11 @@ std::vector<Parameter> published_parameters() {
 }
 
 std::vector<Parameter> mechanism_parameters() {
-  std::vector<Parameter> parameters = size_parameters();
+  std::vector<Parameter> parameters = kind_parameters();
+  append(parameters, size_parameters());
   append(parameters, motion_parameters());
   append(parameters, inertia_parameters());
+  append(parameters, contact_model_parameters());
   append(parameters, material_parameters({names::mechanism, names::pin_material}));
   append(parameters, material_parameters({names::mechanism, names::wheel_material}));
   return parameters;

@@ -30,6 +30,20 @@ inline constexpr const char* at_maximum_acceleration = "at maximum wheel acceler
 inline constexpr const char* at_maximum_force = "at maximum pin force";
 inline constexpr const char* from_geometry = "from geometry";
 inline constexpr const char* johnson = "Johnson";
+inline constexpr const char* external = "external";
+inline constexpr const char* internal = "internal";
+inline constexpr const char* spherical = "spherical";
+inline constexpr const char* long_dwell = "long dwell";
+inline constexpr const char* along = "along line of centres";
+inline constexpr const char* across = "across line of centres";
+inline constexpr const char* constant = "constant";
+inline constexpr const char* table = "table";
+inline constexpr const char* cycloidal_carrier = "cycloidal on the carrier";
+inline constexpr const char* harmonic_carrier = "harmonic on the carrier";
+inline constexpr const char* cycloidal_cross = "cycloidal on the cross";
+inline constexpr const char* harmonic_cross = "harmonic on the cross";
+inline constexpr const char* full_wheel = "full wheel";
+inline constexpr const char* local = "local";
 inline constexpr const char* solid_cylinder = "solid cylinder";
 }  // namespace names
 

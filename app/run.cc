@@ -50,12 +50,12 @@ std::string heading(const Case& given, const Model& model) {
     const auto& state = *model.mechanism;
     constexpr double degrees = 180. / 3.14159265358979323846;
     text += fmt::format(
-        "\n{} stations, wheel diameter {:.5g} {}, pin diameter {:.4g} {}, thickness {:.4g} {}\n"
+        "\n{}, wheel diameter {:.5g} {}, pin diameter {:.4g} {}, thickness {:.4g} {}\n"
         "driver angle {:.4f} deg, wheel acceleration {:.6g} rad/s^2, pin distance {:.5g} {}, pin "
         "force {:.6g} {}",
-        state.dimensions.stations, state.dimensions.wheel_diameter * length.factor, length.name,
-        state.dimensions.pin_diameter * length.factor, length.name,
-        state.dimensions.thickness * length.factor, length.name, state.load.driver_angle * degrees,
+        state.driven.mechanism().name, state.sizes.wheel_diameter * length.factor, length.name,
+        state.sizes.pin_diameter * length.factor, length.name,
+        state.sizes.thickness * length.factor, length.name, state.load.driver_angle * degrees,
         state.load.wheel_acceleration, state.load.pin_distance * length.factor, length.name,
         state.load.force * force.factor, force.name);
   }
@@ -93,7 +93,7 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model,
   for (const fem::Reaction& reaction : solution.reactions)
     if (reaction.surface == "bore") bore_torque = -reaction.moment;
   const MechanismState& state = *model.mechanism;
-  return post::MechanismReport{state.load, state.inertia_from_geometry, state.inertia_used,
+  return post::MechanismReport{state.load, state.inertia_from_geometry, state.train.wheel_inertia,
                                state.expected_bore_torque, bore_torque};
 }
 

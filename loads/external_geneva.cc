@@ -1,5 +1,7 @@
 #include "loads/external_geneva.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "loads/pi.h"
@@ -63,6 +65,23 @@ double ExternalGeneva::wheel_acceleration(double driver_angle, double driver_spe
                                           double driver_acceleration) const {
   return driver_acceleration * speed_ratio(driver_angle) +
          square(driver_speed) * acceleration_ratio(driver_angle);
+}
+
+Mechanism external_geneva(const int stations, const double centre_distance) {
+  const ExternalGeneva geneva(stations);
+  require_positive_length("centre distance", centre_distance);
+  const double crank = centre_distance * geneva.crank_ratio();
+  const auto motion = [=](const double driver_angle) {
+    const Jet angle = variable(driver_angle);
+    return slot_motion(centre_distance - crank * cos(angle), crank * sin(angle));
+  };
+  return {fmt::format("external Geneva with {} stations", stations),
+          stations,
+          2. * pi,
+          -geneva.engagement_angle(),
+          geneva.engagement_angle(),
+          {},
+          motion};
 }
 
 }  // namespace geneva::loads

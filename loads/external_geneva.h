@@ -1,5 +1,7 @@
 #pragma once
 
+#include "loads/mechanism.h"
+
 namespace geneva::loads {
 
 /// Kinematics of an external Geneva mechanism with one pin (ME341 lecture, Eq. 5.25 - 5.34),
@@ -52,5 +54,11 @@ class ExternalGeneva {
   double half_pitch_;
   double crank_ratio_;
 };
+
+/// The external Geneva with one pin as a mechanism; lengths follow from the centre distance.
+/// @param stations 3..24
+/// @param centre_distance c [m] between the driver's and the wheel's axis; the crank is c sin(pi/n)
+/// @throws std::invalid_argument outside that range, or if the distance is not positive
+Mechanism external_geneva(int stations, double centre_distance);
 
 }  // namespace geneva::loads

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "loads/engagement.h"
+#include "loads/pin_load.h"
 #include "post/results.h"
 #include "post/units.h"
 
@@ -15,7 +15,7 @@ struct MechanismReport {
   loads::PinLoad load;
   double inertia_from_geometry;  ///< of the drawn wheel [kg m^2]
   double inertia_used;           ///< [kg m^2]
-  double expected_bore_torque;   ///< J_L a + M_f [N m]
+  double expected_bore_torque;   ///< J_L a + M_f + M_e [N m]
   double bore_torque;            ///< from the computed reactions [N m]
 };
 

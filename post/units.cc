@@ -36,7 +36,7 @@ struct DimensionFacts {
 
 const DimensionFacts& facts(Dimension dimension) {
   // in the order of the enumeration
-  static const std::array<DimensionFacts, 14> table{{
+  static const std::array<DimensionFacts, 16> table{{
       {"plain number",
        "a plain number or a percentage",
        "'0.3' or '30 %'",
@@ -98,6 +98,12 @@ const DimensionFacts& facts(Dimension dimension) {
        "'0.0046 lbf.s^2.in' or '5e-4 kg.m^2'",
        {2, 1, 0, 0},
        {"kg.m^2", "kg.mm^2", "lbf.s^2.in"}},
+      {"time", "a time with its unit", "'0.1 s' or '50 ms'", {0, 0, 1, 0}, {"s", "s", "s"}},
+      {"speed",
+       "a speed with its unit",
+       "'2 m/s' or '80 in/s'",
+       {1, 0, -1, 0},
+       {"m/s", "mm/s", "in/s"}},
       {"memory",
        "an amount of memory with its unit",
        "'16 GB' or '500 MB'",

@@ -19,6 +19,8 @@ enum class Dimension {
   force_per_volume,
   moment,
   inertia,
+  time,
+  speed,
   memory  ///< [byte]
 };
 

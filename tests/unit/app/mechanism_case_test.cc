@@ -352,9 +352,11 @@ TEST(MechanismCase, MissingParametersAreNamed) {
   EXPECT_EQ(refusal(""),
             "DIR/case.prm: 'Stations' is missing in the subsection 'Mechanism': it takes a whole "
             "number from 3 to 24");
-  EXPECT_EQ(refusal("subsection Mechanism\n set Stations = 6\n set Wheel diameter = 1 m\nend\n"),
-            "DIR/case.prm: 'Driver speed' is missing in the subsection 'Mechanism': it takes an "
-            "angular speed with its unit, greater than 0; for example '600 rpm' or '62.8 rad/s'");
+  EXPECT_EQ(
+      refusal("subsection Mechanism\n set Stations = 6\n set Wheel diameter = 1 m\n set Load "
+              "inertia = 1 kg.m^2\nend\n"),
+      "DIR/case.prm: 'Driver speed' is missing in the subsection 'Mechanism': 'Driver motion' "
+      "= 'constant' needs it");
   EXPECT_EQ(refusal("subsection Mechanism\n set Stations = 6\n set Driver speed = 6 rpm\nend\n"),
             "DIR/case.prm: 'Load inertia' is missing in the subsection 'Mechanism': it takes a "
             "moment of inertia with its unit, 0 or greater; or 'solid cylinder'; for example "
@@ -382,9 +384,10 @@ TEST(MechanismCase, DimensionsThatMakeNoWheelAreRefused) {
 }
 
 TEST(MechanismCase, ADriverAngleOutsideTheEngagementIsRefused) {
-  EXPECT_EQ(refusal(mechanism_text("set Driver angle = -1.2 rad\n")),
-            "DIR/case.prm, line 6: 'Driver angle' = '-1.2 rad': with 6 stations the pin is in the "
-            "slot from -60 deg to 60 deg only");
+  EXPECT_EQ(
+      refusal(mechanism_text("set Driver angle = -1.2 rad\n")),
+      "DIR/case.prm, line 6: 'Driver angle' = '-1.2 rad': driver angle is -68.7549 deg: with 6 "
+      "stations the pin is in the slot from -60 deg to 60 deg; choose an angle in this range");
 }
 
 TEST(MechanismCase, JohnsonsWheelInertiaIsRefusedBeyondHisTable) {
@@ -392,7 +395,8 @@ TEST(MechanismCase, JohnsonsWheelInertiaIsRefusedBeyondHisTable) {
                     "speed = 6 rpm\nset Load inertia = 1 kg.m^2\nset Wheel inertia = "
                     "Johnson\nend\n"),
             "DIR/case.prm, line 6: 'Wheel inertia' = 'Johnson': Johnson gives the inertia of "
-            "wheels with 3 to 10 stations, this one has 12; 'from geometry' or a value is wanted");
+            "external wheels with 3 to 10 stations, this one is external and has 12; 'from "
+            "geometry' or a value is wanted");
 }
 
 TEST(MechanismCase, AnIncompleteOrIdleCylinderIsRefused) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "app/case_values.h"
+
+namespace geneva::app {
+
+/// The file of the case directory that a parameter names.
+/// @throws std::invalid_argument if it lies outside of the directory or does not exist
+std::filesystem::path file_in_directory(const CaseSection& section, const std::string& parameter,
+                                        const std::filesystem::path& directory);
+
+}  // namespace geneva::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/case_file.h"
+#include "loads/driven_mechanism.h"
+#include "loads/pin_load.h"
+
+namespace geneva::app {
+
+/// What a mechanism case says of lengths that follow from each other, whatever its type.
+struct MechanismSizes {
+  double wheel_diameter;  ///< D [m]: twice the pin's distance from the wheel's axis at entry
+  double pin_diameter;    ///< [m]
+  double thickness;       ///< [m]
+};
+
+/// The mechanism of a case.
+/// @throws std::invalid_argument where the loads room does
+loads::Mechanism mechanism_of(const MechanismCase& mechanism);
+
+/// With its pins and the motion of its driver.
+/// @throws std::invalid_argument where the loads room does
+loads::DrivenMechanism driven_mechanism(const MechanismCase& mechanism);
+
+/// Sizes that are given or follow from Johnson's proportions.
+MechanismSizes sizes_of(const MechanismCase& mechanism);
+
+/// Where the case wants the analysis [rad].
+double analysed_angle(const MechanismCase& mechanism, const loads::DrivenMechanism& driven,
+                      const loads::WheelTrain& train);
+
+}  // namespace geneva::app

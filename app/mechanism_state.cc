@@ -1,0 +1,69 @@
+#include "app/mechanism_state.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "loads/johnson.h"
+#include "loads/pi.h"
+
+namespace geneva::app {
+
+namespace {
+
+constexpr double degree = loads::pi / 180.;
+
+std::optional<loads::GenevaDimensions> drawn_wheel(const MechanismCase& mechanism) {
+  if (mechanism.kind != MechanismCase::Kind::external) return std::nullopt;
+  return loads::complete_dimensions(mechanism.dimensions);
+}
+
+double inertia_used(const MechanismCase& mechanism, const double from_geometry,
+                    const double wheel_diameter) {
+  switch (mechanism.inertia_kind) {
+    case MechanismCase::InertiaKind::from_geometry:
+      return from_geometry;
+    case MechanismCase::InertiaKind::given:
+      return mechanism.wheel_inertia;
+    case MechanismCase::InertiaKind::johnson:
+      break;
+  }
+  const auto k5 = loads::johnson_row(mechanism.dimensions.stations).k5;
+  if (!k5)
+    throw std::invalid_argument(fmt::format(
+        "'Wheel inertia' = 'Johnson': his Table 1 ends at 10 stations, the case has {}; use 'from "
+        "geometry' or give a value",
+        mechanism.dimensions.stations));
+  return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
+}
+
+void refuse_braking(const loads::PinLoad& load, const loads::DrivenMechanism& driven) {
+  throw std::invalid_argument(fmt::format(
+      "'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin would leave the "
+      "driving wall (the wheel decelerates); choose an angle with a positive force, for example "
+      "'at maximum wheel acceleration' ({:.6g} deg)",
+      load.driver_angle / degree, load.force, loads::peak_acceleration_angle(driven) / degree));
+}
+
+}  // namespace
+
+void check_drawing(const MechanismCase& mechanism) { drawn_wheel(mechanism); }
+
+MechanismState mechanism_state(const MechanismCase& mechanism) {
+  MechanismState state{
+      driven_mechanism(mechanism), {}, sizes_of(mechanism), drawn_wheel(mechanism), {}, 0., 0.};
+  if (state.wheel)
+    state.inertia_from_geometry = loads::wheel_inertia(*state.wheel, mechanism.wheel.density);
+  state.train = {inertia_used(mechanism, state.inertia_from_geometry, state.sizes.wheel_diameter),
+                 mechanism.load, mechanism.external_torque, mechanism.slot_friction,
+                 state.sizes.pin_diameter};
+  loads::check(state.train, state.driven);
+  const double angle = analysed_angle(mechanism, state.driven, state.train);
+  state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);
+  if (state.load.force <= 0.) refuse_braking(state.load, state.driven);
+  state.expected_bore_torque =
+      state.load.moment - state.train.wheel_inertia * state.load.wheel_acceleration;
+  return state;
+}
+
+}  // namespace geneva::app
