@@ -88,6 +88,14 @@ JohnsonRow johnson_row(int stations) {
           suggested.k5.has_value()};
 }
 
+double johnson_k5(const JohnsonRow& row) {
+  if (row.k5) return *row.k5;
+  throw std::invalid_argument(fmt::format(
+      "number of stations is {}: Johnson gives k5 for 3 to 10 only; take fewer stations or the "
+      "inertia of the drawn wheel",
+      row.stations));
+}
+
 double pin_force(double wheel_inertia, const WheelLoad& load, double wheel_acceleration,
                  double arm) {
   require_not_negative("wheel inertia", wheel_inertia, "kg m^2");
@@ -116,12 +124,7 @@ double johnson_stress(double force, double thickness, double pin_diameter, const
 double johnson_stress_of_diameter(double wheel_diameter, const JohnsonRow& row,
                                   const WheelLoad& load, double peak_acceleration, double density,
                                   const Elastic& pin, const Elastic& wheel) {
-  if (!row.k5)
-    throw std::invalid_argument(fmt::format(
-        "number of stations is {}: Johnson gives k5 for 3 to 10 only; take fewer stations or the "
-        "inertia of the drawn wheel",
-        row.stations));
-  const double inertia = johnson_wheel_inertia(*row.k5, density, wheel_diameter);
+  const double inertia = johnson_wheel_inertia(johnson_k5(row), density, wheel_diameter);
   const double force = pin_force(inertia, load, peak_acceleration, row.k * wheel_diameter);
   return johnson_stress(force, row.k3 * wheel_diameter, row.k2 * wheel_diameter, pin, wheel);
 }

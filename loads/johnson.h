@@ -25,6 +25,9 @@ struct JohnsonRow {
 /// @throws std::invalid_argument outside that range
 JohnsonRow johnson_row(int stations);
 
+/// k5 of a row. @throws std::invalid_argument if it has none, beyond 10 stations
+double johnson_k5(const JohnsonRow& row);
+
 /// Everything that loads a Geneva wheel; SI units.
 struct WheelLoad {
   double load_inertia;     ///< J_L [kg m^2], >= 0
