@@ -111,6 +111,11 @@ Case read_case(const fs::path& directory) {
   return result;
 }
 
+std::string name_of(const Case& given) {
+  const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
+  return path.parent_path().filename().string();
+}
+
 void print_parameters(std::ostream& out) {
   dealii::ParameterHandler handler;
   declare(handler, general_parameters());

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "fem/problem.h"
+#include "loads/design.h"
 #include "loads/drive.h"
 #include "loads/johnson.h"
 #include "loads/long_dwell_geneva.h"
+#include "loads/shaft.h"
 #include "post/units.h"
 
 namespace geneva::app {
@@ -32,6 +34,14 @@ struct DriverMotion {
   double motion_time;          ///< [s] of each engagement, with a law
   std::vector<double> times;   ///< [s], of a table
   std::vector<double> angles;  ///< [rad], of a table
+};
+
+/// What `geneva design` wants to know besides the mechanism.
+struct DesignCase {
+  loads::GivenLengths given_lengths;
+  std::optional<loads::Shaft> shaft;
+  bool adds_shaft_inertia;                 ///< to the load's
+  std::optional<double> amplitude_radius;  ///< [m]
 };
 
 /// Model = mechanism: a Geneva wheel and its pin.
@@ -61,6 +71,7 @@ struct MechanismCase {
   std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
   CaseMaterial wheel;
+  DesignCase design;
 };
 
 /// Model = geometry: the user's own plane geometry.
@@ -86,6 +97,9 @@ struct Case {
 /// Reads case.prm of a case directory.
 /// @throws std::invalid_argument naming file, parameter, the value found and what is allowed
 Case read_case(const std::filesystem::path& directory);
+
+/// Name of the case: that of its directory, also where the user says ".".
+std::string name_of(const Case& given);
 
 /// Writes the whole commented parameter file, as `geneva parameters` prints it.
 void print_parameters(std::ostream& out);

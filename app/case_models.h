@@ -14,6 +14,11 @@ namespace geneva::app {
 /// motion table is missing, outside of the case directory or no table
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
 
+/// Reads the subsection Design of Mechanism.
+/// @throws std::invalid_argument if the shaft cannot be understood, or a value has no effect
+/// without one
+DesignCase read_design(const CaseValues& values);
+
 /// Reads the subsection Geometry.
 /// @throws std::invalid_argument if values contradict each other or the file is missing or outside
 /// of the case directory

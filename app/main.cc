@@ -1,32 +1,43 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 #include "app/case_file.h"
+#include "app/command_line.h"
+#include "app/design.h"
 #include "app/run.h"
-#include "app/version.h"
 #include "fem/contact_problem.h"
 
 namespace {
 
+using geneva::app::Request;
+
 /// Exit codes: a wrong case or a machine that cannot run it, a run that did not converge, a bug.
 enum ExitCode { wrong_input = 1, not_converged = 2, internal_error = 3 };
 
+bool is_first_rank() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
+
 int say(const int code, const std::string& text) {
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cerr << "geneva: " << text << '\n';
+  if (is_first_rank()) std::cerr << "geneva: " << text << '\n';
   return code;
 }
 
-int run(const std::string& case_directory, const std::string& output) {
+int obey(const Request& request) {
+  if (request.command == Request::Command::run)
+    return geneva::app::run_case(MPI_COMM_WORLD, request.cases.front(), request.output);
+  if (is_first_rank()) geneva::app::design_cases(request.cases, request.output);
+  return 0;
+}
+
+int guarded(const Request& request) {
   try {
-    return geneva::app::run_case(MPI_COMM_WORLD, case_directory, output);
+    return obey(request);
   } catch (const std::invalid_argument& error) {
     return say(wrong_input, error.what());
   } catch (const geneva::fem::NotConverged& error) {
@@ -43,27 +54,14 @@ int run(const std::string& case_directory, const std::string& output) {
 int main(int argc, char** argv) {
   setenv("OMP_NUM_THREADS", "1",
          1);  // threads of the linear algebra libraries would fight the MPI ranks
-  CLI::App app("Contact stress analysis of Geneva mechanisms", "geneva");
-  app.set_version_flag("--version", geneva::app::version);
-  app.require_subcommand(1);
-  std::string case_directory;
-  std::string output;
-  auto* run_command = app.add_subcommand("run", "Solve a case and write its results");
-  run_command->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
-  run_command->add_option("-o,--output", output,
-                          "Where the results go (default: CASE_DIR/results)");
-  auto* parameters_command = app.add_subcommand(
-      "parameters", "Print the whole parameter file with defaults and explanations");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : wrong_input;
-  }
-  if (parameters_command->parsed()) {
+  const auto asked = geneva::app::read_command_line(argc, argv);
+  if (const int* code = std::get_if<int>(&asked)) return *code;
+  const Request& request = std::get<Request>(asked);
+  if (request.command == Request::Command::parameters) {
     geneva::app::print_parameters(std::cout);
     return 0;
   }
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   dealii::deal_II_exceptions::disable_abort_on_exception();
-  return run(case_directory, output);
+  return guarded(request);
 }

@@ -243,6 +243,7 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
+  result.design = read_design(values);
   return result;
 }
 

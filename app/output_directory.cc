@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "post/output_file.h"
 
 namespace geneva::app {
 
@@ -24,11 +27,46 @@ bool is_result_file(const fs::path& file) {
   return names.count(name) > 0 || (name.rfind("solution.", 0) == 0 && file.extension() == ".vtu");
 }
 
+[[noreturn]] void refuse_unwritable(const fs::path& directory, const std::error_code& error) {
+  throw std::invalid_argument(
+      fmt::format("results directory {} cannot be written{}; give another one with --output",
+                  directory.string(), error ? " (" + error.message() + ")" : ""));
+}
+
+[[noreturn]] void refuse_blocked(const fs::path& directory) {
+  throw std::invalid_argument(
+      fmt::format("results directory {}: a file of that name is in the way", directory.string()));
+}
+
 fs::path working_name(const fs::path& final) {
   return final.parent_path() / fmt::format(".{}.partial", final.filename().string());
 }
 
 }  // namespace
+
+std::string shown_path(const fs::path& path) {
+  const fs::path relative = path.lexically_proximate(fs::current_path());
+  return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
+}
+
+void write_and_rename(const fs::path& file, const std::string& text) {
+  const fs::path directory = file.parent_path();
+  std::error_code error;
+  if (fs::exists(directory, error) && !fs::is_directory(directory, error))
+    refuse_blocked(directory);
+  fs::create_directories(directory, error);
+  if (error || access(directory.c_str(), W_OK | X_OK) != 0) refuse_unwritable(directory, error);
+  const fs::path partial = directory / fmt::format(".{}.partial", file.filename().string());
+  try {
+    std::ofstream stream = post::open_output(partial);
+    stream << text;
+    post::close_output(stream, partial);
+    fs::rename(partial, file);
+  } catch (const std::exception&) {
+    fs::remove(partial, error);
+    throw;
+  }
+}
 
 OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
     : final_(fs::absolute(final).lexically_normal()), is_owner_(is_owner) {
@@ -37,9 +75,7 @@ OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
   if (!is_owner_) return;
   std::error_code error;
   const bool is_blocked = fs::exists(final_, error) && !fs::is_directory(final_, error);
-  if (is_blocked)
-    throw std::invalid_argument(
-        fmt::format("results directory {}: a file of that name is in the way", final_.string()));
+  if (is_blocked) refuse_blocked(final_);
   if (fs::exists(final_ / "case.prm", error) && !fs::exists(final_ / "summary.json", error))
     throw std::invalid_argument(
         fmt::format("results directory {} holds a case of its own, whose case.prm would be "
@@ -53,9 +89,7 @@ OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
     made_.push_back(parent);
   fs::create_directories(working_, error);
   if (error || (is_existing && access(final_.c_str(), W_OK | X_OK) != 0))
-    throw std::invalid_argument(
-        fmt::format("results directory {} cannot be written{}; give another one with --output",
-                    final_.string(), error ? " (" + error.message() + ")" : ""));
+    refuse_unwritable(final_, error);
 }
 
 OutputDirectory::~OutputDirectory() {

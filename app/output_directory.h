@@ -1,9 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace geneva::app {
+
+/// A path as the user would write it: relative where it lies below the current directory.
+std::string shown_path(const std::filesystem::path& path);
+
+/// Writes one file under a hidden name and renames it; makes its directory.
+/// @throws std::invalid_argument if the directory cannot be made or written to; std::runtime_error
+/// if not everything could be written
+void write_and_rename(const std::filesystem::path& file, const std::string& text);
 
 /// A results directory that is replaced only when everything has been written.
 ///

@@ -241,6 +241,33 @@ std::vector<Parameter> inertia_parameters() {
        "itself is computed without friction."}};
 }
 
+std::vector<Parameter> design_parameters() {
+  const SectionPath section{names::mechanism, names::design};
+  const std::string only = " Only with a shaft.";
+  return {
+      {section, "Given lengths", names::scale_with_the_wheel,
+       ChoiceRule{{names::scale_with_the_wheel, names::stay_as_given}},
+       "What 'geneva design' does with the lengths that the case gives (pin diameter, thickness, "
+       "slot, arcs, bore) when it draws the wheel with other diameters."},
+      {section, names::shaft, "",
+       TextRule{"a list of 'DIAMETER x LENGTH', separated by commas, for example '0.375 in x 5 in, "
+                "1 in x 3 in'"},
+       "Shaft between wheel and load for 'geneva design', one entry for each diameter; without it "
+       "no vibration is worked out."},
+      {section, "Shaft shear modulus", "79.6 GPa", positive(Dimension::stress),
+       "Shear modulus G of the shaft. The default is that of steel."},
+      {section, "Shaft density", "7850 kg/m^3", positive(Dimension::density),
+       "Mass density of the shaft. The default is that of steel."},
+      {section, "Amplitude radius", "", positive(Dimension::length, {""}),
+       "Distance from the axis at which the double amplitude of the load's vibration is told. "
+       "Default: half the load diameter, if the load is a solid cylinder." +
+           only},
+      {section, "Add shaft inertia", "false", ChoiceRule{{"false", "true"}},
+       "Whether 'geneva design' adds the shaft's inertia, all of it, to the load's in pin force "
+       "and optimum wheel; 'geneva run' never does." +
+           only}};
+}
+
 std::vector<Parameter> body_parameters(const std::string& body) {
   const SectionPath section = body_section(body);
   std::vector<Parameter> parameters = material_parameters(section);
@@ -345,6 +372,7 @@ std::vector<Parameter> mechanism_parameters() {
   append(parameters, contact_model_parameters());
   append(parameters, material_parameters({names::mechanism, names::pin_material}));
   append(parameters, material_parameters({names::mechanism, names::wheel_material}));
+  append(parameters, design_parameters());
   return parameters;
 }
 

@@ -25,6 +25,8 @@ inline constexpr const char* geometry = "Geometry";
 inline constexpr const char* published = "Published";
 inline constexpr const char* pin_material = "Pin material";
 inline constexpr const char* wheel_material = "Wheel material";
+inline constexpr const char* design = "Design";
+inline constexpr const char* shaft = "Shaft";
 inline constexpr const char* default_word = "default";
 inline constexpr const char* at_maximum_acceleration = "at maximum wheel acceleration";
 inline constexpr const char* at_maximum_force = "at maximum pin force";
@@ -45,6 +47,8 @@ inline constexpr const char* harmonic_cross = "harmonic on the cross";
 inline constexpr const char* full_wheel = "full wheel";
 inline constexpr const char* local = "local";
 inline constexpr const char* solid_cylinder = "solid cylinder";
+inline constexpr const char* scale_with_the_wheel = "scale with the wheel";
+inline constexpr const char* stay_as_given = "stay as given";
 }  // namespace names
 
 /// Section of a body's material or of a load: "Body NAME", "Load NAME" in Geometry.

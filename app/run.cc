@@ -13,6 +13,7 @@
 
 #include "app/case_file.h"
 #include "app/model.h"
+#include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/progress.h"
 #include "app/version.h"
@@ -33,12 +34,6 @@ void write_text(const fs::path& file, const std::string& text) {
   std::ofstream stream = post::open_output(file);
   stream << text;
   post::close_output(stream, file);
-}
-
-/// Name of the case: that of its directory, also where the user says ".".
-std::string name_of(const Case& given) {
-  const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
-  return path.parent_path().filename().string();
 }
 
 std::string heading(const Case& given, const Model& model) {
@@ -95,25 +90,6 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model,
   const MechanismState& state = *model.mechanism;
   return post::MechanismReport{state.load, state.inertia_from_geometry, state.train.wheel_inertia,
                                state.expected_bore_torque, bore_torque};
-}
-
-/// Runs a task and puts the case file's name before what it says against the case, unless a file is
-/// named already.
-template <typename Task>
-auto naming(const Case& given, const Task& task) {
-  try {
-    return task();
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    if (text.find(given.directory.string()) != std::string::npos) throw;
-    throw std::invalid_argument((given.directory / "case.prm").string() + ": " + text);
-  }
-}
-
-/// A path as the user would write it: relative where it lies below the current directory.
-std::string shown(const fs::path& path) {
-  const fs::path relative = path.lexically_proximate(fs::current_path());
-  return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
 double peak_memory(const MPI_Comm communicator) {
@@ -214,7 +190,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   together(communicator, [&] {
     if (is_first) publish(given, solution, results, report, progress.log(), *directory);
   });
-  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown(directory->final()),
+  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown_path(directory->final()),
                             total.wall_time(), report.peak_memory / 1e6));
   return solution.outcome == fem::Outcome::converged ? 0 : 2;
 }

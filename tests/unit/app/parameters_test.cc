@@ -40,8 +40,8 @@ TEST(Parameters, ThePrintedFileHasEverySubsection) {
   const std::string text = printed();
   for (const char* line :
        {"\nsubsection Mechanism\n", "\n  subsection Pin material\n",
-        "\n  subsection Wheel material\n", "\nsubsection Geometry\n", "\n  subsection Body NAME\n",
-        "\n  subsection Load NAME\n", "\nsubsection Published\n"})
+        "\n  subsection Wheel material\n", "\n  subsection Design\n", "\nsubsection Geometry\n",
+        "\n  subsection Body NAME\n", "\n  subsection Load NAME\n", "\nsubsection Published\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 

@@ -1,0 +1,40 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/version.h"
+
+namespace geneva::app {
+
+std::variant<Request, int> read_command_line(const int argc, const char* const* argv) {
+  CLI::App app("Contact stress analysis of Geneva mechanisms", "geneva");
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+  std::string case_directory;
+  std::vector<std::string> case_directories;
+  std::string output;
+  auto* run = app.add_subcommand("run", "Solve a case and write its results");
+  run->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
+  run->add_option("-o,--output", output, "Where the results go (default: CASE_DIR/results)");
+  auto* design = app.add_subcommand(
+      "design", "Find the wheel of least contact stress and the vibration of the load (Johnson)");
+  design->add_option("CASE_DIR", case_directories, "One or more directories with a case.prm")
+      ->required();
+  design->add_option("-o,--output", output,
+                     "Where design.json and design.csv go, with several cases into a directory for "
+                     "each (default: CASE_DIR/results)");
+  const auto* parameters = app.add_subcommand(
+      "parameters", "Print the whole parameter file with defaults and explanations");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  if (parameters->parsed()) return Request{Request::Command::parameters, {}, {}};
+  if (run->parsed()) return Request{Request::Command::run, {case_directory}, output};
+  return Request{
+      Request::Command::design, {case_directories.begin(), case_directories.end()}, output};
+}
+
+}  // namespace geneva::app

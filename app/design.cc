@@ -1,0 +1,169 @@
+#include "app/design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/model.h"
+#include "app/naming.h"
+#include "app/output_directory.h"
+#include "app/version.h"
+
+namespace geneva::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The stress is told from 0.3 to 3 times the best diameter, in a hundred steps of equal ratio.
+constexpr double curve_start = 0.3;
+constexpr double curve_end = 3.;
+constexpr int curve_steps = 100;
+
+loads::Elastic elastic(const CaseMaterial& material) {
+  return {material.youngs_modulus, material.poissons_ratio};
+}
+
+/// The mechanism as the design looks at it: at the greatest wheel acceleration, with the shaft's
+/// inertia where it is to be added.
+MechanismCase designed_mechanism(const Case& given) {
+  if (!given.mechanism)
+    throw std::invalid_argument(
+        "'Model' = 'geometry': there is no wheel to design; 'geneva design' wants a case with "
+        "Model = mechanism");
+  MechanismCase mechanism = *given.mechanism;
+  if (mechanism.kind != MechanismCase::Kind::external ||
+      mechanism.motion.kind != DriverMotion::Kind::constant ||
+      mechanism.motion.acceleration != 0. || mechanism.pins != 1 || mechanism.pin_angles.size() > 1)
+    throw std::invalid_argument(
+        "'geneva design' follows Johnson's equations, which are those of an external Geneva with "
+        "one pin at constant driver speed; 'geneva kinematics' knows the others");
+  mechanism.angle_kind = MechanismCase::AngleKind::at_maximum_wheel_acceleration;
+  mechanism.external_torque = 0.;
+  mechanism.slot_friction = 0.;
+  if (mechanism.design.adds_shaft_inertia)
+    mechanism.load.load_inertia += loads::shaft_inertia(*mechanism.design.shaft);
+  return mechanism;
+}
+
+loads::DesignInput design_input(const MechanismCase& mechanism) {
+  return {mechanism.dimensions,    mechanism.design.given_lengths, mechanism.load,
+          mechanism.motion.speed,  mechanism.wheel.density,        elastic(mechanism.pin),
+          elastic(mechanism.wheel)};
+}
+
+loads::DesignedWheel own_wheel(const MechanismCase& mechanism) {
+  const MechanismState state = mechanism_state(mechanism);
+  const loads::GenevaDimensions& wheel = *state.wheel;
+  return {wheel.wheel_diameter,
+          wheel.pin_diameter,
+          wheel.thickness,
+          wheel.locking_radius,
+          state.train.wheel_inertia,
+          state.load.force,
+          loads::johnson_stress(state.load.force, wheel.thickness, wheel.pin_diameter,
+                                elastic(mechanism.pin), elastic(mechanism.wheel))};
+}
+
+/// Johnson's vibration is that of the load alone, whether the shaft's inertia is added or not.
+std::optional<post::ShaftReport> shaft_report(const MechanismCase& given,
+                                              const double exit_acceleration) {
+  if (!given.design.shaft) return std::nullopt;
+  const loads::Shaft& shaft = *given.design.shaft;
+  return post::ShaftReport{
+      loads::torsional_vibration(shaft, given.load.load_inertia, exit_acceleration),
+      loads::shaft_inertia(shaft), given.design.adds_shaft_inertia, given.design.amplitude_radius};
+}
+
+/// What the user should know of the figures of the table.
+std::vector<std::string> notices_of(const Case& given, const post::DesignReport& report) {
+  std::vector<std::string> notices;
+  const loads::DrawnOptimum& drawn = report.drawn;
+  if (!report.johnson)
+    notices.emplace_back("Johnson's k5 ends at 10 stations: there is only the best wheel as drawn");
+  if (report.given_lengths == loads::GivenLengths::stay)
+    notices.push_back(fmt::format(
+        "the given lengths stay, so that the best wheel as drawn is searched for: its inertia is "
+        "{:.3g} (J_L + M_f/a) instead of the 1.5 of Johnson's Eq. 9",
+        drawn.inertia_ratio));
+  if (drawn.at_limit)
+    notices.emplace_back(
+        "the stress falls as far as the wheel can be drawn with the given lengths: the best "
+        "wheel as drawn is the last one that can be made");
+  if (given.mechanism->external_torque != 0. || given.mechanism->slot_friction != 0.)
+    notices.emplace_back("external torque and slot friction are left out, as Johnson does");
+  if (given.mechanism->angle_kind != MechanismCase::AngleKind::at_maximum_wheel_acceleration)
+    notices.emplace_back(
+        "the design is that of the greatest wheel acceleration, not of the case's driver angle");
+  return notices;
+}
+
+/// Where the files of each case go.
+std::vector<fs::path> directories(const std::vector<Case>& cases, const fs::path& output) {
+  std::vector<fs::path> result;
+  for (const Case& given : cases) {
+    const fs::path target = output.empty()      ? given.directory / "results"
+                            : cases.size() == 1 ? output
+                                                : output / name_of(given);
+    fs::path directory = (fs::absolute(target) / "").lexically_normal().parent_path();
+    if (std::find(result.begin(), result.end(), directory) != result.end())
+      throw std::invalid_argument(
+          fmt::format("{}: the results of two cases would go into {}; name each case once, and "
+                      "give cases of the same name without --output",
+                      given.directory.string(), directory.string()));
+    result.push_back(std::move(directory));
+  }
+  return result;
+}
+
+}  // namespace
+
+post::DesignReport make_design(const Case& given) {
+  const MechanismCase mechanism = designed_mechanism(given);
+  const loads::DesignInput input = design_input(mechanism);
+  post::DesignReport report{};
+  report.case_name = name_of(given);
+  report.title = given.title;
+  report.geneva_version = version;
+  report.row = loads::johnson_row(mechanism.dimensions.stations);
+  report.load = mechanism.load;
+  report.peak_acceleration = loads::design_acceleration(input);
+  report.exit_acceleration =
+      report.row.exit_acceleration_ratio * mechanism.motion.speed * mechanism.motion.speed;
+  report.cycle = loads::working_cycle(mechanism.dimensions.stations, mechanism.motion.speed);
+  report.given_lengths = input.given_lengths;
+  report.johnson = loads::johnson_optimum(input);
+  report.drawn = loads::drawn_optimum(input);
+  report.own = own_wheel(mechanism);
+  if (report.johnson)
+    report.pressure_ratio = report.own.peak_pressure / report.johnson->peak_pressure;
+  report.shaft = shaft_report(*given.mechanism, report.exit_acceleration);
+  const double best = report.johnson.value_or(report.drawn.wheel).diameter;
+  report.curve = loads::design_curve(input, curve_start * best, curve_end * best, curve_steps);
+  return report;
+}
+
+void design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
+  std::vector<Case> all;
+  std::vector<post::DesignReport> reports;
+  for (const fs::path& directory : cases) {
+    all.push_back(read_case(directory));
+    reports.push_back(naming(all.back(), [&] { return make_design(all.back()); }));
+  }
+  const std::vector<fs::path> targets = directories(all, output);
+  std::cout << post::design_table(reports, all.front().units);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const std::string& notice : notices_of(all[i], reports[i]))
+      std::cout << "note: " << (all.size() > 1 ? reports[i].case_name + ": " : "") << notice
+                << '\n';
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    write_and_rename(targets[i] / "design.json", post::design_summary(reports[i]).dump(2) + "\n");
+    write_and_rename(targets[i] / "design.csv", post::design_csv(reports[i], all[i].units));
+    std::cout << "design.json and design.csv in " << shown_path(targets[i]) << '\n';
+  }
+}
+
+}  // namespace geneva::app
