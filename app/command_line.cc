@@ -17,6 +17,14 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   auto* run = app.add_subcommand("run", "Solve a case and write its results");
   run->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
   run->add_option("-o,--output", output, "Where the results go (default: CASE_DIR/results)");
+  int steps = Request{}.steps;
+  auto* kinematics = app.add_subcommand(
+      "kinematics", "Curves and characteristic values of a mechanism's motion and pin force");
+  kinematics->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
+  kinematics->add_option("-o,--output", output,
+                         "Where kinematics.json and kinematics.csv go (default: CASE_DIR/results)");
+  kinematics->add_option("--steps", steps, "Steps of the curves over the cycle (default: 720)")
+      ->check(CLI::Range(1, 10000000));
   auto* design = app.add_subcommand(
       "design", "Find the wheel of least contact stress and the vibration of the load (Johnson)");
   design->add_option("CASE_DIR", case_directories, "One or more directories with a case.prm")
@@ -31,10 +39,12 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
-  if (parameters->parsed()) return Request{Request::Command::parameters, {}, {}};
-  if (run->parsed()) return Request{Request::Command::run, {case_directory}, output};
+  if (parameters->parsed()) return Request{Request::Command::parameters, {}, {}, steps};
+  if (run->parsed()) return Request{Request::Command::run, {case_directory}, output, steps};
+  if (kinematics->parsed())
+    return Request{Request::Command::kinematics, {case_directory}, output, steps};
   return Request{
-      Request::Command::design, {case_directories.begin(), case_directories.end()}, output};
+      Request::Command::design, {case_directories.begin(), case_directories.end()}, output, steps};
 }
 
 }  // namespace geneva::app

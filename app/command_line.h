@@ -8,10 +8,11 @@ namespace geneva::app {
 
 /// What the command line asks for.
 struct Request {
-  enum class Command { run, design, parameters };
+  enum class Command { run, kinematics, design, parameters };
   Command command;
   std::vector<std::filesystem::path> cases;  ///< one; for design one or more; for parameters none
   std::filesystem::path output;              ///< empty: results in the case's directory
+  int steps = 720;                           ///< of the kinematic curves
 };
 
 /// Reads the command line; prints help, version or what is wrong with it.

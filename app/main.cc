@@ -11,6 +11,7 @@
 #include "app/case_file.h"
 #include "app/command_line.h"
 #include "app/design.h"
+#include "app/kinematics.h"
 #include "app/run.h"
 #include "fem/contact_problem.h"
 
@@ -31,7 +32,11 @@ int say(const int code, const std::string& text) {
 int obey(const Request& request) {
   if (request.command == Request::Command::run)
     return geneva::app::run_case(MPI_COMM_WORLD, request.cases.front(), request.output);
-  if (is_first_rank()) geneva::app::design_cases(request.cases, request.output);
+  if (!is_first_rank()) return 0;
+  if (request.command == Request::Command::kinematics)
+    geneva::app::kinematics_of_case(request.cases.front(), request.output, request.steps);
+  else
+    geneva::app::design_cases(request.cases, request.output);
   return 0;
 }
 

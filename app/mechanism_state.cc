@@ -49,14 +49,18 @@ void refuse_braking(const loads::PinLoad& load, const loads::DrivenMechanism& dr
 
 void check_drawing(const MechanismCase& mechanism) { drawn_wheel(mechanism); }
 
+MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
+  const MechanismSizes sizes = sizes_of(mechanism);
+  const auto wheel = drawn_wheel(mechanism);
+  const double from_geometry = wheel ? loads::wheel_inertia(*wheel, mechanism.wheel.density) : 0.;
+  const loads::WheelTrain train{inertia_used(mechanism, from_geometry, sizes.wheel_diameter),
+                                mechanism.load, mechanism.external_torque, mechanism.slot_friction,
+                                sizes.pin_diameter};
+  return {driven_mechanism(mechanism), train, sizes, wheel, from_geometry};
+}
+
 MechanismState mechanism_state(const MechanismCase& mechanism) {
-  MechanismState state{
-      driven_mechanism(mechanism), {}, sizes_of(mechanism), drawn_wheel(mechanism), {}, 0., 0.};
-  if (state.wheel)
-    state.inertia_from_geometry = loads::wheel_inertia(*state.wheel, mechanism.wheel.density);
-  state.train = {inertia_used(mechanism, state.inertia_from_geometry, state.sizes.wheel_diameter),
-                 mechanism.load, mechanism.external_torque, mechanism.slot_friction,
-                 state.sizes.pin_diameter};
+  MechanismState state{mechanism_dynamics(mechanism), {}, 0.};
   loads::check(state.train, state.driven);
   const double angle = analysed_angle(mechanism, state.driven, state.train);
   state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);

@@ -300,12 +300,13 @@ Drive law_on_cross(const Mechanism& mechanism, const PlaneGeneva kind, const dou
   const double speed = drive.reference_speed;
   const auto all = std::make_shared<const std::vector<Phase>>(
       phases(mechanism, engagements, motion_time, speed));
-  drive.prescribed = [=](const double time) -> std::optional<SlotMotion> {
+  drive.prescribed = [=](const double time) -> std::optional<PrescribedMotion> {
     const Phase& phase = phase_at(*all, time);
     if (!phase.middle) return std::nullopt;
     const CrossMotion motion =
         cross_motion(kind, alpha, centre_distance, law, relative_time(phase, time));
-    return SlotMotion{motion.cross_angle, motion.pin_distance, motion.pin_distance, 1.};
+    return PrescribedMotion{*phase.middle + motion.carrier_angle,
+                            {motion.cross_angle, motion.pin_distance, motion.pin_distance, 1.}};
   };
   if (has_smooth_root(law)) return drive;
   for (const Phase& phase : *all)

@@ -18,6 +18,12 @@ struct Unbounded {
   std::string cause;     ///< why, in words
 };
 
+/// Driver and wheel with respect to time.
+struct PrescribedMotion {
+  Jet driver_angle;
+  SlotMotion slot;
+};
+
 /// How the driver moves: its angle against time, over a span of time that covers whole engagements.
 struct Drive {
   double begin;            ///< [s]
@@ -28,7 +34,7 @@ struct Drive {
   std::function<double(double driver_angle)> time_at;  ///< [s], the inverse
   /// Motion of the wheel with respect to time, where that is what is prescribed; empty: it follows
   /// from the driver angle.
-  std::function<std::optional<SlotMotion>(double time)> prescribed;
+  std::function<std::optional<PrescribedMotion>(double time)> prescribed;
   std::vector<Unbounded> unbounded;
 };
 

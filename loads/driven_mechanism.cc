@@ -83,11 +83,11 @@ std::vector<Unbounded> DrivenMechanism::unbounded() const {
 
 MotionState DrivenMechanism::engaged(const std::size_t index, const double time) const {
   const Engagement& engagement = engagements_[index].engagement;
-  const Jet driver_angle = drive_.driver_angle(time);
-  const std::optional<SlotMotion> prescribed =
+  const std::optional<PrescribedMotion> prescribed =
       drive_.prescribed ? drive_.prescribed(time) : std::nullopt;
+  const Jet driver_angle = prescribed ? prescribed->driver_angle : drive_.driver_angle(time);
   const SlotMotion motion =
-      prescribed ? *prescribed
+      prescribed ? prescribed->slot
                  : in_time(mechanism_.motion(driver_angle.value - engagement.middle), driver_angle);
   double steps = static_cast<double>(index);
   for (std::size_t i = 0; i < engagements_.size(); ++i)

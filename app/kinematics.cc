@@ -1,0 +1,50 @@
+#include "app/kinematics.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/mechanism_state.h"
+#include "app/naming.h"
+#include "app/output_directory.h"
+#include "app/version.h"
+
+namespace geneva::app {
+
+post::KinematicsReport make_kinematics(const Case& given, const int steps) {
+  if (!given.mechanism)
+    throw std::invalid_argument(
+        "'Model' = 'geometry': nothing moves there; 'geneva kinematics' wants a case with Model = "
+        "mechanism");
+  const MechanismCase& mechanism = *given.mechanism;
+  const MechanismDynamics dynamics = mechanism_dynamics(mechanism);
+  const loads::PinContact contact{
+      loads::contact_modulus({mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
+                             {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio}),
+      dynamics.sizes.thickness, dynamics.sizes.pin_diameter};
+  return {name_of(given),
+          given.title,
+          version,
+          dynamics.driven.mechanism().name,
+          dynamics.driven.drive().reference_speed,
+          loads::characteristics(dynamics.driven, dynamics.train, contact),
+          dynamics.driven.unbounded(),
+          loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps)};
+}
+
+void kinematics_of_case(const std::filesystem::path& case_directory,
+                        const std::filesystem::path& output, const int steps) {
+  const Case given = read_case(case_directory);
+  const post::KinematicsReport report =
+      naming(given, [&] { return make_kinematics(given, steps); });
+  std::cout << name_of(given) << (given.title.empty() ? "" : ": " + given.title) << '\n'
+            << post::kinematics_table(report, given.units);
+  const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
+  write_and_rename(target / "kinematics.json", post::kinematics_summary(report).dump(2) + "\n");
+  write_and_rename(target / "kinematics.csv", post::kinematics_csv(report, given.units));
+  std::cout << "kinematics.json and kinematics.csv in " << shown_path(target) << '\n';
+}
+
+}  // namespace geneva::app

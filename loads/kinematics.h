@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "loads/driven_mechanism.h"
+#include "loads/hertz.h"
+#include "loads/pin_load.h"
+
+namespace geneva::loads {
+
+/// Pin and slot wall where they touch.
+struct PinContact {
+  double contact_modulus;  ///< E* [Pa]
+  double thickness;        ///< t of the wheel [m]
+  double pin_diameter;     ///< d [m]
+};
+
+/// Hertz's peak pressure [Pa] of a pin on a flat wall under a force of either sign; 0 without one.
+double hertz_pressure(const PinContact& contact, double force);
+
+/// Mechanism at one instant of its cycle.
+struct KinematicsRow {
+  MotionState motion;
+  PinLoad load;     ///< in a dwell without moment and force
+  double pressure;  ///< [Pa]
+};
+
+/// The mechanism at equal steps of time over the cycle, and at the ends of the engagements.
+/// @param steps number of steps, 1 or more
+/// @throws std::invalid_argument otherwise
+std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
+                                           const PinContact& contact, int steps);
+
+/// A greatest value and where it occurs.
+struct PlacedPeak {
+  double value;
+  double driver_angle;  ///< [rad]
+  double time;          ///< [s]
+};
+
+/// What characterises a mechanism and its load. Ratios are those to powers of the drive's reference
+/// speed: they are dphi/dtheta and its derivatives where the driver turns at constant speed.
+struct Characteristics {
+  PlacedPeak speed_ratio;         ///< greatest, of the wheel
+  PlacedPeak acceleration_ratio;  ///< greatest magnitude
+  double entry_acceleration_ratio;
+  double
+      jerk_ratio_at_centre;  ///< midway through the first engagement; negative for an external one
+  double engagement_angle;   ///< of the driver, from entry to exit [rad]
+  double motion_time;        ///< of the first engagement [s]
+  std::vector<double> dwell_times;  ///< [s], see DrivenMechanism::dwells()
+  double motion_fraction;           ///< motion over the whole time
+  double time_ratio;                ///< k_t: motion over dwell; infinite without dwell
+  PlacedPeak force;                 ///< greatest on the driving wall [N]
+  PlacedPeak braking_force;         ///< greatest on the braking wall [N]; 0 if there is none
+  double force_ratio;   ///< greatest force over that at the greatest acceleration (Johnson's point)
+  PlacedPeak pressure;  ///< Hertz, on either wall [Pa]
+  double pressure_ratio;             ///< greatest pressure over that at Johnson's point
+  PlacedPeak pressure_times_slip;    ///< [Pa m/s]
+  double pressure_times_slip_ratio;  ///< greatest over that at Johnson's point
+  double entry_tangency;  ///< angle between the pin's path and the slot at entry [rad]; 0: no jump
+  double exit_tangency;   ///< at exit [rad]
+};
+
+/// @throws std::invalid_argument where check() of the train does
+Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain& train,
+                                const PinContact& contact);
+
+}  // namespace geneva::loads

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "loads/kinematics.h"
+#include "post/units.h"
+
+namespace geneva::post {
+
+/// Kinematics and pin force of one case, SI units.
+struct KinematicsReport {
+  std::string case_name;
+  std::string title;
+  std::string geneva_version;
+  std::string mechanism;   ///< in words
+  double reference_speed;  ///< [rad/s]
+  loads::Characteristics values;
+  std::vector<loads::Unbounded> unbounded;
+  std::vector<loads::KinematicsRow> rows;
+};
+
+/// What kinematics.json says, SI units throughout.
+nlohmann::json kinematics_summary(const KinematicsReport& report);
+
+/// What kinematics.csv says: the curves over the cycle, the units in the headings.
+std::string kinematics_csv(const KinematicsReport& report, UnitSystem units);
+
+/// Table of the characteristic values, the units in the rows' names.
+std::string kinematics_table(const KinematicsReport& report, UnitSystem units);
+
+}  // namespace geneva::post
