@@ -1,79 +1,21 @@
 #include "loads/geneva_dimensions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "loads/pi.h"
+#include "loads/refuse.h"
 #include "loads/require.h"
 
 namespace geneva::loads {
 
 namespace {
 
-/// Lengths that agree to this fraction of the wheel's diameter count as equal: well above rounding
-/// of derived dimensions, well below any tolerance of manufacture.
-const double rounding = 1e-9;
-
-double mm(double metres) { return 1e3 * metres; }
-
-template <typename... Values>
-[[noreturn]] void refuse(fmt::format_string<Values...> message, Values... values) {
-  throw std::invalid_argument(fmt::format(message, values...));
-}
-
-/// All but the bore, whose default comes from the slot and is judged after it.
-void check_positive(const GenevaDimensions& dimensions) {
-  require_positive_length("wheel diameter", dimensions.wheel_diameter);
-  require_positive_length("crank radius", dimensions.crank_radius);
-  require_positive_length("centre distance", dimensions.centre_distance);
-  require_positive_length("pin diameter", dimensions.pin_diameter);
-  require_positive_length("thickness", dimensions.thickness);
-  require_positive_length("slot width", dimensions.slot_width);
-  require_positive_length("slot depth", dimensions.slot_depth);
-  require_positive_length("locking radius", dimensions.locking_radius);
-  require_positive_length("pin core radius", dimensions.pin_core_radius);
-}
-
-/// The pin enters along the slot only if the triangle of axes and pin is right-angled at entry.
-void check_triangle(const GenevaDimensions& dimensions) {
-  const double radius = dimensions.wheel_diameter / 2.;
-  const double crank = radius * std::tan(pi / dimensions.stations);
-  const double centres = radius / std::cos(pi / dimensions.stations);
-  const double allowed = rounding * dimensions.wheel_diameter;
-  if (std::abs(dimensions.crank_radius - crank) > allowed)
-    refuse(
-        "crank radius is {:.9g} mm: {} stations and wheel diameter {:.6g} mm need (D/2) tan(pi/n) "
-        "= {:.9g} mm; change the crank radius or the wheel diameter",
-        mm(dimensions.crank_radius), dimensions.stations, mm(dimensions.wheel_diameter), mm(crank));
-  if (std::abs(dimensions.centre_distance - centres) > allowed)
-    refuse(
-        "centre distance is {:.9g} mm: {} stations and wheel diameter {:.6g} mm need "
-        "(D/2)/cos(pi/n) = {:.9g} mm; change the centre distance or the wheel diameter",
-        mm(dimensions.centre_distance), dimensions.stations, mm(dimensions.wheel_diameter),
-        mm(centres));
-}
-
-void check_pin(const GenevaDimensions& dimensions) {
-  if (dimensions.pin_diameter > dimensions.slot_width + rounding * dimensions.wheel_diameter)
-    refuse(
-        "pin diameter is {0:.6g} mm: it must not exceed the slot width {1:.6g} mm; take a pin of "
-        "at most {1:.6g} mm or a slot of at least {0:.6g} mm",
-        mm(dimensions.pin_diameter), mm(dimensions.slot_width));
-  if (dimensions.pin_core_radius >= dimensions.pin_diameter / 2.)
-    refuse(
-        "pin core radius is {:.6g} mm: the core must lie inside the pin of radius {:.6g} mm; make "
-        "the core smaller or the pin larger",
-        mm(dimensions.pin_core_radius), mm(dimensions.pin_diameter / 2.));
-}
-
 /// The pin presses on the straight wall, so its axis must not come below the bottom's centre.
 void check_slot_depth(const GenevaDimensions& dimensions) {
   const double nearest = dimensions.centre_distance - dimensions.crank_radius;
   const double least_depth = dimensions.wheel_diameter / 2. - nearest + dimensions.slot_width / 2.;
-  if (dimensions.slot_depth < least_depth - rounding * dimensions.wheel_diameter)
+  if (dimensions.slot_depth < least_depth - dimension_rounding * dimensions.wheel_diameter)
     refuse(
         "slot depth is {0:.6g} mm: the pin comes as near as {1:.6g} mm to the wheel's axis and "
         "needs a slot of at least {2:.6g} mm; make the slot deeper",
@@ -101,13 +43,7 @@ void check_bore(const GenevaDimensions& dimensions) {
         mm(dimensions.bore_radius), mm(lowest));
 }
 
-void check_locking_arc_reach(const GenevaDimensions& dimensions) {
-  const double least = dimensions.centre_distance - dimensions.wheel_diameter / 2.;
-  if (dimensions.locking_radius <= least)
-    refuse(
-        "locking radius is {:.6g} mm: the locking arc misses the rim unless it is greater than "
-        "c - D/2 = {:.6g} mm; make the locking radius larger",
-        mm(dimensions.locking_radius), mm(least));
+void check_locking_arc_clears_bore(const GenevaDimensions& dimensions) {
   const double greatest = dimensions.centre_distance - dimensions.bore_radius;
   if (dimensions.locking_radius >= greatest)
     refuse(
@@ -142,14 +78,12 @@ double slot_bottom_centre(const GenevaDimensions& dimensions) {
 }
 
 void check(const GenevaDimensions& dimensions) {
-  require_stations(dimensions.stations);
-  check_positive(dimensions);
-  check_triangle(dimensions);
-  check_pin(dimensions);
+  check_common(dimensions);
   check_slot_depth(dimensions);
   check_neighbouring_slots(dimensions);
   check_bore(dimensions);
-  check_locking_arc_reach(dimensions);
+  check_locking_arc_meets(dimensions, "rim");
+  check_locking_arc_clears_bore(dimensions);
   check_tip(dimensions);
 }
 

@@ -1,20 +1,12 @@
 #pragma once
 
+#include "loads/common_dimensions.h"
+
 namespace geneva::loads {
 
-/// Dimensions of an external Geneva wheel and its pin; lengths in metres.
-struct GenevaDimensions {
-  int stations;            ///< n, 3..24
-  double wheel_diameter;   ///< D
-  double crank_radius;     ///< r = (D/2) tan(pi/n)
-  double centre_distance;  ///< c = (D/2)/cos(pi/n)
-  double pin_diameter;     ///< d
-  double thickness;        ///< t of the wheel
-  double slot_width;       ///< between the parallel walls, not less than d
-  double slot_depth;  ///< from the rim (radius D/2) to the lowest point of the semicircular bottom
-  double locking_radius;   ///< R of the locking arcs, centred at distance c midway between slots
-  double bore_radius;      ///< of the hole at the wheel's axis
-  double pin_core_radius;  ///< of the pin's core, where the driver holds it
+/// Dimensions of an external Geneva wheel, whose slots open outwards on the rim of diameter D.
+struct GenevaDimensions : CommonDimensions {
+  double bore_radius;  ///< of the hole at the wheel's axis [m]
 };
 
 /// Radius of the centre of the slots' semicircular bottom: D/2 - slot_depth + slot_width/2 [m].

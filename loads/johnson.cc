@@ -43,7 +43,7 @@ void check_load(const WheelLoad& load) {
   require_not_negative("friction moment", load.friction_moment, "N m");
 }
 
-double wheel_diameter(const GenevaDimensionsInput& input) {
+double wheel_diameter(const CommonDimensionsInput& input) {
   const int given = int{input.wheel_diameter.has_value()} + int{input.crank_radius.has_value()} +
                     int{input.centre_distance.has_value()};
   if (given != 1)
@@ -57,7 +57,7 @@ double wheel_diameter(const GenevaDimensionsInput& input) {
   return *input.wheel_diameter;
 }
 
-double slot_width(const GenevaDimensionsInput& input, double pin_diameter) {
+double slot_width(const CommonDimensionsInput& input, double pin_diameter) {
   if (input.slot_width && input.slot_clearance)
     throw std::invalid_argument(fmt::format(
         "slot width {:.6g} mm and slot clearance {:.6g} mm are both given: one follows from the "
@@ -67,6 +67,24 @@ double slot_width(const GenevaDimensionsInput& input, double pin_diameter) {
   const double clearance = input.slot_clearance.value_or(0.);
   require_not_negative("slot clearance", 1e3 * clearance, "mm");
   return pin_diameter + clearance;
+}
+
+/// All but the slot's depth, whose default depends on the kind of wheel.
+CommonDimensions complete_common(const CommonDimensionsInput& input) {
+  const JohnsonRow row = johnson_row(input.stations);
+  CommonDimensions result{};
+  result.stations = input.stations;
+  result.wheel_diameter = wheel_diameter(input);
+  const double radius = result.wheel_diameter / 2.;
+  const double half_pitch = pi / input.stations;
+  result.crank_radius = radius * std::tan(half_pitch);
+  result.centre_distance = radius / std::cos(half_pitch);
+  result.pin_diameter = input.pin_diameter.value_or(row.k2 * result.wheel_diameter);
+  result.thickness = input.thickness.value_or(row.k3 * result.wheel_diameter);
+  result.slot_width = slot_width(input, result.pin_diameter);
+  result.locking_radius = input.locking_radius.value_or(row.k4 * result.wheel_diameter);
+  result.pin_core_radius = input.pin_core_radius.value_or(result.pin_diameter / 4.);
+  return result;
 }
 
 }  // namespace
@@ -150,24 +168,24 @@ double solid_cylinder_inertia(double diameter, double length, double density) {
 }
 
 GenevaDimensions complete_dimensions(const GenevaDimensionsInput& input) {
-  const JohnsonRow row = johnson_row(input.stations);
-  GenevaDimensions result{};
-  result.stations = input.stations;
-  result.wheel_diameter = wheel_diameter(input);
+  GenevaDimensions result{complete_common(input), 0.};
   const double radius = result.wheel_diameter / 2.;
-  const double half_pitch = pi / input.stations;
-  result.crank_radius = radius * std::tan(half_pitch);
-  result.centre_distance = radius / std::cos(half_pitch);
-  result.pin_diameter = input.pin_diameter.value_or(row.k2 * result.wheel_diameter);
-  result.thickness = input.thickness.value_or(row.k3 * result.wheel_diameter);
-  result.slot_width = slot_width(input, result.pin_diameter);
   const double nearest = result.centre_distance - result.crank_radius;
   result.slot_depth = input.slot_depth.value_or(radius - nearest + result.slot_width / 2.);
-  result.locking_radius = input.locking_radius.value_or(row.k4 * result.wheel_diameter);
   const double lowest = radius - result.slot_depth;
   result.bore_radius =
       input.bore_radius.value_or(std::min(0.1 * result.wheel_diameter, lowest / 2.));
-  result.pin_core_radius = input.pin_core_radius.value_or(result.pin_diameter / 4.);
+  check(result);
+  return result;
+}
+
+InternalDimensions complete_internal_dimensions(const InternalDimensionsInput& input) {
+  InternalDimensions result{complete_common(input), 0.};
+  const double radius = result.wheel_diameter / 2.;
+  const double farthest = result.centre_distance + result.crank_radius;
+  result.slot_depth = input.slot_depth.value_or(farthest - radius + result.slot_width / 2.);
+  result.rim_radius =
+      input.rim_radius.value_or(radius + result.slot_depth + 0.15 * result.wheel_diameter);
   check(result);
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "loads/geneva_dimensions.h"
 #include "loads/hertz.h"
+#include "loads/internal_dimensions.h"
 
 namespace geneva::loads {
 
@@ -66,8 +67,8 @@ double optimum_wheel_diameter(const WheelLoad& load, double peak_acceleration, d
 /// @throws std::invalid_argument unless all are positive and finite
 double solid_cylinder_inertia(double diameter, double length, double density);
 
-/// What a designer may give of a wheel; missing ones take their default.
-struct GenevaDimensionsInput {
+/// What a designer may give of either kind of wheel; missing ones take their default.
+struct CommonDimensionsInput {
   int stations;
   std::optional<double> wheel_diameter;   ///< [m]; exactly one of this and the next two
   std::optional<double> crank_radius;     ///< [m]
@@ -76,15 +77,28 @@ struct GenevaDimensionsInput {
   std::optional<double> thickness;        ///< [m]; default k3 D
   std::optional<double> slot_clearance;   ///< [m]; default 0
   std::optional<double> slot_width;       ///< [m]; default pin diameter + clearance
-  std::optional<double> slot_depth;       ///< [m]; default D/2 - (c - r) + slot_width/2
+  std::optional<double> slot_depth;       ///< [m]; default: the bottom's centre at the pin's turn
   std::optional<double> locking_radius;   ///< [m]; default k4 D
-  std::optional<double> bore_radius;  ///< [m]; default min(0.1 D, half the slots' lowest radius)
   std::optional<double> pin_core_radius;  ///< [m]; default pin diameter/4
+};
+
+/// An external wheel; the default slot depth is D/2 - (c - r) + slot_width/2.
+struct GenevaDimensionsInput : CommonDimensionsInput {
+  std::optional<double> bore_radius;  ///< [m]; default min(0.1 D, half the slots' lowest radius)
+};
+
+/// An internal wheel; the default slot depth is c + r - D/2 + slot_width/2.
+struct InternalDimensionsInput : CommonDimensionsInput {
+  std::optional<double> rim_radius;  ///< [m]; default D/2 + slot_depth + 0.15 D
 };
 
 /// Fills in the defaults and checks the result.
 /// @throws std::invalid_argument if not exactly one size is given, both slot width and clearance
 /// are given, or check() refuses the wheel
 GenevaDimensions complete_dimensions(const GenevaDimensionsInput& input);
+
+/// The same for an internal wheel: Johnson's proportions, which he gives for external ones.
+/// @throws std::invalid_argument as complete_dimensions()
+InternalDimensions complete_internal_dimensions(const InternalDimensionsInput& input);
 
 }  // namespace geneva::loads

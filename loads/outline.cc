@@ -6,39 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "loads/outline_shapes.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
 namespace geneva::loads {
 
 namespace {
-
-Point rotated(Point point, double angle) {
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
-  return {cosine * point.x - sine * point.y, sine * point.x + cosine * point.y};
-}
-
-Segment line(Point start, Point end, const std::string& surface) {
-  return {start, end, false, {0., 0.}, false, surface};
-}
-
-Segment arc(Point start, Point end, Point centre, bool clockwise, const std::string& surface) {
-  return {start, end, true, centre, clockwise, surface};
-}
-
-/// A full circle of four quarter arcs, from the vertex on top (direction +y).
-Loop circle(Point centre, double radius, bool clockwise, const std::string& surface) {
-  const double side = clockwise ? radius : -radius;
-  const std::array<Point, 4> vertices{{{centre.x, centre.y + radius},
-                                       {centre.x + side, centre.y},
-                                       {centre.x, centre.y - radius},
-                                       {centre.x - side, centre.y}}};
-  Loop loop;
-  for (std::size_t i = 0; i < 4; ++i)
-    loop.push_back(arc(vertices[i], vertices[(i + 1) % 4], centre, clockwise, surface));
-  return loop;
-}
 
 /// Integrals of 1, x, y and x^2 + y^2 over the area swept by the radius vector.
 struct Integrals {
@@ -88,22 +62,6 @@ void add_arc(Integrals& sum, const Segment& segment) {
   sum.square += (far_squared * swept + (far_squared + 2. * rho_squared) * offset +
                  2. * (a * a * cosine_squared + 2. * a * b * cosine_sine + b * b * sine_squared)) /
                 4.;
-}
-
-/// Half the angle [rad] that a locking arc takes out of the rim, seen from the wheel's axis.
-double locking_half_angle(const GenevaDimensions& dimensions) {
-  const double radius = dimensions.wheel_diameter / 2.;
-  const double centres = dimensions.centre_distance;
-  return std::acos((centres * centres + radius * radius -
-                    dimensions.locking_radius * dimensions.locking_radius) /
-                   (2. * centres * radius));
-}
-
-/// Where the slot walls meet the rim, along the slot's centre line.
-double wall_end(const GenevaDimensions& dimensions) {
-  const double radius = dimensions.wheel_diameter / 2.;
-  const double half_width = dimensions.slot_width / 2.;
-  return std::sqrt(radius * radius - half_width * half_width);
 }
 
 /// Vertices of one pitch, from the rim's corner with the slot's lower wall to the end of the
@@ -178,19 +136,9 @@ Outline wheel_outline(const GenevaDimensions& dimensions) {
 
 Outline pin_outline(const GenevaDimensions& dimensions, double pin_distance) {
   check(dimensions);
-  const double nearest = dimensions.centre_distance - dimensions.crank_radius;
-  const double farthest = wall_end(dimensions);
-  const double rounding = 1e-9 * dimensions.wheel_diameter;
-  if (!(pin_distance >= nearest - rounding && pin_distance <= farthest + rounding))
-    throw std::invalid_argument(fmt::format(
-        "pin distance is {:.6g} mm: the pin touches the driving wall from {:.6g} mm (nearest "
-        "position) to {:.6g} mm (end of the wall); choose a driver angle nearer to the line of "
-        "centres",
-        1e3 * pin_distance, 1e3 * nearest, 1e3 * farthest));
-  const Point centre{pin_distance, (dimensions.slot_width - dimensions.pin_diameter) / 2.};
-  return {"pin",
-          {circle(centre, dimensions.pin_diameter / 2., false, "pin"),
-           circle(centre, dimensions.pin_core_radius, true, "pin core")}};
+  return pin_beside_wall(dimensions, pin_distance,
+                         {dimensions.centre_distance - dimensions.crank_radius, "nearest position",
+                          wall_end(dimensions), "end of the wall"});
 }
 
 double wheel_inertia(const GenevaDimensions& dimensions, double density) {

@@ -41,7 +41,7 @@ void require_finite(const char* quantity, double value, const char* unit) {
 int require_stations(int stations) {
   if (stations >= 3 && stations <= 24) return stations;
   throw std::invalid_argument(fmt::format(
-      "number of stations is {}: an external Geneva wheel has 3 to 24; give a number in this range",
+      "number of stations is {}: a Geneva wheel has 3 to 24; give a number in this range",
       stations));
 }
 

@@ -139,16 +139,28 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
   return {std::nullopt, errors.front()};
 }
 
+/// Cells of an eighth of the pin's diameter at the contact.
+MeshSizing graded(double general, double pin_diameter, Point contact) {
+  const double at_contact = std::min(pin_diameter / 8., general);
+  const double growth = 0.15;  // per length: a faster one distorts the cells near the contact
+  return {general, at_contact, contact, std::max((general - at_contact) / growth, pin_diameter)};
+}
+
 }  // namespace
 
 MeshSizing default_sizing(const loads::GenevaDimensions& dimensions, double pin_distance) {
-  const double general = 0.06 * dimensions.wheel_diameter;
-  const double at_contact = std::min(dimensions.pin_diameter / 8., general);
-  const double growth = 0.15;  // per length: a faster one distorts the cells near the contact
-  return {general,
-          at_contact,
-          {pin_distance, dimensions.slot_width / 2.},
-          std::max((general - at_contact) / growth, dimensions.pin_diameter)};
+  return graded(0.06 * dimensions.wheel_diameter, dimensions.pin_diameter,
+                {pin_distance, dimensions.slot_width / 2.});
+}
+
+MeshSizing default_sizing(const loads::InternalDimensions& dimensions, double pin_distance) {
+  return graded(0.12 * dimensions.rim_radius, dimensions.pin_diameter,
+                {pin_distance, dimensions.slot_width / 2.});
+}
+
+MeshSizing default_sizing(const loads::LocalDimensions& dimensions) {
+  return graded(std::max(dimensions.width, dimensions.depth) / 8., dimensions.pin_diameter,
+                {0., 0.});
 }
 
 MeshData mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {

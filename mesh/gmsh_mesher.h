@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include "loads/geneva_dimensions.h"
+#include "loads/internal_dimensions.h"
+#include "loads/local_outline.h"
 #include "loads/outline.h"
 #include "mesh/mesh_data.h"
 
@@ -20,6 +23,12 @@ struct MeshSizing {
 /// stations.
 /// @param pin_distance wheel axis to pin axis [m]
 MeshSizing default_sizing(const loads::GenevaDimensions& dimensions, double pin_distance);
+
+/// The same for an internal wheel.
+MeshSizing default_sizing(const loads::InternalDimensions& dimensions, double pin_distance);
+
+/// Sizing that gives a few hundred cells for a pin on a block.
+MeshSizing default_sizing(const loads::LocalDimensions& dimensions);
 
 /// Meshes the outlines with all-quadrilateral cells; every segment's surface becomes a named
 /// surface.

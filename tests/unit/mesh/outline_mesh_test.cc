@@ -12,6 +12,7 @@
 #include "loads/pi.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
+#include "mesh_measures.h"
 #include "tests/unit/loads/refusal.h"
 
 namespace geneva::mesh {
@@ -22,6 +23,9 @@ using loads::Outline;
 using loads::Point;
 using loads::Segment;
 using loads::test::expect_refused;
+using test::area;
+using test::edges_by_surface;
+using test::has_vertex;
 
 /// Vertices on lines and circles, in units of the radius or length: a few roundings.
 constexpr double round_off = 1e-14;
@@ -57,40 +61,6 @@ const WheelAndPin& usual(int number) {
   const auto found = made.find(number);
   if (found != made.end()) return found->second;
   return made.emplace(number, meshed(stations(number))).first->second;
-}
-
-double cross(const std::array<double, 2>& a, const std::array<double, 2>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-/// Area of a body: of its straight-sided cells, and between its boundary edges and their circles.
-double area(const MeshData& mesh, unsigned int body) {
-  double sum = 0.;
-  std::set<unsigned int> vertices;
-  for (const Quad& quad : mesh.quads) {
-    if (quad.body != body) continue;
-    for (std::size_t i = 0; i < 4; ++i) {
-      vertices.insert(quad.vertices[i]);
-      sum += cross(mesh.vertices[quad.vertices[i]], mesh.vertices[quad.vertices[(i + 1) % 4]]) / 2.;
-    }
-  }
-  for (const Edge& edge : mesh.edges) {
-    if (edge.circle < 0 || vertices.count(edge.vertices[0]) == 0) continue;
-    const Circle& circle = mesh.circles[static_cast<std::size_t>(edge.circle)];
-    const auto& p = mesh.vertices[edge.vertices[0]];
-    const auto& q = mesh.vertices[edge.vertices[1]];
-    const std::array<double, 2> a{p[0] - circle.centre[0], p[1] - circle.centre[1]};
-    const std::array<double, 2> b{q[0] - circle.centre[0], q[1] - circle.centre[1]};
-    const double angle = std::atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
-    sum += circle.radius * circle.radius * (angle - std::sin(angle)) / 2.;
-  }
-  return sum;
-}
-
-std::map<std::string, int> edges_by_surface(const MeshData& mesh) {
-  std::map<std::string, int> edges;
-  for (const Edge& edge : mesh.edges) ++edges[mesh.surfaces[edge.surface]];
-  return edges;
 }
 
 class EveryWheel : public testing::TestWithParam<int> {};
@@ -160,13 +130,7 @@ TEST(OutlineMesh, HasThePointOfContactAsAVertexOfThePin) {
                                       result.outlines[1].loops[0][0].start.y};
   EXPECT_NEAR(contact[0], result.pin_distance, 1e-15);
   EXPECT_NEAR(contact[1], result.dimensions.slot_width / 2., 1e-15);
-  const bool found =
-      std::any_of(result.mesh.quads.begin(), result.mesh.quads.end(), [&](const Quad& quad) {
-        return quad.body == 1 &&
-               std::any_of(quad.vertices.begin(), quad.vertices.end(),
-                           [&](unsigned int v) { return result.mesh.vertices[v] == contact; });
-      });
-  EXPECT_TRUE(found);
+  EXPECT_TRUE(has_vertex(result.mesh, 1, contact));
 }
 
 TEST(OutlineMesh, HasEveryVertexOfTheOutlineExactly) {

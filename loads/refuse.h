@@ -1,0 +1,17 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace geneva::loads {
+
+/// Throws std::invalid_argument with the formatted message.
+template <typename... Values>
+[[noreturn]] void refuse(fmt::format_string<Values...> message, Values... values) {
+  throw std::invalid_argument(fmt::format(message, values...));
+}
+
+inline double mm(double metres) { return 1e3 * metres; }
+
+}  // namespace geneva::loads

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "loads/local_outline.h"
+#include "mesh/gmsh_mesher.h"
+#include "mesh/mesh_quality.h"
+#include "mesh_measures.h"
+
+namespace geneva::mesh {
+namespace {
+
+using loads::LocalDimensions;
+using test::area;
+using test::edges_by_surface;
+using test::has_vertex;
+
+MeshData meshed(const LocalDimensions& dimensions) {
+  return mesh_outlines(loads::local_outlines(dimensions), default_sizing(dimensions));
+}
+
+/// A pin of 10 mm on a block of that width and depth, in pin diameters.
+LocalDimensions block(double width, double depth) {
+  return {0.01, 0.0025, 0.01 * width, 0.01 * depth};
+}
+
+const MeshData& usual() {
+  static const MeshData mesh = meshed(block(4., 3.));
+  return mesh;
+}
+
+TEST(LocalOutlineMesh, HasAFewHundredGoodCellsWhateverTheBlock) {
+  for (const auto& [width, depth] : {std::pair{1., 0.5},
+                                     {1., 1.},
+                                     {1., 4.},
+                                     {2., 1.},
+                                     {3., 0.5},
+                                     {4., 2.},
+                                     {4., 3.},
+                                     {4., 4.},
+                                     {7.3, 5.1},
+                                     {10., 10.},
+                                     {20., 10.},
+                                     {50., 50.}}) {
+    const MeshData mesh = meshed(block(width, depth));
+    check(mesh);
+    EXPECT_GE(mesh.quads.size(), 80U) << width << " x " << depth;
+    EXPECT_LE(mesh.quads.size(), 700U) << width << " x " << depth;
+    EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << width << " x " << depth;
+    EXPECT_GT(least_scaled_jacobian_refined(mesh), 0.15) << width << " x " << depth;
+  }
+}
+
+TEST(LocalOutlineMesh, HasTheAreaOfItsOutlines) {
+  const auto outlines = loads::local_outlines(block(4., 3.));
+  for (unsigned int body = 0; body < 2; ++body) {
+    const double exact = loads::area_moments(outlines[body]).area;
+    EXPECT_NEAR(area(usual(), body), exact, 1e-12 * exact);
+  }
+}
+
+TEST(LocalOutlineMesh, HasAllNamedSurfacesAndNoNamelessBoundary) {
+  const auto edges = edges_by_surface(usual());
+  for (const char* const name : {"driving wall", "back", "sides", "pin", "pin core"})
+    EXPECT_GT(edges.count(name), 0U) << name;
+  EXPECT_EQ(edges.size(), 5U);
+}
+
+TEST(LocalOutlineMesh, HasThePointOfContactAsAVertexOfThePin) {
+  EXPECT_TRUE(has_vertex(usual(), 1, {0., 0.}));
+}
+
+TEST(LocalOutlineMesh, KeepsTheFacesOfTheBlockStraight) {
+  for (const Edge& edge : usual().edges)
+    for (const unsigned int vertex : edge.vertices) {
+      const std::string& name = usual().surfaces[edge.surface];
+      const auto& [x, y] = usual().vertices[vertex];
+      if (name == "driving wall") {
+        EXPECT_EQ(y, 0.);
+      }
+      if (name == "back") {
+        EXPECT_NEAR(y, 0.03, 1e-16);
+      }
+      if (name == "sides") {
+        EXPECT_NEAR(std::abs(x), 0.02, 1e-16);
+      }
+    }
+}
+
+TEST(LocalOutlineMesh, IsGradedTowardsTheContact) {
+  double at_contact = 0.;
+  double coarsest = 0.;
+  for (const Edge& edge : usual().edges) {
+    if (usual().surfaces[edge.surface] != "driving wall") continue;
+    const double a = usual().vertices[edge.vertices[0]][0];
+    const double b = usual().vertices[edge.vertices[1]][0];
+    if (std::min(a, b) <= 0. && std::max(a, b) >= 0.)
+      at_contact = std::max(at_contact, std::abs(a - b));
+    coarsest = std::max(coarsest, std::abs(a - b));
+  }
+  EXPECT_GT(at_contact, 0.01 / 15.);
+  EXPECT_LT(at_contact, 0.01 / 5.);
+  EXPECT_GT(coarsest, 2. * at_contact);
+}
+
+TEST(LocalOutlineMesh, DoesNotDependOnTheUnitOfLength) {
+  const MeshData inches = meshed({0.01 / 0.0254, 0.0025 / 0.0254, 0.04 / 0.0254, 0.03 / 0.0254});
+  ASSERT_EQ(inches.quads.size(), usual().quads.size());
+  for (std::size_t i = 0; i < usual().quads.size(); ++i)
+    EXPECT_EQ(inches.quads[i].vertices, usual().quads[i].vertices);
+}
+
+}  // namespace
+}  // namespace geneva::mesh
