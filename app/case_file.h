@@ -9,6 +9,7 @@
 #include "fem/problem.h"
 #include "loads/design.h"
 #include "loads/drive.h"
+#include "loads/four_bar_geneva.h"
 #include "loads/johnson.h"
 #include "loads/long_dwell_geneva.h"
 #include "loads/shaft.h"
@@ -46,16 +47,20 @@ struct DesignCase {
 
 /// Model = mechanism: a Geneva wheel and its pin.
 struct MechanismCase {
-  enum class Kind { external, internal, spherical, long_dwell };
+  enum class Kind { external, internal, spherical, long_dwell, four_bar };
   enum class AngleKind { at_maximum_wheel_acceleration, at_maximum_pin_force, given };
   enum class InertiaKind { from_geometry, johnson, given };
 
   Kind kind;
   loads::GenevaDimensionsInput dimensions;
-  double shaft_angle;       ///< [rad], spherical
-  double sphere_radius;     ///< [m], spherical
-  double sprocket_spacing;  ///< [m], long dwell
+  std::optional<double> rim_radius;  ///< [m], internal
+  double shaft_angle;                ///< [rad], spherical
+  double sphere_radius;              ///< [m], spherical
+  double sprocket_spacing;           ///< [m], long dwell
   loads::SprocketLine sprocket_line;
+  loads::FourBar linkage;          ///< four-bar
+  loads::Assembly assembly;        ///< four-bar
+  loads::WheelPlace wheel_place;   ///< four-bar
   int pins;                        ///< equally spaced, unless angles are given
   std::vector<double> pin_angles;  ///< [rad], may be empty
   DriverMotion motion;

@@ -57,7 +57,7 @@ loads::DesignInput design_input(const MechanismCase& mechanism) {
 
 loads::DesignedWheel own_wheel(const MechanismCase& mechanism) {
   const MechanismState state = mechanism_state(mechanism);
-  const loads::GenevaDimensions& wheel = *state.wheel;
+  const auto& wheel = std::get<loads::GenevaDimensions>(*state.wheel);
   return {wheel.wheel_diameter,
           wheel.pin_diameter,
           wheel.thickness,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -16,10 +17,13 @@ namespace {
 
 using Kind = MechanismCase::Kind;
 
+bool is_drawn(const Kind kind) { return kind == Kind::external || kind == Kind::internal; }
+
 Kind read_kind(const CaseSection& section) {
   const std::string type = section.text("Type");
   if (type == names::internal) return Kind::internal;
   if (type == names::spherical) return Kind::spherical;
+  if (type == names::four_bar) return Kind::four_bar;
   return type == names::long_dwell ? Kind::long_dwell : Kind::external;
 }
 
@@ -31,19 +35,27 @@ void refuse_given(const CaseSection& section, const std::vector<const char*>& pa
       section.refuse(name, fmt::format("this has an effect with {} only", only_with));
 }
 
-void require_one_size(const CaseSection& section, const Kind kind) {
-  std::vector<std::string> sizes{"Wheel diameter", "Crank radius", "Centre distance"};
-  if (kind == Kind::long_dwell) sizes = {"Crank radius"};
-  if (kind == Kind::spherical) sizes = {"Sphere radius"};
-  if (kind != Kind::spherical) refuse_given(section, {"Sphere radius"}, "Type = spherical");
-  if (kind == Kind::spherical || kind == Kind::long_dwell)
-    refuse_given(section, {"Wheel diameter", "Centre distance"}, "Type = external or internal");
-  if (kind == Kind::spherical)
-    refuse_given(section, {"Crank radius"}, "Type = external, internal or long dwell");
+/// Sizes of which a type wants exactly one.
+std::vector<std::string> sizes_for(const Kind kind) {
+  if (kind == Kind::spherical) return {"Sphere radius"};
+  if (kind == Kind::long_dwell) return {"Crank radius"};
+  if (kind == Kind::four_bar) return {};
+  return {"Wheel diameter", "Crank radius", "Centre distance"};
+}
+
+void check_sizes(const CaseSection& section, const Kind kind) {
+  const std::vector<std::string> sizes = sizes_for(kind);
   std::vector<std::string> given;
-  for (const std::string& name : sizes)
-    if (section.is_given(name)) given.push_back(name);
-  if (given.size() == 1) return;
+  for (const char* name : {"Wheel diameter", "Crank radius", "Centre distance", "Sphere radius"}) {
+    const bool is_place = kind == Kind::four_bar && std::string(name) == "Centre distance";
+    if (!section.is_given(name) || is_place) continue;
+    if (std::find(sizes.begin(), sizes.end(), name) == sizes.end())
+      section.refuse(name, fmt::format("this has no effect with Type = {}; {} gives its size",
+                                       section.text("Type"),
+                                       sizes.empty() ? "the subsection 'Linkage'" : listed(sizes)));
+    given.emplace_back(name);
+  }
+  if (given.size() == 1 || sizes.empty()) return;
   if (sizes.size() == 1)
     section.refuse_missing(sizes.front(),
                            fmt::format("'Type' = '{}' needs it", section.text("Type")));
@@ -51,8 +63,23 @@ void require_one_size(const CaseSection& section, const Kind kind) {
                              given.empty() ? "none" : listed(given)));
 }
 
+/// Refuses lengths of a drawing that is not made.
+void check_drawn_lengths(const CaseSection& section, const Kind kind) {
+  std::vector<const char*> unused;
+  if (kind == Kind::external) unused = {"Rim radius"};
+  if (kind == Kind::internal) unused = {"Bore radius"};
+  if (!is_drawn(kind))
+    unused = {"Slot clearance", "Slot width",  "Slot depth",
+              "Locking radius", "Bore radius", "Rim radius"};
+  for (const char* name : unused)
+    if (section.optional_value(name))
+      section.refuse(name, fmt::format("this has no effect with Type = {}: no such length is drawn",
+                                       section.text("Type")));
+}
+
 loads::GenevaDimensionsInput read_dimensions(const CaseSection& section, const Kind kind) {
-  require_one_size(section, kind);
+  check_sizes(section, kind);
+  check_drawn_lengths(section, kind);
   loads::GenevaDimensionsInput input{};
   input.stations = static_cast<int>(section.value("Stations"));
   input.wheel_diameter = section.optional_value("Wheel diameter");
@@ -77,6 +104,28 @@ void checked(const CaseSection& section, const Check& check) {
   } catch (const std::invalid_argument& error) {
     section.refuse(error.what());
   }
+}
+
+void read_linkage(const CaseValues& values, MechanismCase& result) {
+  const CaseSection section(values, {names::mechanism, names::linkage});
+  const bool is_linkage = result.kind == Kind::four_bar;
+  for (const char* name : {"Crank", "Coupler", "Rocker", "Frame"}) {
+    if (is_linkage && !section.is_given(name))
+      section.refuse_missing(name, "'Type' = 'four-bar' needs it");
+    if (!is_linkage && section.is_given(name))
+      section.refuse(name, "this has an effect with Type = four-bar only");
+  }
+  if (!is_linkage) return;
+  result.linkage = {{0., 0.},
+                    {section.value("Frame"), 0.},
+                    section.value("Crank"),
+                    section.value("Coupler"),
+                    section.value("Rocker"),
+                    section.value("Coupler point distance"),
+                    section.value("Coupler point angle")};
+  result.assembly =
+      section.text("Assembly") == "open" ? loads::Assembly::open : loads::Assembly::crossed;
+  result.wheel_place = {section.value("Wheel direction"), result.dimensions.centre_distance};
 }
 
 std::vector<double> read_pin_angles(const CaseSection& section) {
@@ -165,8 +214,7 @@ void read_contact_model(const CaseSection& section, MechanismCase& result) {
   for (const char* name : {"Block width", "Block depth"})
     if (!result.is_local && section.optional_value(name))
       section.refuse(name, "this has an effect with Contact model = local only");
-  const bool is_drawn = result.kind == Kind::external || result.kind == Kind::internal;
-  if (!result.is_local && !is_drawn)
+  if (!result.is_local && !is_drawn(result.kind))
     section.refuse("Contact model",
                    fmt::format("the whole wheel is drawn with Type = external or internal only; "
                                "Type = {} needs 'Contact model = {}'",
@@ -182,15 +230,15 @@ void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
                                      : InertiaKind::from_geometry;
   result.wheel_inertia = inertia.value_or(0.);
   const int stations = result.dimensions.stations;
-  const bool is_drawn = result.kind == Kind::external || result.kind == Kind::internal;
   if (is_johnson && (result.kind != Kind::external || !loads::johnson_row(stations).k5))
     section.refuse(
         "Wheel inertia",
         fmt::format("Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
                     "is {} and has {}; {} is wanted",
                     section.text("Type"), stations,
-                    is_drawn ? fmt::format("'{}' or a value", names::from_geometry) : "a value"));
-  if (!inertia && !is_drawn)
+                    is_drawn(result.kind) ? fmt::format("'{}' or a value", names::from_geometry)
+                                          : "a value"));
+  if (!inertia && !is_drawn(result.kind))
     section.refuse("Wheel inertia",
                    fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
                                section.text("Type"), post::example_of(post::Dimension::inertia)));
@@ -224,6 +272,8 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   MechanismCase result{};
   result.kind = read_kind(section);
   result.dimensions = read_dimensions(section, result.kind);
+  result.rim_radius = section.optional_value("Rim radius");
+  read_linkage(values, result);
   result.shaft_angle = section.value("Shaft angle");
   result.sphere_radius = section.optional_value("Sphere radius").value_or(0.);
   result.sprocket_spacing = section.value("Sprocket spacing");

@@ -64,6 +64,9 @@ loads::Mechanism mechanism_of(const MechanismCase& given) {
     case Kind::long_dwell:
       return loads::long_dwell_geneva(stations, crank_radius(given.dimensions),
                                       given.sprocket_spacing, given.sprocket_line);
+    case Kind::four_bar:
+      return loads::four_bar_geneva(stations, given.linkage, given.assembly, given.wheel_place)
+          .mechanism;
   }
   throw std::logic_error("unknown kind of mechanism");
 }

@@ -4,7 +4,9 @@
 
 #include <stdexcept>
 
+#include "loads/internal_outline.h"
 #include "loads/johnson.h"
+#include "loads/outline.h"
 #include "loads/pi.h"
 
 namespace geneva::app {
@@ -13,9 +15,18 @@ namespace {
 
 constexpr double degree = loads::pi / 180.;
 
-std::optional<loads::GenevaDimensions> drawn_wheel(const MechanismCase& mechanism) {
-  if (mechanism.kind != MechanismCase::Kind::external) return std::nullopt;
-  return loads::complete_dimensions(mechanism.dimensions);
+std::optional<DrawnWheel> drawn_wheel(const MechanismCase& mechanism) {
+  if (mechanism.kind == MechanismCase::Kind::external)
+    return loads::complete_dimensions(mechanism.dimensions);
+  if (mechanism.kind == MechanismCase::Kind::internal)
+    return loads::complete_internal_dimensions({mechanism.dimensions, mechanism.rim_radius});
+  return std::nullopt;
+}
+
+double drawn_inertia(const DrawnWheel& wheel, const double density) {
+  if (const auto* external = std::get_if<loads::GenevaDimensions>(&wheel))
+    return loads::wheel_inertia(*external, density);
+  return loads::internal_wheel_inertia(std::get<loads::InternalDimensions>(wheel), density);
 }
 
 double inertia_used(const MechanismCase& mechanism, const double from_geometry,
@@ -52,7 +63,7 @@ void check_drawing(const MechanismCase& mechanism) { drawn_wheel(mechanism); }
 MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
   const MechanismSizes sizes = sizes_of(mechanism);
   const auto wheel = drawn_wheel(mechanism);
-  const double from_geometry = wheel ? loads::wheel_inertia(*wheel, mechanism.wheel.density) : 0.;
+  const double from_geometry = wheel ? drawn_inertia(*wheel, mechanism.wheel.density) : 0.;
   const loads::WheelTrain train{inertia_used(mechanism, from_geometry, sizes.wheel_diameter),
                                 mechanism.load, mechanism.external_torque, mechanism.slot_friction,
                                 sizes.pin_diameter};
@@ -65,8 +76,9 @@ MechanismState mechanism_state(const MechanismCase& mechanism) {
   const double angle = analysed_angle(mechanism, state.driven, state.train);
   state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);
   if (state.load.force <= 0.) refuse_braking(state.load, state.driven);
-  state.expected_bore_torque =
-      state.load.moment - state.train.wheel_inertia * state.load.wheel_acceleration;
+  // What slot friction carries of the moment is not in the contact, which has none.
+  state.expected_bore_torque = state.load.force * state.load.pin_distance -
+                               state.train.wheel_inertia * state.load.wheel_acceleration;
   return state;
 }
 

@@ -1,23 +1,27 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "app/case_file.h"
 #include "app/mechanism_motion.h"
 #include "loads/driven_mechanism.h"
 #include "loads/geneva_dimensions.h"
-#include "loads/outline.h"
+#include "loads/internal_dimensions.h"
 #include "loads/pin_load.h"
 
 namespace geneva::app {
+
+/// A wheel of which the whole outline is known.
+using DrawnWheel = std::variant<loads::GenevaDimensions, loads::InternalDimensions>;
 
 /// A mechanism that moves and has inertia, SI units.
 struct MechanismDynamics {
   loads::DrivenMechanism driven;
   loads::WheelTrain train;
   MechanismSizes sizes;
-  std::optional<loads::GenevaDimensions> wheel;  ///< of the drawn wheel, if there is one
-  double inertia_from_geometry;                  ///< [kg m^2]; 0 without a drawn wheel
+  std::optional<DrawnWheel> wheel;  ///< none with mechanisms whose wheel is not drawn
+  double inertia_from_geometry;     ///< [kg m^2]; 0 without a drawn wheel
 };
 
 /// A mechanism at the analysed driver angle.

@@ -6,8 +6,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "app/contact_geometry.h"
 #include "fem/problem_check.h"
-#include "loads/outline.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
@@ -16,8 +16,9 @@ namespace geneva::app {
 
 namespace {
 
+/// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.
 fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
-                               const mesh::MeshData& mesh) {
+                               const mesh::MeshData& mesh, const std::string& held_surface) {
   fem::Problem problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.sizes.thickness;
@@ -26,11 +27,12 @@ fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismSt
   for (unsigned int body = 0; body < mesh.bodies.size(); ++body) {
     const bool is_wheel = mesh.bodies[body] == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
-    problem.bodies.push_back({mesh.bodies[body],
-                              {material.youngs_modulus, material.poissons_ratio},
-                              is_wheel ? fem::BodyForce{{0., 0.}, rotation} : fem::BodyForce{}});
+    problem.bodies.push_back(
+        {mesh.bodies[body],
+         {material.youngs_modulus, material.poissons_ratio},
+         is_wheel && !mechanism.is_local ? fem::BodyForce{{0., 0.}, rotation} : fem::BodyForce{}});
   }
-  problem.supports.push_back({"bore", {0., 0.}});
+  problem.supports.push_back({held_surface, {0., 0.}});
   problem.ties.push_back({"pin core", {0., 1.}, state.load.force});
   problem.pairs.push_back({"pin", "driving wall"});
   return problem;
@@ -76,12 +78,11 @@ Model make_model(const MPI_Comm communicator, const Case& given) {
     model.mechanism = mechanism_state(*given.mechanism);
     model.notices = notices_of(*given.mechanism);
     const MechanismState& state = *model.mechanism;
-    model.mesh = on_rank_zero(communicator, [&] {
-      return mesh::mesh_outlines({loads::wheel_outline(*state.wheel),
-                                  loads::pin_outline(*state.wheel, state.load.pin_distance)},
-                                 mesh::default_sizing(*state.wheel, state.load.pin_distance));
-    });
-    model.problem = mechanism_problem(*given.mechanism, state, model.mesh);
+    const ContactGeometry geometry = contact_geometry(*given.mechanism, state);
+    model.mesh = on_rank_zero(
+        communicator, [&] { return mesh::mesh_outlines(geometry.outlines, geometry.sizing); });
+    model.held_surface = geometry.held_surface;
+    model.problem = mechanism_problem(*given.mechanism, state, model.mesh, geometry.held_surface);
     return model;
   }
   model.mesh = on_rank_zero(communicator, [&] {

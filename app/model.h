@@ -18,6 +18,7 @@ struct Model {
   mesh::MeshData mesh;
   fem::Problem problem;
   std::optional<MechanismState> mechanism;
+  std::string held_surface;          ///< of the mechanism's wheel or block
   std::vector<std::string> notices;  ///< defaults that the user should know of
 };
 

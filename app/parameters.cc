@@ -104,10 +104,12 @@ std::vector<Parameter> kind_parameters() {
   const std::string chain = " Only with Type = long dwell.";
   return {
       {section, "Type", names::external,
-       ChoiceRule{{names::external, names::internal, names::spherical, names::long_dwell}},
+       ChoiceRule{{names::external, names::internal, names::spherical, names::long_dwell,
+                   names::four_bar}},
        "'external': the slots open outwards. 'internal': a ring wheel whose slots open inwards. "
        "'spherical': the shafts meet at an angle. 'long dwell': a chain around two sprockets "
-       "carries the pin."},
+       "carries the pin. 'four-bar': a point of a linkage's coupler is the pin (subsection "
+       "Linkage)."},
       {section, "Shaft angle", "90 deg", positive(Dimension::angle),
        "Angle between the shafts of driver and wheel, between 0 and 180 deg." + spherical},
       {section, "Sphere radius", "", positive(Dimension::length, {""}),
@@ -168,9 +170,33 @@ std::vector<Parameter> size_parameters() {
       ruled_length("Bore radius",
                    "Radius of the hole at the wheel's axis, where the wheel is held. Default: the "
                    "smaller of 0.1 D and half the radius of the slots' lowest point."),
+      ruled_length(
+          "Rim radius",
+          "Outer radius of an internal wheel, where it is held. Default: D/2 plus the slot "
+          "depth plus 0.15 D."),
       ruled_length("Pin core radius",
                    "Radius of the pin's core, where the driver holds it. Default: a quarter of the "
                    "pin diameter.")};
+}
+
+std::vector<Parameter> linkage_parameters() {
+  const SectionPath section{names::mechanism, names::linkage};
+  const QuantityRule length = positive(Dimension::length, {""});
+  return {
+      {section, "Crank", "", length, "Crank AB of the linkage. Only with Type = four-bar."},
+      {section, "Coupler", "", length, "Coupler BC."},
+      {section, "Rocker", "", length, "Rocker CD."},
+      {section, "Frame", "", length, "Distance AD of the pivots of crank and rocker."},
+      {section, "Coupler point distance", "0 m", quantity(Dimension::length, zero_or_greater()),
+       "Distance BP of the coupler point, which is the pin, from the end of the crank."},
+      {section, "Coupler point angle", "0 deg", quantity(Dimension::angle),
+       "Angle from BC to BP, counter-clockwise."},
+      {section, "Assembly", "open", ChoiceRule{{"open", "crossed"}},
+       "'open': C lies to the left of the line from B to D; 'crossed': to its right."},
+      {section, "Wheel direction", "0 deg", quantity(Dimension::angle),
+       "Direction from the crank's axis to the wheel's axis, from the line AD, counter-clockwise. "
+       "The distance is the centre distance; without it, it follows from the tangency of path and "
+       "slot at entry and exit."}};
 }
 
 std::vector<Parameter> motion_parameters() {
@@ -367,6 +393,7 @@ std::vector<Parameter> published_parameters() {
 std::vector<Parameter> mechanism_parameters() {
   std::vector<Parameter> parameters = kind_parameters();
   append(parameters, size_parameters());
+  append(parameters, linkage_parameters());
   append(parameters, motion_parameters());
   append(parameters, inertia_parameters());
   append(parameters, contact_model_parameters());

@@ -81,15 +81,20 @@ std::string shortfall(const fem::Solution& solution, const double accuracy) {
                      100. * accuracy, solution.message);
 }
 
-std::optional<post::MechanismReport> mechanism_report(const Model& model,
+std::optional<post::MechanismReport> mechanism_report(const Model& model, const bool is_local,
                                                       const fem::Solution& solution) {
   if (!model.mechanism) return std::nullopt;
-  double bore_torque = 0.;
-  for (const fem::Reaction& reaction : solution.reactions)
-    if (reaction.surface == "bore") bore_torque = -reaction.moment;
   const MechanismState& state = *model.mechanism;
-  return post::MechanismReport{state.load, state.inertia_from_geometry, state.train.wheel_inertia,
-                               state.expected_bore_torque, bore_torque};
+  post::MechanismReport report{state.load,
+                               state.inertia_from_geometry,
+                               state.train.wheel_inertia,
+                               state.expected_bore_torque,
+                               model.held_surface,
+                               std::nullopt};
+  for (const fem::Reaction& reaction : solution.reactions)
+    if (reaction.surface == model.held_surface && state.wheel && !is_local)
+      report.bore_torque = -reaction.moment;
+  return report;
 }
 
 double peak_memory(const MPI_Comm communicator) {
@@ -118,7 +123,8 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   post::RunReport report{};
   report.case_name = name_of(given);
   report.title = given.title;
-  report.mechanism = mechanism_report(model, solution);
+  report.mechanism =
+      mechanism_report(model, given.mechanism && given.mechanism->is_local, solution);
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
   report.geneva_version = version;

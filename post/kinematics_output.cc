@@ -15,6 +15,9 @@ namespace {
 
 json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
 
+/// Roundings and minus signs of what is 0.
+double shown(const double value) { return std::abs(value) < 1e-12 ? 0. : value; }
+
 /// JSON knows no infinity.
 json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
@@ -53,14 +56,14 @@ class Table {
   void add(const std::string& name, const double value, const Dimension dimension) {
     const OutputUnit unit = output_unit(units_, dimension);
     line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
-         fmt::format("{:.6g}", value * unit.factor));
+         fmt::format("{:.6g}", shown(value) * unit.factor));
   }
   void add(const std::string& name, const PlacedPeak& peak, const Dimension dimension) {
     const OutputUnit unit = output_unit(units_, dimension);
     const OutputUnit angle = output_unit(units_, Dimension::angle);
     line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
          fmt::format("{:.6g}", peak.value * unit.factor),
-         fmt::format("at {:.5g} {}", peak.driver_angle * angle.factor, angle.name));
+         fmt::format("at {:.5g} {}", shown(peak.driver_angle) * angle.factor, angle.name));
   }
   [[nodiscard]] const std::string& text() const { return text_; }
 

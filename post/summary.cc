@@ -79,8 +79,8 @@ json wheel_section(const fem::Solution& solution, const Results& results,
 json equilibrium_section(const Results& results, const RunReport& report) {
   json section{{"force_defect", results.equilibrium.force_defect},
                {"moment_defect", results.equilibrium.moment_defect}};
-  if (report.mechanism) {
-    section["bore_torque"] = quantity(report.mechanism->bore_torque, "N m");
+  if (report.mechanism && report.mechanism->bore_torque) {
+    section["bore_torque"] = quantity(*report.mechanism->bore_torque, "N m");
     section["expected_bore_torque"] = quantity(report.mechanism->expected_bore_torque, "N m");
   }
   return section;
@@ -206,9 +206,9 @@ std::string comparison_table(const fem::Solution& solution, const Results& resul
        std::nullopt});
   for (const TableRow& row : contact_rows(contact, results.contacts[leading], report, units))
     rows.push_back(row);
-  if (report.mechanism)
-    rows.push_back({"bore torque [" + moment.name + "]",
-                    report.mechanism->bore_torque * moment.factor,
+  if (report.mechanism && report.mechanism->bore_torque)
+    rows.push_back({report.mechanism->held_surface + " torque [" + moment.name + "]",
+                    *report.mechanism->bore_torque * moment.factor,
                     report.mechanism->expected_bore_torque * moment.factor, std::nullopt});
 
   std::string table = fmt::format("{:<32}{:>14}{:>14}{:>14}{:>14}\n", "", "this program",

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/mechanism_state.h"
+#include "loads/outline.h"
+#include "mesh/gmsh_mesher.h"
+
+namespace geneva::app {
+
+/// What is meshed of a mechanism: wheel, or block of slot wall, and pin.
+struct ContactGeometry {
+  std::vector<loads::Outline> outlines;
+  mesh::MeshSizing sizing;
+  std::string held_surface;  ///< of the wheel or block
+};
+
+/// Pin and wheel at the analysed driver angle, or pin and block.
+/// @throws std::invalid_argument where the loads room does
+ContactGeometry contact_geometry(const MechanismCase& mechanism, const MechanismState& state);
+
+}  // namespace geneva::app
