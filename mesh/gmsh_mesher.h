@@ -35,8 +35,8 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions);
 ///
 /// The vertices of the outlines are vertices of the mesh; boundary vertices lie on the lines and
 /// circles to round-off. A ring (an outer loop and one hole, of the same number of arcs) becomes a
-/// regular mesh of layers. The result does not depend on the unit of length. Runs on one rank,
-/// without MPI.
+/// regular mesh of layers, a quadrilateral one of rows. The result does not depend on the unit of
+/// length. Runs on one rank, without MPI.
 /// @throws std::invalid_argument if sizes or outlines are unfit: not positive, an open loop
 /// @throws std::runtime_error if Gmsh fails or finds no mesh of good cells
 MeshData mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing);

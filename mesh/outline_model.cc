@@ -29,6 +29,13 @@ bool is_ring(const Outline& outline) {
   return outline.loops[0].size() > 1 && all_arcs(outline.loops[0]) && all_arcs(outline.loops[1]);
 }
 
+/// One boundary of four lines.
+bool is_quadrilateral(const Outline& outline) {
+  return outline.loops.size() == 1 && outline.loops[0].size() == 4 &&
+         std::none_of(outline.loops[0].begin(), outline.loops[0].end(),
+                      [](const Segment& s) { return s.is_arc; });
+}
+
 /// Divides a segment into cells that follow the sizes counted by cells_along.
 std::vector<double> divided(const std::vector<double>& cells_along, int cells) {
   std::vector<double> places;
@@ -96,6 +103,7 @@ void OutlineModel::add_body(const Outline& unit, const Outline& exact) {
     loops.push_back(add_loop(unit.loops[i], exact.loops[i]));
   labels_.bodies.push_back({unit.name, {}});
   if (is_ring(unit)) return add_ring(unit, loops);
+  if (is_quadrilateral(unit)) return add_quadrilateral(unit.loops[0], loops[0]);
   divide(loops);
   std::vector<int> loop_tags;
   loop_tags.reserve(loops.size());
@@ -149,6 +157,23 @@ void OutlineModel::divide(const std::vector<LoopTags>& loops) {
   if (total % 2 != 0) ++cells[coarsest.second];
   for (const auto& [tag, number] : cells)
     curves_[tag].places = divided(size_.cells_along(curves_[tag].unit), number);
+}
+
+/// A regular mesh of even cells: where three or more cells meet at a vertex of the boundary, linear
+/// elements have a defect of the contact pressure that refinement does not remove.
+void OutlineModel::add_quadrilateral(const Loop& unit, const LoopTags& loop) {
+  const auto cells_on = [&](const std::size_t side) {
+    return count(
+        std::max(size_.cells_along(unit[side]).back(), size_.cells_along(unit[side + 2]).back()));
+  };
+  const int along = cells_on(0);
+  const double size = length_of(unit[0]) / along;
+  const int across = std::max(1, static_cast<int>(std::lround(length_of(unit[1]) / size)));
+  for (std::size_t side = 0; side < 4; ++side)
+    curves_[loop.curves[side]].places = evenly_divided(side % 2 == 0 ? along : across);
+  const int tag = gmsh::model::geo::addCurveLoop(loop.curves);
+  patches_.push_back(gmsh::model::geo::addPlaneSurface({tag}));
+  labels_.bodies.back().surfaces.push_back(patches_.back());
 }
 
 /// Four-sided patches between the arcs of the outer loop and those of the hole, which runs the

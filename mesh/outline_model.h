@@ -50,6 +50,7 @@ class OutlineModel {
   LoopTags add_loop(const loads::Loop& unit, const loads::Loop& exact);
   void add_label(int curve, const loads::Segment& exact);
   void add_ring(const loads::Outline& unit, const std::vector<LoopTags>& loops);
+  void add_quadrilateral(const loads::Loop& unit, const LoopTags& loop);
   void divide(const std::vector<LoopTags>& loops);
   [[nodiscard]] int count(double cells) const;
   void add_node(int point);
@@ -63,7 +64,7 @@ class OutlineModel {
   std::map<int, Curve> curves_;               ///< by Gmsh's tag
   std::map<int, loads::Point> points_;        ///< exact places of the vertices, by Gmsh's tag
   std::map<int, std::size_t> node_of_point_;  ///< before Gmsh has meshed
-  std::vector<int> patches_;                  ///< four-sided surfaces of rings
+  std::vector<int> patches_;                  ///< four-sided surfaces, meshed regularly
   std::size_t last_node_ = 0;
 };
 
