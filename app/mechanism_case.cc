@@ -50,7 +50,7 @@ void check_sizes(const CaseSection& section, const Kind kind) {
     const bool is_place = kind == Kind::four_bar && std::string(name) == "Centre distance";
     if (!section.is_given(name) || is_place) continue;
     if (std::find(sizes.begin(), sizes.end(), name) == sizes.end())
-      section.refuse(name, fmt::format("this has no effect with Type = {}; {} gives its size",
+      section.refuse(name, fmt::format("this has no effect with Type = {}: its size is given by {}",
                                        section.text("Type"),
                                        sizes.empty() ? "the subsection 'Linkage'" : listed(sizes)));
     given.emplace_back(name);

@@ -157,8 +157,8 @@ double tangent_distance(const int stations, const std::shared_ptr<const CouplerC
     return swing_at(curve, direction, distance) - pitch;
   };
   const FourBar& linkage = curve->linkage;
-  constexpr double ratio = 1.03;
-  double far = 50. * (linkage.crank + linkage.coupler + linkage.rocker + linkage.point_distance);
+  constexpr double ratio = 1.1;
+  double far = 20. * (linkage.crank + linkage.coupler + linkage.rocker + linkage.point_distance);
   while (far > 1e-2 * linkage.crank) {
     const double near = far / ratio;
     if (excess(near) >= 0.) return root(excess, near, far);

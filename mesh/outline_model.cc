@@ -15,8 +15,9 @@ using loads::Outline;
 using loads::Point;
 using loads::Segment;
 
-constexpr int line_type = 1;     // Gmsh's number of the element type
-constexpr int least_layers = 2;  // of a ring
+constexpr int line_type = 1;          // Gmsh's number of the element type
+constexpr int least_layers = 2;       // of a ring
+constexpr int most_cells_along = 22;  // of a quadrilateral: refinement does the rest
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -166,7 +167,7 @@ void OutlineModel::add_quadrilateral(const Loop& unit, const LoopTags& loop) {
     return count(
         std::max(size_.cells_along(unit[side]).back(), size_.cells_along(unit[side + 2]).back()));
   };
-  const int along = cells_on(0);
+  const int along = std::min(cells_on(0), most_cells_along);
   const double size = length_of(unit[0]) / along;
   const int across = std::max(1, static_cast<int>(std::lround(length_of(unit[1]) / size)));
   for (std::size_t side = 0; side < 4; ++side)

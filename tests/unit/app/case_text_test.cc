@@ -165,8 +165,8 @@ TEST(CaseText, AnUnknownSubsectionIsRefusedWithTheNearestOrAll) {
             "DIR/case.prm, line 1: there is no subsection 'Output'; there are 'Mechanism', "
             "'Published'");
   EXPECT_EQ(refusal(mechanism_text("subsection Driver\nend\n")),
-            "DIR/case.prm, line 6: there is no subsection 'Driver' in 'Mechanism'; there are 'Pin "
-            "material', 'Wheel material', 'Design'");
+            "DIR/case.prm, line 6: there is no subsection 'Driver' in 'Mechanism'; there are "
+            "'Linkage', 'Pin material', 'Wheel material', 'Design'");
   EXPECT_EQ(refusal("subsection Pin material\nend\n"),
             "DIR/case.prm, line 1: the subsection 'Pin material' belongs into the subsection "
             "'Mechanism'");

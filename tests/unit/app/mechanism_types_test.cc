@@ -58,7 +58,7 @@ TEST(MechanismTypes, RefuseTheSizesOfOthers) {
   expect_in(refused(start + "set Type = long dwell\nset Wheel diameter = 1 m\n"),
             "'Wheel diameter'");
   expect_in(refused(start + "set Wheel diameter = 1 m\nset Sphere radius = 1 m\n"),
-            "Type = spherical only");
+            "'Sphere radius' = '1 m': this has no effect with Type = external");
   expect_in(refused(start + "set Type = spherical\nset Sphere radius = 1 m\n"),
             "needs 'Contact model = local'");
   expect_in(refused(start + "set Type = spherical\nset Sphere radius = 1 m\nset Shaft angle = 190 "

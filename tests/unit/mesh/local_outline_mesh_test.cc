@@ -46,7 +46,7 @@ TEST(LocalOutlineMesh, HasAFewHundredGoodCellsWhateverTheBlock) {
                                      {50., 50.}}) {
     const MeshData mesh = meshed(block(width, depth));
     check(mesh);
-    EXPECT_GE(mesh.quads.size(), 80U) << width << " x " << depth;
+    EXPECT_GE(mesh.quads.size(), 70U) << width << " x " << depth;
     EXPECT_LE(mesh.quads.size(), 700U) << width << " x " << depth;
     EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << width << " x " << depth;
     EXPECT_GT(least_scaled_jacobian_refined(mesh), 0.15) << width << " x " << depth;
@@ -89,20 +89,21 @@ TEST(LocalOutlineMesh, KeepsTheFacesOfTheBlockStraight) {
     }
 }
 
-TEST(LocalOutlineMesh, IsGradedTowardsTheContact) {
-  double at_contact = 0.;
-  double coarsest = 0.;
+/// A vertex of the contact where other than two cells meet leaves a defect of the pressure that no
+/// refinement removes.
+TEST(LocalOutlineMesh, IsRegularAlongTheContact) {
+  std::vector<int> cells(usual().vertices.size(), 0);
+  for (const Quad& quad : usual().quads)
+    for (const unsigned int vertex : quad.vertices) ++cells[vertex];
   for (const Edge& edge : usual().edges) {
-    if (usual().surfaces[edge.surface] != "driving wall") continue;
-    const double a = usual().vertices[edge.vertices[0]][0];
-    const double b = usual().vertices[edge.vertices[1]][0];
-    if (std::min(a, b) <= 0. && std::max(a, b) >= 0.)
-      at_contact = std::max(at_contact, std::abs(a - b));
-    coarsest = std::max(coarsest, std::abs(a - b));
+    const std::string& name = usual().surfaces[edge.surface];
+    for (const unsigned int vertex : edge.vertices) {
+      const bool is_corner = std::abs(std::abs(usual().vertices[vertex][0]) - 0.02) < 1e-15;
+      if (name == "pin" || (name == "driving wall" && !is_corner)) {
+        EXPECT_EQ(cells[vertex], 2) << name;
+      }
+    }
   }
-  EXPECT_GT(at_contact, 0.01 / 15.);
-  EXPECT_LT(at_contact, 0.01 / 5.);
-  EXPECT_GT(coarsest, 2. * at_contact);
 }
 
 TEST(LocalOutlineMesh, DoesNotDependOnTheUnitOfLength) {
