@@ -157,11 +157,16 @@ double tangent_distance(const int stations, const std::shared_ptr<const CouplerC
     return swing_at(curve, direction, distance) - pitch;
   };
   const FourBar& linkage = curve->linkage;
-  constexpr double ratio = 1.1;
+  constexpr double ratio = 1.03;
   double far = 20. * (linkage.crank + linkage.coupler + linkage.rocker + linkage.point_distance);
   while (far > 1e-2 * linkage.crank) {
     const double near = far / ratio;
-    if (excess(near) >= 0.) return root(excess, near, far);
+    if (excess(near) >= 0.) {
+      const double distance = root(excess, near, far);
+      // The swing jumps where the axis comes into the loop of the path: that is no tangency.
+      if (std::abs(excess(distance)) < 1e-9) return distance;
+      break;
+    }
     far = near;
   }
   throw std::invalid_argument(fmt::format(

@@ -27,7 +27,7 @@ FourBar symmetric() { return {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, pi / 
 FourBar parallelogram() { return {{0., 0.}, {0.1, 0.}, 0.04, 0.1, 0.04, 0.03, 0.7}; }
 
 TEST(FourBarGeneva, TurnsTheWheelByAPitchBetweenTangencies) {
-  for (const int n : {4, 5, 6, 8, 12})
+  for (const int n : {5, 6, 8, 12})
     for (const double direction : {20., 100., 150., 250.}) {
       const FourBarGeneva found =
           four_bar_geneva(n, symmetric(), Assembly::open, {direction * degree, std::nullopt});
@@ -60,17 +60,19 @@ TEST(FourBarGeneva, HasTheDerivativesOfItsPositions) {
       continue;  // no place for such a wheel there
     }
     const Mechanism& mechanism = found->mechanism;
-    const double angle = between(0.9 * mechanism.entry, 0.9 * mechanism.exit);
-    // the pin may pass near to the wheel's axis, where everything is as sharp as that is near
-    const SlotMotion at = mechanism.motion(angle);
-    const double scale =
-        0.3 / (1. + std::abs(at.wheel_angle.first) + std::sqrt(std::abs(at.wheel_angle.second)) +
-               std::cbrt(std::abs(at.wheel_angle.third)));
-    expect_consistent([&](double t) { return mechanism.motion(t).wheel_angle; }, angle, scale,
-                      "wheel angle");
-    expect_consistent([&](double t) { return mechanism.motion(t).pin_distance; }, angle, scale,
-                      "pin distance");
-    ++tested;
+    for (int i = 0; i < 5; ++i) {
+      const double angle = between(0.9 * mechanism.entry, 0.9 * mechanism.exit);
+      // the pin may pass near to the wheel's axis, where everything is as sharp as that is near
+      const SlotMotion at = mechanism.motion(angle);
+      const double scale =
+          0.3 / (1. + std::abs(at.wheel_angle.first) + std::sqrt(std::abs(at.wheel_angle.second)) +
+                 std::cbrt(std::abs(at.wheel_angle.third)));
+      expect_consistent([&](double t) { return mechanism.motion(t).wheel_angle; }, angle, scale,
+                        "wheel angle");
+      expect_consistent([&](double t) { return mechanism.motion(t).pin_distance; }, angle, scale,
+                        "pin distance");
+      ++tested;
+    }
   }
 }
 
