@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "loads/external_geneva.h"
+#include "loads/four_bar_geneva.h"
 #include "loads/internal_geneva.h"
 #include "loads/long_dwell_geneva.h"
 #include "loads/pi.h"
@@ -177,7 +178,10 @@ std::vector<DrivenMechanism> every_mechanism() {
   for (const Mechanism& mechanism :
        {external_geneva(5, c), internal_geneva(5, c), spherical_geneva(5, 1.2, c),
         long_dwell_geneva(5, c, 0.05, SprocketLine::along_line_of_centres),
-        long_dwell_geneva(5, c, 0.05, SprocketLine::across_line_of_centres)}) {
+        long_dwell_geneva(5, c, 0.05, SprocketLine::across_line_of_centres),
+        four_bar_geneva(5, {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, pi / 2.}, Assembly::open,
+                        {150. * degree, std::nullopt})
+            .mechanism}) {
     const auto pins = engagements(mechanism, {0.});
     all.emplace_back(mechanism, pins, constant_speed(mechanism, pins, 20.));
     all.emplace_back(mechanism, pins, constant_acceleration(mechanism, pins, 20., 50.));
