@@ -41,6 +41,8 @@ void kinematics_of_case(const std::filesystem::path& case_directory,
       naming(given, [&] { return make_kinematics(given, steps); });
   std::cout << name_of(given) << (given.title.empty() ? "" : ": " + given.title) << '\n'
             << post::kinematics_table(report, given.units);
+  for (const std::string& notice : notices_of(*given.mechanism, given.units))
+    std::cout << "note: " << notice << '\n';
   const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
   write_and_rename(target / "kinematics.json", post::kinematics_summary(report).dump(2) + "\n");
   write_and_rename(target / "kinematics.csv", post::kinematics_csv(report, given.units));

@@ -1,5 +1,7 @@
 #include "app/mechanism_motion.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -27,6 +29,11 @@ double crank_radius(const loads::GenevaDimensionsInput& input) {
 double centre_distance(const loads::GenevaDimensionsInput& input) {
   return input.centre_distance ? *input.centre_distance
                                : crank_radius(input) / std::sin(loads::pi / input.stations);
+}
+
+loads::FourBarGeneva four_bar(const MechanismCase& given) {
+  return loads::four_bar_geneva(given.dimensions.stations, given.linkage, given.assembly,
+                                given.wheel_place);
 }
 
 loads::Drive drive_of(const MechanismCase& given, const loads::Mechanism& mechanism,
@@ -65,8 +72,7 @@ loads::Mechanism mechanism_of(const MechanismCase& given) {
       return loads::long_dwell_geneva(stations, crank_radius(given.dimensions),
                                       given.sprocket_spacing, given.sprocket_line);
     case Kind::four_bar:
-      return loads::four_bar_geneva(stations, given.linkage, given.assembly, given.wheel_place)
-          .mechanism;
+      return four_bar(given).mechanism;
   }
   throw std::logic_error("unknown kind of mechanism");
 }
@@ -98,6 +104,27 @@ double analysed_angle(const MechanismCase& given, const loads::DrivenMechanism& 
       return given.driver_angle;
   }
   throw std::logic_error("unknown kind of driver angle");
+}
+
+std::vector<std::string> notices_of(const MechanismCase& given, const post::UnitSystem units) {
+  std::vector<std::string> notices;
+  const loads::GenevaDimensionsInput& sizes = given.dimensions;
+  if (!loads::johnson_row(sizes.stations).from_table &&
+      !(sizes.pin_diameter && sizes.thickness && sizes.locking_radius))
+    notices.push_back(fmt::format(
+        "Johnson's Table 1 ends at 10 stations: the proportions that the case does not give are "
+        "those of 10 stations scaled with sin(pi/n), n = {}",
+        sizes.stations));
+  if (given.kind == Kind::four_bar) {
+    const auto length = post::output_unit(units, post::Dimension::length);
+    const loads::FourBarGeneva found = four_bar(given);
+    notices.push_back(fmt::format(
+        "the wheel's axis is {:.6g} {} from the crank's; driver angle 0 is a crank angle of {:.6g} "
+        "deg from the frame",
+        found.centre_distance * length.factor, length.name,
+        std::remainder(found.crank_angle, 2. * loads::pi) * 180. / loads::pi));
+  }
+  return notices;
 }
 
 }  // namespace geneva::app

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/case_file.h"
 #include "loads/driven_mechanism.h"
 #include "loads/pin_load.h"
@@ -27,5 +30,9 @@ MechanismSizes sizes_of(const MechanismCase& mechanism);
 /// Where the case wants the analysis [rad].
 double analysed_angle(const MechanismCase& mechanism, const loads::DrivenMechanism& driven,
                       const loads::WheelTrain& train);
+
+/// What follows from a case without being asked for, in words: proportions beyond Johnson's table,
+/// the place of a four-bar Geneva's wheel.
+std::vector<std::string> notices_of(const MechanismCase& mechanism, post::UnitSystem units);
 
 }  // namespace geneva::app

@@ -57,17 +57,18 @@ mesh::MeshData on_rank_zero(const MPI_Comm communicator,
   return mesh::broadcast(communicator, mesh);
 }
 
-std::vector<std::string> notices_of(const MechanismCase& mechanism) {
-  std::vector<std::string> notices;
-  const loads::GenevaDimensionsInput& given = mechanism.dimensions;
-  if (!loads::johnson_row(given.stations).from_table &&
-      !(given.pin_diameter && given.thickness && given.locking_radius))
-    notices.push_back(
-        fmt::format("Johnson's Table 1 ends at 10 stations: the proportions that the case does not "
-                    "give are those of "
-                    "10 stations scaled with sin(pi/n), n = {}",
-                    given.stations));
-  return notices;
+/// Where the pin force is greater than at the analysed angle, if it is by a tenth of a per cent.
+std::string greater_force(const MechanismState& state) {
+  constexpr double degree = 3.14159265358979323846 / 180.;
+  constexpr double worth_saying = 1e-3;
+  const double angle = loads::peak_force_angle(state.driven, state.train);
+  const double force = loads::pin_load(state.driven.at_engaged_angle(angle), state.train).force;
+  const double excess = force / state.load.force - 1.;
+  if (excess < worth_saying) return "";
+  return fmt::format(
+      "the pin force is greatest at {:.4f} deg, {:.2g} % above that here ('Driver angle = at "
+      "maximum pin force')",
+      angle / degree, 100. * excess);
 }
 
 }  // namespace
@@ -76,7 +77,9 @@ Model make_model(const MPI_Comm communicator, const Case& given) {
   Model model;
   if (given.mechanism) {
     model.mechanism = mechanism_state(*given.mechanism);
-    model.notices = notices_of(*given.mechanism);
+    model.notices = notices_of(*given.mechanism, given.units);
+    if (const std::string notice = greater_force(*model.mechanism); !notice.empty())
+      model.notices.push_back(notice);
     const MechanismState& state = *model.mechanism;
     const ContactGeometry geometry = contact_geometry(*given.mechanism, state);
     model.mesh = on_rank_zero(

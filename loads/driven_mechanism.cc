@@ -35,7 +35,7 @@ std::string ranges(const std::vector<TimedEngagement>& engagements) {
 
 }  // namespace
 
-DrivenMechanism::DrivenMechanism(Mechanism mechanism, std::vector<Engagement> engagements,
+DrivenMechanism::DrivenMechanism(Mechanism mechanism, const std::vector<Engagement>& engagements,
                                  Drive drive)
     : mechanism_(std::move(mechanism)), drive_(std::move(drive)) {
   const double from = drive_.driver_angle(drive_.begin).value;

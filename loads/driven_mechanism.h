@@ -31,7 +31,7 @@ struct TimedEngagement {
 class DrivenMechanism {
  public:
   /// @param engagements of the pins, as engagements() gives them
-  DrivenMechanism(Mechanism mechanism, std::vector<Engagement> engagements, Drive drive);
+  DrivenMechanism(Mechanism mechanism, const std::vector<Engagement>& engagements, Drive drive);
 
   [[nodiscard]] const Mechanism& mechanism() const { return mechanism_; }
   [[nodiscard]] const Drive& drive() const { return drive_; }

@@ -72,6 +72,7 @@ std::vector<double> equally_spaced_pins(const Mechanism& mechanism, const int co
         fmt::format("number of pins is {}: it must be from 1 to {} with the {}", count,
                     most_pins(mechanism), mechanism.name));
   std::vector<double> angles;
+  angles.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) angles.push_back(i * mechanism.period / count);
   return angles;
 }

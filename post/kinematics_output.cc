@@ -59,15 +59,24 @@ class Table {
          fmt::format("{:.6g}", shown(value) * unit.factor));
   }
   void add(const std::string& name, const PlacedPeak& peak, const Dimension dimension) {
-    const OutputUnit unit = output_unit(units_, dimension);
+    add(name, peak, output_unit(units_, dimension));
+  }
+  /// A value whose unit is the product of two.
+  void add(const std::string& name, const PlacedPeak& peak, const Dimension first,
+           const Dimension second) {
+    const OutputUnit a = output_unit(units_, first);
+    const OutputUnit b = output_unit(units_, second);
+    add(name, peak, {a.name + " " + b.name, a.factor * b.factor});
+  }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void add(const std::string& name, const PlacedPeak& peak, const OutputUnit& unit) {
     const OutputUnit angle = output_unit(units_, Dimension::angle);
     line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
          fmt::format("{:.6g}", peak.value * unit.factor),
          fmt::format("at {:.5g} {}", shown(peak.driver_angle) * angle.factor, angle.name));
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
   void line(const std::string& name, const std::string& value, const std::string& place = "") {
     text_ += fmt::format("{:<52} {:>12}{}{}\n", name, value, place.empty() ? "" : "  ", place);
   }
@@ -85,6 +94,8 @@ void add_forces(Table& table, const loads::Characteristics& values) {
   table.add("greatest Hertz pressure", values.pressure, Dimension::stress);
   table.add("  over that at the greatest acceleration", values.pressure_ratio,
             Dimension::dimensionless);
+  table.add("greatest pressure x slip", values.pressure_times_slip, Dimension::stress,
+            Dimension::speed);
 }
 
 }  // namespace

@@ -48,11 +48,15 @@ json contact_section(const fem::Solution& solution, const fem::ContactResult& co
 
 json load_section(const loads::PinLoad& load) {
   return {{"force", quantity(load.force, "N")},
+          {"moment", quantity(load.moment, "N m")},
           {"driver_angle", quantity(load.driver_angle, "rad")},
+          {"driver_speed", quantity(load.driver_speed, "rad/s")},
+          {"driver_acceleration", quantity(load.driver_acceleration, "rad/s^2")},
           {"wheel_angle", quantity(load.wheel_angle, "rad")},
           {"wheel_acceleration", quantity(load.wheel_acceleration, "rad/s^2")},
           {"wheel_speed", quantity(load.wheel_speed, "rad/s")},
-          {"pin_distance", quantity(load.pin_distance, "m")}};
+          {"pin_distance", quantity(load.pin_distance, "m")},
+          {"slip_speed", quantity(load.slip_speed, "m/s")}};
 }
 
 json bodies_section(const fem::Solution& solution, const Results& results) {
