@@ -1,10 +1,15 @@
 """Closed forms for the shipped cases, on their own: nothing here comes from the program.
 
-`python3 tests/cli/closed_forms.py` prints the values that stand in cases/*/expected.json. SI units.
+`python3 tests/cli/closed_forms.py` prints the values that stand in cases/*/expected.json, and those of kinematics.json.
+SI units. The motion of the mechanisms stands in closed_motion.py.
 """
 
+import dataclasses
 import json
 import math
+
+import closed_motion
+from closed_motion import greatest, slope, value
 
 # Definitions of the units, exact.
 INCH = 0.0254
@@ -164,6 +169,134 @@ def mechanism(stations, diameter, speed, friction, cylinder, material, uses_john
             **contact(line)}
 
 
+@dataclasses.dataclass
+class Mover:
+    """A mechanism that moves, what it drives, and how pin and wall touch."""
+    mechanism: closed_motion.Mechanism
+    motion: closed_motion.Timed
+    speed: float  # by whose powers ratios are formed
+    pins: tuple = (0.0,)  # driver angles of the pins midway through their engagements
+    dwell_speed: float = 0.0  # of the driver between the engagements, if it is not `speed`
+    inertia: float = 0.0  # of the wheel
+    load_inertia: float = 0.0
+    friction: float = 0.0
+    pin: float = 0.0  # diameter
+    thickness: float = 0.0
+    modulus: float = 0.0  # E*
+
+    def force(self, at):
+        """((J_G + J_L) a + M_f)/x at any instant (Johnson 1956, Eq. 1)."""
+        place = self.motion.place(at)
+        return ((self.inertia + self.load_inertia) * place.acceleration + self.friction) / place.pin_distance
+
+    def hertz(self, force):
+        return hertz_line(abs(force) / self.thickness, self.pin / 2, self.modulus)
+
+    def greatest(self, function):
+        return greatest(function, self.motion.begin, self.motion.end)
+
+    def peak_force(self):
+        return self.greatest(self.force)
+
+    def peak_acceleration(self):
+        """Of the magnitude; the first of two equal ones, so before the line of centres."""
+        place = self.motion.place
+        up = self.greatest(lambda at: place(at).acceleration)
+        down = self.greatest(lambda at: -place(at).acceleration)
+        greater = -value(lambda at: place(at).acceleration, down) / value(lambda at: place(at).acceleration, up)
+        return down if greater > 1 + 1e-9 else up
+
+
+def load_values(mover, at, drawn=None):
+    """Keys of summary.json for a run at a place of the motion; `drawn` is the inertia of a drawn whole wheel."""
+    place = mover.motion.place(at)
+    force = mover.force(at).real
+    torque = mover.load_inertia * place.acceleration.real + mover.friction
+    result = {"load.driver_angle": mover.motion.driver_angle(at), "load.wheel_angle": complex(place.wheel_angle).real,
+              "load.wheel_speed": complex(place.speed).real,
+              "load.wheel_acceleration": complex(place.acceleration).real,
+              "load.pin_distance": complex(place.pin_distance).real, "load.force": force,
+              "wheel.inertia_used": mover.inertia, "contact.force": force, **contact(mover.hertz(force))}
+    if drawn is not None:
+        result |= {"wheel.inertia_from_geometry": drawn, "equilibrium.expected_bore_torque": torque,
+                   "equilibrium.bore_torque": torque}
+    return result
+
+
+def kinematics_values(mover):
+    """Keys of kinematics.json; the driver runs at its reference speed between the engagements."""
+    motion, speed, mechanism = mover.motion, mover.speed, mover.mechanism
+    place = motion.place
+    wheel_speed = mover.greatest(lambda at: place(at).speed)
+    peak = mover.peak_acceleration()
+    force, braking = mover.peak_force(), mover.greatest(lambda at: -mover.force(at))
+    forces = {at: value(mover.force, at) for at in (force, braking, peak)}
+    strongest = force if forces[force] >= -forces[braking] * (1 - 1e-9) else braking
+
+    def wear(at, sign):
+        """Square of pressure times slip over a constant, on one wall."""
+        return sign * mover.force(at) * place(at).slip**2
+
+    walls = {sign: mover.greatest(lambda at, sign=sign: wear(at, sign)) for sign in (1, -1)}
+    wall = max(walls, key=lambda sign: (round(math.log(value(lambda at: wear(at, sign), walls[sign])), 9), sign))
+    worn = walls[wall]
+
+    def pressure(at):
+        return mover.hertz(value(mover.force, at))["peak_pressure"]
+
+    def pressure_slip(at):
+        return pressure(at) * abs(value(lambda here: place(here).slip, at))
+
+    per_engagement = complex(motion.time(motion.end) - motion.time(motion.begin)).real
+    turn = mechanism.exit - mechanism.entry
+    pins = sorted(mover.pins)
+    gaps = [after - before - turn for before, after in zip(pins, pins[1:] + [pins[0] + mechanism.period])]
+    dwells = [gap / (mover.dwell_speed or speed) for gap in gaps]
+    motion_time = len(pins) * per_engagement
+    per_time = slope(motion.time, motion.middle)
+    return {"reference_speed": speed,
+            "peak_speed_ratio": value(lambda at: place(at).speed, wheel_speed) / speed,
+            "peak_acceleration_ratio": abs(value(lambda at: place(at).acceleration, peak)) / speed**2,
+            "peak_acceleration_angle": motion.driver_angle(peak),
+            "entry_acceleration_ratio": value(lambda at: place(at).acceleration, motion.begin) / speed**2,
+            "jerk_ratio_at_centre": slope(lambda at: place(at).acceleration, motion.middle) / per_time / speed**3,
+            "engagement_angle": turn, "motion_time": per_engagement,
+            **{f"dwell_time.{i}": dwell for i, dwell in enumerate(dwells)},
+            "motion_fraction": motion_time / (motion_time + sum(dwells)), "time_ratio": motion_time / sum(dwells),
+            "peak_force": forces[force], "peak_force_angle": motion.driver_angle(force),
+            "peak_force_ratio": forces[force] / forces[peak],
+            "peak_braking_force": -forces[braking], "peak_braking_force_angle": motion.driver_angle(braking),
+            "peak_hertz_pressure": pressure(strongest), "peak_hertz_pressure_angle": motion.driver_angle(strongest),
+            "peak_hertz_pressure_ratio": pressure(strongest) / pressure(peak),
+            "peak_pressure_times_slip": pressure_slip(worn),
+            "peak_pressure_times_slip_angle": motion.driver_angle(worn),
+            "peak_pressure_times_slip_ratio": pressure_slip(worn) / pressure_slip(peak)}
+
+
+def drawn_ring_inertia(stations, diameter, density, proportions):
+    """Moment of inertia of the internal wheel that is drawn by default: a ring less slots and locking arcs.
+
+    Circle by circle about the axis, from D/2 to the rim; the slots have round bottoms centred at c + r, and the locking
+    arcs are centred at the distance c.
+    """
+    radius = diameter / 2
+    slot = proportions["k2"] * diameter / 2
+    locking = proportions["k4"] * diameter
+    centre = radius / math.cos(math.pi / stations)
+    bottom = centre + radius * math.tan(math.pi / stations)
+    rim = bottom + slot + 0.15 * diameter
+
+    def half_angle(at, distance, size):
+        return math.acos(max(-1.0, min(1.0, (at**2 + distance**2 - size**2) / (2 * at * distance))))
+
+    walls = math.hypot(bottom, slot)
+    taken = (integral(lambda at: at**3 * math.asin(slot / at), radius, walls) +
+             integral(lambda at: at**3 * half_angle(at, bottom, slot), walls, bottom + slot) +
+             integral(lambda at: at**3 * half_angle(at, centre, locking), radius, centre + locking))
+    ring = 2 * math.pi * (rim**4 - radius**4) / 4
+    return density * proportions["k2"] * diameter * (ring - 2 * stations * taken)
+
+
 # Cases
 
 
@@ -186,6 +319,100 @@ def six_stations():
                      material=(210e9, 0.3, 7850.0), uses_johnson_inertia=False)
 
 
+STEEL = (210e9, 0.3)
+STEEL_DENSITY = 7850.0
+LOAD_INERTIA = math.pi / 32 * STEEL_DENSITY * 0.02 * 0.15**4  # of the cylinder that the metric cases drive
+SIX = JOHNSON[6]
+
+
+def steel_mover(mechanism, motion, speed, pin, thickness, inertia, **more):
+    """With the load of the metric cases: that cylinder, and 0.5 N m of friction."""
+    return Mover(mechanism, motion, speed, inertia=inertia, load_inertia=LOAD_INERTIA, friction=0.5, pin=pin,
+                 thickness=thickness, modulus=contact_modulus(STEEL, STEEL), **more)
+
+
+def steady_mover(mechanism, speed, pin, thickness, inertia, **more):
+    return steel_mover(mechanism, closed_motion.steady(mechanism, speed), speed, pin, thickness, inertia, **more)
+
+
+def six_station_wheel():
+    """The drawn steel wheel of 120 mm, its centre distance, and its inertia."""
+    diameter = 0.12
+    return (diameter / 2 / math.cos(math.pi / 6), SIX["k2"] * diameter,
+            drawn_wheel_inertia(6, diameter, STEEL_DENSITY, SIX))
+
+
+def external_mover(speed, **more):
+    centre, pin, inertia = six_station_wheel()
+    return steady_mover(closed_motion.external(6, centre), speed, pin, pin, inertia, **more)
+
+
+def servo_mover(law):
+    """The law on the cross: the carrier runs at (engagement angle)/(motion time) between the engagements."""
+    centre, pin, inertia = six_station_wheel()
+    mechanism = closed_motion.external(6, centre)
+    motion_time = 0.05
+    return steel_mover(mechanism, closed_motion.law_on_cross(6, centre, law, motion_time),
+                       (mechanism.exit - mechanism.entry) / motion_time, pin, pin, inertia)
+
+
+def johnson_mover(diameter):
+    density = 0.283 * POUND / INCH**3
+    pin = JOHNSON[4]["k2"] * diameter
+    mechanism = closed_motion.external(4, diameter / 2 / math.cos(math.pi / 4))
+    speed = 600 * RPM
+    steel = (30e6 * PSI, 0.3)
+    return Mover(mechanism, closed_motion.steady(mechanism, speed), speed,
+                 inertia=JOHNSON[4]["k5"] * density * diameter**5,
+                 load_inertia=math.pi / 32 * density * 0.25 * INCH * (4 * INCH)**4, friction=2 * POUND_FORCE * INCH, pin=pin,
+                 thickness=pin, modulus=contact_modulus(steel, steel))
+
+
+def internal_mover():
+    pin = SIX["k2"] * 0.12
+    return steady_mover(closed_motion.internal(6, 0.06 / math.cos(math.pi / 6)), 360 * RPM, pin, pin,
+                        drawn_ring_inertia(6, 0.12, STEEL_DENSITY, SIX))
+
+
+def spherical_mover():
+    return steady_mover(closed_motion.spherical_right_angle(8, 0.08), 300 * RPM, 0.01, 0.012, 0.0012)
+
+
+def long_dwell_mover():
+    return steady_mover(closed_motion.long_dwell_along(6, 0.04, 0.12), 300 * RPM, 0.016, 0.016, 0.0012)
+
+
+FOUR_BAR_LINKS = (0.04, 0.12, 0.12, 0.1, 0.12, math.pi / 2)
+
+
+def four_bar_mover():
+    _, mechanism = closed_motion.four_bar(6, FOUR_BAR_LINKS, math.radians(150), 0.2, 0.4)
+    return steady_mover(mechanism, 200 * RPM, 0.016, 0.016, 0.0012)
+
+
+def movers():
+    """The mechanism cases, by name."""
+    return {"johnson-optimum-wheel": johnson_mover(4.53 * INCH), "johnson-small-wheel": johnson_mover(2 * INCH),
+            "johnson-large-wheel": johnson_mover(6 * INCH), "six-station-360rpm": external_mover(360 * RPM),
+            "internal-six-station": internal_mover(), "spherical-eight-station": spherical_mover(),
+            "irregular-two-pin": external_mover(240 * RPM, pins=(0.0, math.radians(150))),
+            "long-dwell": long_dwell_mover(), "four-bar-geneva": four_bar_mover(),
+            "servo-harmonic": servo_mover(closed_motion.harmonic),
+            "servo-cycloidal": servo_mover(closed_motion.cycloidal)}
+
+
+def kinematics():
+    """Closed-form values by case and key of kinematics.json."""
+    return {case: kinematics_values(mover) for case, mover in movers().items()}
+
+
+def run_values(case, angle=None):
+    """Keys of summary.json at a driver angle of a case with constant driver speed, or at the greatest pin force."""
+    mover = movers()[case]
+    is_drawn = case not in ("spherical-eight-station", "long-dwell", "four-bar-geneva")
+    return load_values(mover, mover.peak_force() if angle is None else angle, mover.inertia if is_drawn else None)
+
+
 def values():
     """Closed-form values by case and key of summary.json."""
     steel = (210e9, 0.3)
@@ -194,6 +421,10 @@ def values():
         "johnson-small-wheel": johnson_wheel(2 * INCH),
         "johnson-large-wheel": johnson_wheel(6 * INCH),
         "six-station-360rpm": six_stations(),
+        "internal-six-station": run_values("internal-six-station", -math.pi / 2),
+        "spherical-eight-station": run_values("spherical-eight-station", -math.pi / 3),
+        **{case: run_values(case) for case in ("irregular-two-pin", "long-dwell", "four-bar-geneva", "servo-harmonic",
+                                               "servo-cycloidal")},
         "hertz-line-contact": {"contact.force": 6.0,
                                **contact(hertz_line(6 / 1e-3, 0.01, contact_modulus(steel, steel)))},
         "hertz-dissimilar": {"contact.force": 12.0,
@@ -208,4 +439,4 @@ def values():
 
 
 if __name__ == "__main__":
-    print(json.dumps(values(), indent=2))
+    print(json.dumps({"run": values(), "kinematics": kinematics()}, indent=2))
