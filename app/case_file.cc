@@ -3,6 +3,8 @@
 #include <deal.II/base/parameter_handler.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <ostream>
 #include <stdexcept>
 #include <system_error>
@@ -45,16 +47,23 @@ std::string model_of(const ParameterText& text) {
   return found->value;
 }
 
-/// Refuses a subsection of the model that the case does not have.
+/// Refuses a subsection that belongs to another model than the case has.
 void check_sections(const ParameterText& text, const std::string& model) {
-  const bool is_mechanism = model == "mechanism";
-  const std::string other = is_mechanism ? names::geometry : names::mechanism;
-  for (const OpenedSection& section : text.sections)
-    if (section.path.front() == other)
+  const std::map<std::string, std::vector<std::string>> models{
+      {names::mechanism, {"mechanism"}},
+      {names::geometry, {"geometry"}},
+      {names::synthesis, {"synthesis"}},
+      {names::published, {"mechanism", "geometry"}}};
+  for (const OpenedSection& section : text.sections) {
+    const auto known = models.find(section.path.front());
+    if (known == models.end()) continue;
+    const auto& allowed = known->second;
+    if (std::find(allowed.begin(), allowed.end(), model) == allowed.end())
       throw std::invalid_argument(fmt::format(
           "{}, line {}: the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
-          text.file, section.line, other, is_mechanism ? "geometry" : "mechanism", model,
+          text.file, section.line, known->first, fmt::join(allowed, " or "), model,
           text.find({}, "Model") == nullptr ? " (default)" : ""));
+  }
 }
 
 std::vector<Parameter> parameters_of(const ParameterText& text, const std::string& model,
@@ -63,6 +72,11 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   const auto append = [&](const std::vector<Parameter>& more) {
     parameters.insert(parameters.end(), more.begin(), more.end());
   };
+  if (model == "synthesis") {
+    append(synthesis_parameters());
+    return parameters;
+  }
+  append(settings_parameters());
   append(model == "mechanism" ? mechanism_parameters() : geometry_parameters_of(text, directory));
   append(published_parameters());
   return parameters;
@@ -99,14 +113,18 @@ Case read_case(const fs::path& directory) {
   const CaseSection general(values, {});
   result.title = general.text("Title");
   result.units = read_units(general);
-  result.settings = read_settings(general);
-  const CaseSection published(values, {names::published});
-  result.published_peak_pressure = published.optional_value("Peak pressure");
-  result.published_source = published.text("Source");
-  if (model == "mechanism")
-    result.mechanism = read_mechanism(values, result.directory);
-  else
-    result.geometry = read_geometry_case(values, result.directory);
+  if (model == "synthesis") {
+    result.synthesis = read_synthesis(values, result.directory);
+  } else {
+    result.settings = read_settings(general);
+    const CaseSection published(values, {names::published});
+    result.published_peak_pressure = published.optional_value("Peak pressure");
+    result.published_source = published.text("Source");
+    if (model == "mechanism")
+      result.mechanism = read_mechanism(values, result.directory);
+    else
+      result.geometry = read_geometry_case(values, result.directory);
+  }
   result.completed = values.completed();
   return result;
 }
@@ -116,11 +134,23 @@ std::string name_of(const Case& given) {
   return path.parent_path().filename().string();
 }
 
+void refuse_model(const Case& given, const std::string& reason, const std::string& command,
+                  const std::string& wanted) {
+  const std::string model = given.mechanism  ? "mechanism"
+                            : given.geometry ? "geometry"
+                                             : "synthesis";
+  throw std::invalid_argument(
+      fmt::format("'Model' = '{}': {}; '{}' wants a case with Model = {}{}", model, reason, command,
+                  wanted, given.synthesis ? ", this one is for 'geneva synthesize'" : ""));
+}
+
 void print_parameters(std::ostream& out) {
   dealii::ParameterHandler handler;
   declare(handler, general_parameters());
+  declare(handler, settings_parameters());
   declare(handler, mechanism_parameters());
   declare(handler, geometry_parameters({"NAME"}, {"NAME"}, ""));
+  declare(handler, synthesis_parameters());
   declare(handler, published_parameters());
   handler.print_parameters(
       out, dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |

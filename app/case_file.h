@@ -4,14 +4,18 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fem/problem.h"
+#include "loads/crank_rocker.h"
 #include "loads/design.h"
 #include "loads/drive.h"
 #include "loads/four_bar_geneva.h"
 #include "loads/johnson.h"
 #include "loads/long_dwell_geneva.h"
+#include "loads/path_synthesis.h"
+#include "loads/quick_return.h"
 #include "loads/shaft.h"
 #include "post/units.h"
 
@@ -86,14 +90,24 @@ struct GeometryCase {
   fem::Problem problem;
 };
 
-/// Everything that a case directory asks for, SI units.
+/// A path generator wanted, and the file in the case directory that holds its points.
+struct PathCase {
+  std::filesystem::path file;
+  loads::PathTask task;
+};
+
+/// Model = synthesis: dimensions of a linkage wanted.
+using SynthesisCase = std::variant<loads::QuickReturnInput, loads::CrankRockerInput, PathCase>;
+
+/// Everything that a case directory asks for, SI units; it has exactly one of the three models.
 struct Case {
   std::filesystem::path directory;
   std::string title;
   post::UnitSystem units;
-  fem::Settings settings;
+  fem::Settings settings;  ///< the defaults, if the model is a synthesis
   std::optional<MechanismCase> mechanism;
   std::optional<GeometryCase> geometry;
+  std::optional<SynthesisCase> synthesis;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
   std::string completed;  ///< the case file with every default filled in
@@ -105,6 +119,14 @@ Case read_case(const std::filesystem::path& directory);
 
 /// Name of the case: that of its directory, also where the user says ".".
 std::string name_of(const Case& given);
+
+/// Refuses a case for a command that is for other models.
+/// @param reason what is missing there: "there is no wheel to design"
+/// @param command for example "geneva design"
+/// @param wanted models that it takes: "mechanism"
+/// @throws std::invalid_argument always, naming the case's model and these
+[[noreturn]] void refuse_model(const Case& given, const std::string& reason,
+                               const std::string& command, const std::string& wanted);
 
 /// Writes the whole commented parameter file, as `geneva parameters` prints it.
 void print_parameters(std::ostream& out);

@@ -31,4 +31,9 @@ GeometryCase read_geometry_case(const CaseValues& values, const std::filesystem:
 std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
                                               const std::filesystem::path& directory);
 
+/// Reads the subsection Synthesis.
+/// @throws std::invalid_argument if a value is missing, has no effect with the kind of synthesis,
+/// contradicts another one, or the points are missing, outside of the case directory or no table
+SynthesisCase read_synthesis(const CaseValues& values, const std::filesystem::path& directory);
+
 }  // namespace geneva::app

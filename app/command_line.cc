@@ -32,6 +32,11 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   design->add_option("-o,--output", output,
                      "Where design.json and design.csv go, with several cases into a directory for "
                      "each (default: CASE_DIR/results)");
+  auto* synthesize = app.add_subcommand(
+      "synthesize", "Find the dimensions of a quick-return, crank-rocker or path linkage");
+  synthesize->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
+  synthesize->add_option("-o,--output", output,
+                         "Where synthesis.json and synthesis.csv go (default: CASE_DIR/results)");
   const auto* parameters = app.add_subcommand(
       "parameters", "Print the whole parameter file with defaults and explanations");
   try {
@@ -43,6 +48,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   if (run->parsed()) return Request{Request::Command::run, {case_directory}, output, steps};
   if (kinematics->parsed())
     return Request{Request::Command::kinematics, {case_directory}, output, steps};
+  if (synthesize->parsed())
+    return Request{Request::Command::synthesize, {case_directory}, output, steps};
   return Request{
       Request::Command::design, {case_directories.begin(), case_directories.end()}, output, steps};
 }

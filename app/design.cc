@@ -31,9 +31,7 @@ loads::Elastic elastic(const CaseMaterial& material) {
 /// inertia where it is to be added.
 MechanismCase designed_mechanism(const Case& given) {
   if (!given.mechanism)
-    throw std::invalid_argument(
-        "'Model' = 'geometry': there is no wheel to design; 'geneva design' wants a case with "
-        "Model = mechanism");
+    refuse_model(given, "there is no wheel to design", "geneva design", "mechanism");
   MechanismCase mechanism = *given.mechanism;
   if (mechanism.kind != MechanismCase::Kind::external ||
       mechanism.motion.kind != DriverMotion::Kind::constant ||

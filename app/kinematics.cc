@@ -4,7 +4,6 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "app/mechanism_state.h"
 #include "app/naming.h"
@@ -15,9 +14,7 @@ namespace geneva::app {
 
 post::KinematicsReport make_kinematics(const Case& given, const int steps) {
   if (!given.mechanism)
-    throw std::invalid_argument(
-        "'Model' = 'geometry': nothing moves there; 'geneva kinematics' wants a case with Model = "
-        "mechanism");
+    refuse_model(given, "there is no Geneva mechanism", "geneva kinematics", "mechanism");
   const MechanismCase& mechanism = *given.mechanism;
   const MechanismDynamics dynamics = mechanism_dynamics(mechanism);
   const loads::PinContact contact{

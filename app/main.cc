@@ -13,6 +13,7 @@
 #include "app/design.h"
 #include "app/kinematics.h"
 #include "app/run.h"
+#include "app/synthesis.h"
 #include "fem/contact_problem.h"
 
 namespace {
@@ -33,6 +34,8 @@ int obey(const Request& request) {
   if (request.command == Request::Command::run)
     return geneva::app::run_case(MPI_COMM_WORLD, request.cases.front(), request.output);
   if (!is_first_rank()) return 0;
+  if (request.command == Request::Command::synthesize)
+    return geneva::app::synthesize_case(request.cases.front(), request.output);
   if (request.command == Request::Command::kinematics)
     geneva::app::kinematics_of_case(request.cases.front(), request.output, request.steps);
   else

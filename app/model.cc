@@ -74,6 +74,8 @@ std::string greater_force(const MechanismState& state) {
 }  // namespace
 
 Model make_model(const MPI_Comm communicator, const Case& given) {
+  if (given.synthesis)
+    refuse_model(given, "there is no contact to solve", "geneva run", "mechanism or geometry");
   Model model;
   if (given.mechanism) {
     model.mechanism = mechanism_state(*given.mechanism);

@@ -22,6 +22,7 @@ struct Parameter {
 namespace names {
 inline constexpr const char* mechanism = "Mechanism";
 inline constexpr const char* geometry = "Geometry";
+inline constexpr const char* synthesis = "Synthesis";
 inline constexpr const char* published = "Published";
 inline constexpr const char* pin_material = "Pin material";
 inline constexpr const char* wheel_material = "Wheel material";
@@ -50,6 +51,9 @@ inline constexpr const char* full_wheel = "full wheel";
 inline constexpr const char* local = "local";
 inline constexpr const char* solid_cylinder = "solid cylinder";
 inline constexpr const char* scale_with_the_wheel = "scale with the wheel";
+inline constexpr const char* quick_return = "quick return";
+inline constexpr const char* crank_rocker = "crank-rocker";
+inline constexpr const char* path = "path";
 inline constexpr const char* stay_as_given = "stay as given";
 }  // namespace names
 
@@ -57,10 +61,13 @@ inline constexpr const char* stay_as_given = "stay as given";
 SectionPath body_section(const std::string& body);
 SectionPath load_section(const std::string& surface);
 
-/// What every case has: title, units, accuracy, limits.
+/// What every case has: model, title, units.
 std::vector<Parameter> general_parameters();
 
-/// Published values to compare with, which every case may have.
+/// Accuracy and limits of a solution, which Model = mechanism and Model = geometry have besides.
+std::vector<Parameter> settings_parameters();
+
+/// Published values to compare with, which the same cases may have.
 std::vector<Parameter> published_parameters();
 
 /// What a case with Model = mechanism has besides.
@@ -71,6 +78,9 @@ std::vector<Parameter> mechanism_parameters();
 std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
                                            const std::vector<std::string>& loads,
                                            const std::string& default_file);
+
+/// What a case with Model = synthesis has besides.
+std::vector<Parameter> synthesis_parameters();
 
 /// Allowed values of the parameter that chooses the model; its first word is the default.
 ChoiceRule model_rule();

@@ -4,6 +4,7 @@
 SI units. The motion of the mechanisms stands in closed_motion.py.
 """
 
+import cmath
 import dataclasses
 import json
 import math
@@ -413,8 +414,55 @@ def run_values(case, angle=None):
     return load_values(mover, mover.peak_force() if angle is None else angle, mover.inertia if is_drawn else None)
 
 
+def quick_return(stations, wheel_speed, frame):
+    """Lecture 4, slides 13, 14 and 23; angles of the crank from the line AD."""
+    ratio = math.sin(math.pi / stations)
+    crank = frame * ratio
+    last = math.pi / 2 - math.pi / stations
+    crank_speed = wheel_speed * (frame - crank) / crank
+    extremes = {"slider_nearest": {"slider_distance": frame - crank, "rocker_speed": wheel_speed},
+                "slider_farthest": {"crank_angle": math.pi, "slider_distance": frame + crank,
+                                    "rocker_speed": -crank_speed * crank / (frame + crank)},
+                "rocker_first": {"crank_angle": -last, "rocker_angle": -math.pi / stations},
+                "rocker_last": {"crank_angle": last, "rocker_angle": math.pi / stations,
+                                "slider_distance": math.sqrt(frame**2 - crank**2)}}
+    return {"quick_return.crank": crank, "quick_return.frame": frame, "quick_return.crank_speed": crank_speed,
+            "quick_return.k_t": (stations - 2) / (stations + 2), "quick_return.engagement_angle": 2 * last,
+            **{f"quick_return.extreme_positions.{place}.{name}": value
+               for place, figures in extremes.items() for name, value in figures.items()}}
+
+
+def crank_rocker(swing, rocker, pivot_distance):
+    """Lecture 4, slide 10, in closed form: the chord's half is the crank."""
+    crank, height = rocker * math.sin(swing / 2), rocker * math.cos(swing / 2)
+    frame = math.hypot(pivot_distance, height)
+    extremes = {"rocker_farthest.rocker_angle": math.pi / 2 - swing / 2,
+                "rocker_nearest.rocker_angle": math.pi / 2 + swing / 2, "rocker_nearest.crank_angle": math.pi}
+    return {"crank_rocker.crank": crank, "crank_rocker.coupler": pivot_distance, "crank_rocker.rocker": rocker,
+            "crank_rocker.frame": frame, "crank_rocker.crank_pivot_x": -pivot_distance,
+            "crank_rocker.crank_pivot_y": height, "crank_rocker.swing": swing, "crank_rocker.time_ratio": 1.0,
+            "crank_rocker.least_transmission_angle": math.acos(crank * frame / (pivot_distance * rocker)),
+            **{f"crank_rocker.extreme_positions.{key}": value for key, value in extremes.items()}}
+
+
+# The linkage whose coupler curve the points of synthesis-nine-points are taken from, by the keys of synthesis.json.
+KNOWN_LINKAGE = {"crank_pivot_x": 0.01, "crank_pivot_y": -0.02, "rocker_pivot_x": 0.13, "rocker_pivot_y": 0.01,
+                 "crank": 0.04, "coupler": 0.11, "rocker": 0.1, "point_distance": 0.09,
+                 "point_angle": math.radians(35)}
+
+
+def coupler_point(linkage, crank_angle):
+    """Coupler point of the open linkage by the cosine rule in the triangle B C D."""
+    pin = complex(linkage["crank_pivot_x"], linkage["crank_pivot_y"]) + cmath.rect(linkage["crank"], crank_angle)
+    diagonal = complex(linkage["rocker_pivot_x"], linkage["rocker_pivot_y"]) - pin
+    cosine = ((linkage["coupler"]**2 + abs(diagonal)**2 - linkage["rocker"]**2) /
+              (2 * linkage["coupler"] * abs(diagonal)))
+    coupler_angle = cmath.phase(diagonal) + math.acos(cosine)
+    return pin + cmath.rect(linkage["point_distance"], coupler_angle + linkage["point_angle"])
+
+
 def values():
-    """Closed-form values by case and key of summary.json."""
+    """Closed-form values by case and key of summary.json, or of the other command's figures."""
     steel = (210e9, 0.3)
     return {
         "johnson-optimum-wheel": johnson_wheel(4.53 * INCH),
@@ -434,6 +482,9 @@ def values():
                           **contact(hertz_line(35e6, 0.05, contact_modulus(steel, (70e9, 0.3))))},
         "hertz-sphere": {"contact.force": 120.0,
                          **contact(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3))},
+        "synthesis-quick-return": quick_return(stations=6, wheel_speed=360 * RPM, frame=0.1),
+        "synthesis-crank-rocker": crank_rocker(swing=math.radians(30), rocker=0.1, pivot_distance=0.08),
+        "synthesis-nine-points": {"path.solutions": KNOWN_LINKAGE},
         "flat-patch": {"contact.force": 100e6 * 0.04 * 1e-3, "contact.peak_pressure": 100e6},
     }
 

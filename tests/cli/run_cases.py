@@ -1,16 +1,21 @@
 """Runs every case of cases/ and compares its summary with the case's expected.json.
 
-expected.json is a list of checks. Each has a "why" that says where the value comes from, and one of these forms:
+expected.json is a list of checks for `geneva run`, or names another command:
 
-    {"key": "contact.peak_pressure", "value": 1.0, "unit": "Pa", "relative_tolerance": 0.005}
+    {"command": "synthesize", "checks": [...]}
+
+Each check has a "why" that says where the value comes from, and one of these forms:
+
+    {"key": "contact.peak_pressure", "value": 1.0, "unit": "Pa", "relative_tolerance": 0.005}; a ratio has no unit
     {"key": "mesh.dofs", "at_most": 10000}, or "at_least"
     {"key": "solver.converged", "equals": true}
     {"key": "contact.peak_pressure_error", "at_least_share": 0.5, "of_error_of": "contact.peak_pressure",
      "value": 1.0, "unit": "Pa"}: an error estimate against the true error
-    {"column": "contact_pressure [MPa]", "value": 1.0, "relative_tolerance": 1e-10}: every row of contact.csv
+    {"key": "path.solutions", "has": {"crank": 0.04, ...}, "absolute_tolerance": 1e-9}: a list with an entry like that
+    {"column": "contact_pressure [MPa]", "value": 1.0, "relative_tolerance": 1e-10}: every row of the table
 
-Keys are the dotted names of summary.json; values are SI. They come from closed forms (see closed_forms.py) and from
-publications, never from the program.
+Keys are the dotted names of the command's JSON file, columns the headings of its CSV file (FILES); values are SI.
+They come from closed forms (see closed_forms.py) and from publications, never from the program.
 """
 
 import json
@@ -21,12 +26,26 @@ from geneva_cli import CliTest, look_up, number, read_csv
 
 
 # The keys that each form of check has.
-FORMS = ({"key", "value", "unit", "relative_tolerance"}, {"key", "at_most"}, {"key", "at_least"}, {"key", "equals"},
-         {"key", "at_least_share", "of_error_of", "value", "unit"}, {"column", "value", "relative_tolerance"})
+FORMS = ({"key", "value", "unit", "relative_tolerance"}, {"key", "value", "relative_tolerance"},
+         {"key", "at_most"}, {"key", "at_least"}, {"key", "equals"},
+         {"key", "at_least_share", "of_error_of", "value", "unit"}, {"key", "has", "absolute_tolerance"},
+         {"column", "value", "relative_tolerance"})
+
+# What each command writes: single figures and a table.
+FILES = {"run": ("summary.json", "contact.csv"), "kinematics": ("kinematics.json", "kinematics.csv"),
+         "design": ("design.json", "design.csv"), "synthesize": ("synthesis.json", "synthesis.csv")}
+
+
+def read_command(case):
+    """The command that a case is for."""
+    content = json.loads((case / "expected.json").read_text())
+    return "run" if isinstance(content, list) else content["command"]
 
 
 def read_expected(case):
-    return json.loads((case / "expected.json").read_text())
+    """The checks of a case, whatever its command."""
+    content = json.loads((case / "expected.json").read_text())
+    return content if isinstance(content, list) else content["checks"]
 
 
 class Verdict:
@@ -41,8 +60,10 @@ def judge(check, summary, columns):
     if "column" in check:
         return judge_column(check, columns)
     entry = look_up(summary, check["key"])
-    if "unit" in check and isinstance(entry, dict) and entry["unit"] != check["unit"]:
-        return Verdict(False, f"unit {entry['unit']} instead of {check['unit']}")
+    if "has" in check:
+        return judge_list(check, entry)
+    if "value" in check and isinstance(entry, dict) and entry["unit"] != check.get("unit"):
+        return Verdict(False, f"unit {entry['unit']} instead of {check.get('unit')}")
     value = number(entry)
     if "equals" in check:
         return Verdict(value == check["equals"], f"{value}, expected {check['equals']}")
@@ -55,6 +76,15 @@ def judge(check, summary, columns):
         holds = value >= check["at_least_share"] * true_error
         return Verdict(holds, f"{value:.3%}, the true error is {true_error:.3%}")
     return compare(value, check)
+
+
+def judge_list(check, entries):
+    """The verdict on the entry that is nearest to what the list should have."""
+    if not entries:
+        return Verdict(False, "the list is empty")
+    farthest = min(max(abs(number(entry[name]) - value) for name, value in check["has"].items()) for entry in entries)
+    text = f"{len(entries)} entries, the nearest is {farthest:.2e} off, allowed {check['absolute_tolerance']:g}"
+    return Verdict(farthest <= check["absolute_tolerance"], text)
 
 
 def compare(value, check):
@@ -76,8 +106,12 @@ class RunCases(CliTest):
     def check_case(self, name):
         case = self.copy_case(name)
         expected = read_expected(case)
-        summary = self.run_case(case)
-        columns = read_csv(case / "results" / "contact.csv")
+        command = read_command(case)
+        run = self.geneva(command, case)
+        self.assertEqual(run.code, 0, run.describe())
+        figures, table = FILES[command]
+        summary = json.loads((case / "results" / figures).read_text())
+        columns = read_csv(case / "results" / table)
         print(f"\n{name}")
         for check in expected:
             what = check.get("key", check.get("column"))
@@ -97,6 +131,7 @@ class ExpectedValues(CliTest):
         for case in self.cases():
             expected = read_expected(case)
             self.assertTrue(expected, case.name)
+            self.assertIn(read_command(case), FILES)
             for check in expected:
                 with self.subTest(f"{case.name}: {check}"):
                     self.assertTrue(check["why"])
@@ -108,6 +143,8 @@ class ExpectedValues(CliTest):
             published = {"nafems-roller": ("contact.peak_pressure", "contact.half_width")}.get(case.name, ())
             for check in read_expected(case):
                 key = check.get("of_error_of", check.get("key"))
+                if "has" in check:
+                    self.assertEqual(check["has"], closed[case.name][key])
                 if "value" not in check or key in published or key not in closed[case.name]:
                     continue
                 with self.subTest(f"{case.name}: {key}"):

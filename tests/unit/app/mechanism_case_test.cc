@@ -345,7 +345,7 @@ TEST(MechanismCase, SettingsOutOfTheirRangeAreRefused) {
   EXPECT_EQ(refusal("set Output units = inch\n"),
             start + "'Output units' = 'inch': one of 'SI', 'mm-N', 'in-lbf' is wanted");
   EXPECT_EQ(refusal("set Model = wheel\n"),
-            start + "'Model' = 'wheel': one of 'mechanism', 'geometry' is wanted");
+            start + "'Model' = 'wheel': one of 'mechanism', 'geometry', 'synthesis' is wanted");
 }
 
 TEST(MechanismCase, MissingParametersAreNamed) {

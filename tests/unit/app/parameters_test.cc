@@ -23,7 +23,8 @@ std::string printed() {
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all = general_parameters();
   for (const auto& more :
-       {mechanism_parameters(), geometry_parameters({"a"}, {"b"}, ""), published_parameters()})
+       {settings_parameters(), mechanism_parameters(), geometry_parameters({"a"}, {"b"}, ""),
+        synthesis_parameters(), published_parameters()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -41,7 +42,8 @@ TEST(Parameters, ThePrintedFileHasEverySubsection) {
   for (const char* line :
        {"\nsubsection Mechanism\n", "\n  subsection Pin material\n",
         "\n  subsection Wheel material\n", "\n  subsection Design\n", "\nsubsection Geometry\n",
-        "\n  subsection Body NAME\n", "\n  subsection Load NAME\n", "\nsubsection Published\n"})
+        "\n  subsection Body NAME\n", "\n  subsection Load NAME\n", "\nsubsection Synthesis\n",
+        "\nsubsection Published\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 

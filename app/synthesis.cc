@@ -1,0 +1,115 @@
+#include "app/synthesis.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <variant>
+
+#include "app/naming.h"
+#include "app/output_directory.h"
+#include "app/version.h"
+#include "loads/pi.h"
+
+namespace geneva::app {
+
+namespace {
+
+using loads::pi;
+
+constexpr int steps = 360;  // of a turn of the crank
+
+post::QuickReturnReport make_quick_return(const loads::QuickReturnInput& input) {
+  const loads::QuickReturn mechanism = loads::quick_return(input);
+  post::QuickReturnReport report{
+      mechanism, input.greatest_wheel_speed, 0., loads::extreme_positions(mechanism), {}};
+  report.engagement =
+      report.extremes.rocker_last.crank_angle - report.extremes.rocker_first.crank_angle;
+  for (int step = 0; step <= steps; ++step)
+    report.positions.push_back(loads::position(mechanism, -pi + 2. * pi * step / steps));
+  return report;
+}
+
+post::RockerPosition rocker_position(const loads::CrankRocker& mechanism, const double angle) {
+  const loads::FourBarMotion motion = loads::motion(mechanism.linkage, mechanism.assembly, angle);
+  const double between = motion.coupler_angle[0] - motion.rocker_angle[0];
+  return {angle, motion.coupler_angle[0], motion.rocker_angle[0], motion.rocker_angle[1],
+          std::asin(std::abs(std::sin(between)))};
+}
+
+post::CrankRockerReport make_crank_rocker(const loads::CrankRockerInput& input) {
+  const loads::CrankRocker mechanism = loads::crank_rocker(input);
+  post::CrankRockerReport report{mechanism,
+                                 rocker_position(mechanism, mechanism.far_crank),
+                                 rocker_position(mechanism, mechanism.near_crank),
+                                 loads::crank_turns_fully(mechanism.linkage),
+                                 0.,
+                                 0.,
+                                 {}};
+  const double forward = report.nearest.crank_angle - report.farthest.crank_angle;
+  report.swing = report.nearest.rocker_angle - report.farthest.rocker_angle;
+  report.time_ratio = forward / (2. * pi - forward);
+  for (int step = 0; step <= steps; ++step)
+    report.positions.push_back(rocker_position(mechanism, 2. * pi * step / steps));
+  return report;
+}
+
+/// What the loads room still refuses are the points.
+post::PathReport make_path(const PathCase& given) {
+  try {
+    return {given.task, loads::synthesise_path(given.task)};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(given.file.string() + ": " + error.what());
+  }
+}
+
+struct Maker {
+  using Result = decltype(post::SynthesisReport::result);
+  Result operator()(const loads::QuickReturnInput& input) const { return make_quick_return(input); }
+  Result operator()(const loads::CrankRockerInput& input) const { return make_crank_rocker(input); }
+  Result operator()(const PathCase& input) const { return make_path(input); }
+};
+
+/// Why there is no linkage, and what to try; empty if there is one.
+std::string shortfall(const post::SynthesisReport& report, const post::UnitSystem units) {
+  const auto* path = std::get_if<post::PathReport>(&report.result);
+  if (path == nullptr || !path->synthesis.solutions.empty()) return "";
+  const loads::PathSynthesis& synthesis = path->synthesis;
+  const auto length = post::output_unit(units, post::Dimension::length);
+  const std::string least = std::isfinite(synthesis.least_residual)
+                                ? fmt::format("the least residual of the equations is {:.3g} {}",
+                                              synthesis.least_residual * length.factor, length.name)
+                                : "none came near a linkage";
+  return fmt::format(
+      "not converged: no linkage through all {} points was found in {} start{}, {}; that does not "
+      "prove that there is none: try more 'Starts', another 'Seed', other points, or fewer of them",
+      path->task.points.size(), synthesis.starts, synthesis.starts == 1 ? "" : "s", least);
+}
+
+}  // namespace
+
+post::SynthesisReport make_synthesis(const Case& given) {
+  if (!given.synthesis)
+    refuse_model(given, "there is no linkage to find", "geneva synthesize", "synthesis");
+  return {name_of(given), given.title, version, std::visit(Maker{}, *given.synthesis)};
+}
+
+int synthesize_case(const std::filesystem::path& case_directory,
+                    const std::filesystem::path& output) {
+  const Case given = read_case(case_directory);
+  const post::SynthesisReport report = naming(given, [&] { return make_synthesis(given); });
+  std::cout << report.case_name << (report.title.empty() ? "" : ": " + report.title) << '\n'
+            << post::synthesis_table(report, given.units);
+  const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
+  write_and_rename(target / "synthesis.json", post::synthesis_summary(report).dump(2) + "\n");
+  write_and_rename(target / "synthesis.csv", post::synthesis_csv(report, given.units));
+  std::cout << "synthesis.json and synthesis.csv in " << shown_path(target) << '\n';
+  const std::string why = shortfall(report, given.units);
+  if (why.empty()) return 0;
+  std::cerr << "geneva: " << why << '\n';
+  return 2;
+}
+
+}  // namespace geneva::app
