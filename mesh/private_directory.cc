@@ -12,11 +12,13 @@
 namespace geneva::mesh {
 
 PrivateDirectory::PrivateDirectory() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "geneva-XXXXXX").string();
+  const std::string to_be_replaced(6, 'X');  // what mkdtemp wants at the end of its pattern
+  std::string pattern = (std::filesystem::temp_directory_path() / "geneva-").string();
+  pattern += to_be_replaced;
   if (mkdtemp(pattern.data()) == nullptr)
     throw std::runtime_error(
         fmt::format("cannot make the temporary directory {}: {}", pattern, std::strerror(errno)));
-  path_ = pattern;
+  path_ = std::filesystem::canonical(pattern);
 }
 
 PrivateDirectory::~PrivateDirectory() {
@@ -27,6 +29,7 @@ PrivateDirectory::~PrivateDirectory() {
 std::filesystem::path PrivateDirectory::write(const std::string& name,
                                               const std::string& content) const {
   std::filesystem::path file = path_ / name;
+  std::filesystem::create_directories(file.parent_path());
   std::ofstream stream(file, std::ios::binary);
   stream << content;
   stream.close();

@@ -16,7 +16,10 @@ class PrivateDirectory {
   PrivateDirectory(PrivateDirectory&&) = delete;
   PrivateDirectory& operator=(PrivateDirectory&&) = delete;
 
-  /// Writes a file of that name and returns its path.
+  /// Absolute, without symbolic links.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+  /// Writes a file of that name, in a directory below if the name has one, and returns its path.
   /// @throws std::runtime_error if it cannot be written
   [[nodiscard]] std::filesystem::path write(const std::string& name,
                                             const std::string& content) const;

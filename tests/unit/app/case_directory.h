@@ -1,51 +1,41 @@
 #pragma once
 
-#include <stdlib.h>
-
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "app/case_file.h"
+#include "mesh/private_directory.h"
 
 namespace geneva::app::test {
 
 /// A case directory that lives as long as the object.
 class CaseDirectory {
  public:
-  explicit CaseDirectory(const std::string& case_text) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "geneva-case-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = pattern;
-    write("case.prm", case_text);
-  }
-  CaseDirectory(const CaseDirectory&) = delete;
-  CaseDirectory& operator=(const CaseDirectory&) = delete;
-  ~CaseDirectory() { std::filesystem::remove_all(path_); }
+  explicit CaseDirectory(const std::string& case_text) { write("case.prm", case_text); }
 
   void write(const std::string& name, const std::string& content) const {
-    std::ofstream(path_ / name, std::ios::binary) << content;
+    static_cast<void>(directory_.write(name, content));
   }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] Case read() const { return read_case(path_); }
+  [[nodiscard]] const std::filesystem::path& path() const { return directory_.path(); }
+  [[nodiscard]] Case read() const { return read_case(path()); }
 
   /// Message of the refusal, in which DIR stands for the directory; "accepted" if there is none.
   [[nodiscard]] std::string refusal() const {
     try {
-      read_case(path_);
+      read_case(path());
       return "accepted";
     } catch (const std::invalid_argument& error) {
       std::string message = error.what();
-      for (std::size_t place = message.find(path_.string()); place != std::string::npos;
-           place = message.find(path_.string()))
-        message.replace(place, path_.string().size(), "DIR");
+      for (std::size_t place = message.find(path().string()); place != std::string::npos;
+           place = message.find(path().string()))
+        message.replace(place, path().string().size(), "DIR");
       return message;
     }
   }
 
  private:
-  std::filesystem::path path_;
+  mesh::PrivateDirectory directory_;
 };
 
 /// Message of the refusal of a case text; "accepted" if there is none.

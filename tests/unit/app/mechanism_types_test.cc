@@ -2,11 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "app/mechanism_motion.h"
 #include "app/motion_table.h"
+#include "mesh/private_directory.h"
 #include "tests/unit/app/case_directory.h"
 
 namespace {
@@ -105,13 +105,7 @@ TEST(DriverMotion, IsALawATableOrConstant) {
 
 class TableFile {
  public:
-  explicit TableFile(const std::string& text)
-      : path_(std::filesystem::temp_directory_path() / "geneva_motion_table_test.csv") {
-    std::ofstream(path_) << text;
-  }
-  TableFile(const TableFile&) = delete;
-  TableFile& operator=(const TableFile&) = delete;
-  ~TableFile() { std::filesystem::remove(path_); }
+  explicit TableFile(const std::string& text) : path_(directory_.write("motion.csv", text)) {}
 
   [[nodiscard]] std::string refusal() const {
     try {
@@ -124,6 +118,7 @@ class TableFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
+  geneva::mesh::PrivateDirectory directory_;
   std::filesystem::path path_;
 };
 
