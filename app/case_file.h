@@ -81,6 +81,9 @@ struct MechanismCase {
   CaseMaterial pin;
   CaseMaterial wheel;
   DesignCase design;
+
+  /// Whether the type has a whole wheel to draw.
+  [[nodiscard]] bool is_drawn() const { return kind == Kind::external || kind == Kind::internal; }
 };
 
 /// Model = geometry: the user's own plane geometry.

@@ -59,7 +59,7 @@ int guarded(const Request& request) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   setenv("OMP_NUM_THREADS", "1",
          1);  // threads of the linear algebra libraries would fight the MPI ranks
   const auto asked = geneva::app::read_command_line(argc, argv);
@@ -72,4 +72,7 @@ int main(int argc, char** argv) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   dealii::deal_II_exceptions::disable_abort_on_exception();
   return guarded(request);
+} catch (const std::exception& error) {
+  std::cerr << "geneva: cannot start: " << error.what() << '\n';
+  return internal_error;
 }

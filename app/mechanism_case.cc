@@ -17,8 +17,6 @@ namespace {
 
 using Kind = MechanismCase::Kind;
 
-bool is_drawn(const Kind kind) { return kind == Kind::external || kind == Kind::internal; }
-
 Kind read_kind(const CaseSection& section) {
   const std::string type = section.text("Type");
   if (type == names::internal) return Kind::internal;
@@ -68,7 +66,7 @@ void check_drawn_lengths(const CaseSection& section, const Kind kind) {
   std::vector<const char*> unused;
   if (kind == Kind::external) unused = {"Rim radius"};
   if (kind == Kind::internal) unused = {"Bore radius"};
-  if (!is_drawn(kind))
+  if (kind != Kind::external && kind != Kind::internal)
     unused = {"Slot clearance", "Slot width",  "Slot depth",
               "Locking radius", "Bore radius", "Rim radius"};
   for (const char* name : unused)
@@ -96,14 +94,36 @@ loads::GenevaDimensionsInput read_dimensions(const CaseSection& section, const K
   return input;
 }
 
-/// Runs a check of the loads room and names the subsection in what it refuses.
+/// Runs a check of the loads room and names in what it refuses the parameter that is to blame, or
+/// the subsection if none is given.
 template <typename Check>
-void checked(const CaseSection& section, const Check& check) {
+void checked(const CaseSection& section, const char* parameter, const Check& check) {
   try {
     check();
   } catch (const std::invalid_argument& error) {
+    if (parameter != nullptr) section.refuse(parameter, error.what());
     section.refuse(error.what());
   }
+}
+
+/// Step by step, so that a refusal names the parameter.
+void check_motion(const CaseSection& section, const CaseSection& linkage,
+                  const MechanismCase& given) {
+  const bool is_linkage = given.kind == Kind::four_bar;
+  checked(is_linkage ? linkage : section, given.kind == Kind::spherical ? "Shaft angle" : nullptr,
+          [&] { mechanism_of(given); });
+  checked(section, nullptr, [&] { check_drawing(given); });
+  checked(section, given.pin_angles.empty() ? "Pins" : "Pin angles",
+          [&] { engagements_of(given, mechanism_of(given)); });
+  const char* motion = given.motion.kind == DriverMotion::Kind::constant ? "Driver acceleration"
+                       : given.motion.kind == DriverMotion::Kind::table  ? "Motion table"
+                                                                         : "Driver motion";
+  checked(section, motion, [&] { driven_mechanism(given); });
+}
+
+void check_dynamics(const CaseSection& section, const MechanismCase& given) {
+  const MechanismDynamics dynamics = mechanism_dynamics(given);
+  checked(section, "Slot friction", [&] { loads::check(dynamics.train, dynamics.driven); });
 }
 
 void read_linkage(const CaseValues& values, MechanismCase& result) {
@@ -214,7 +234,7 @@ void read_contact_model(const CaseSection& section, MechanismCase& result) {
   for (const char* name : {"Block width", "Block depth"})
     if (!result.is_local && section.optional_value(name))
       section.refuse(name, "this has an effect with Contact model = local only");
-  if (!result.is_local && !is_drawn(result.kind))
+  if (!result.is_local && !result.is_drawn())
     section.refuse("Contact model",
                    fmt::format("the whole wheel is drawn with Type = external or internal only; "
                                "Type = {} needs 'Contact model = {}'",
@@ -233,12 +253,12 @@ void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
   if (is_johnson && (result.kind != Kind::external || !loads::johnson_row(stations).k5))
     section.refuse(
         "Wheel inertia",
-        fmt::format("Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
-                    "is {} and has {}; {} is wanted",
-                    section.text("Type"), stations,
-                    is_drawn(result.kind) ? fmt::format("'{}' or a value", names::from_geometry)
-                                          : "a value"));
-  if (!inertia && !is_drawn(result.kind))
+        fmt::format(
+            "Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
+            "is {} and has {}; {} is wanted",
+            section.text("Type"), stations,
+            result.is_drawn() ? fmt::format("'{}' or a value", names::from_geometry) : "a value"));
+  if (!inertia && !result.is_drawn())
     section.refuse("Wheel inertia",
                    fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
                                section.text("Type"), post::example_of(post::Dimension::inertia)));
@@ -287,13 +307,13 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.external_torque = section.value("External torque");
   result.slot_friction = section.value("Slot friction");
   read_contact_model(section, result);
-  checked(section, [&] { check_drawing(result); });
-  checked(section, [&] { driven_mechanism(result); });
+  check_motion(section, {values, {names::mechanism, names::linkage}}, result);
   read_angle(section, driven_mechanism(result), result);
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
   result.design = read_design(values);
+  check_dynamics(section, result);
   return result;
 }
 

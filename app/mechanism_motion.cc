@@ -77,11 +77,16 @@ loads::Mechanism mechanism_of(const MechanismCase& given) {
   throw std::logic_error("unknown kind of mechanism");
 }
 
+std::vector<loads::Engagement> engagements_of(const MechanismCase& given,
+                                              const loads::Mechanism& with) {
+  return loads::engagements(with, given.pin_angles.empty()
+                                      ? loads::equally_spaced_pins(with, given.pins)
+                                      : given.pin_angles);
+}
+
 loads::DrivenMechanism driven_mechanism(const MechanismCase& given) {
   const loads::Mechanism mechanism = mechanism_of(given);
-  const auto engagements = loads::engagements(
-      mechanism, given.pin_angles.empty() ? loads::equally_spaced_pins(mechanism, given.pins)
-                                          : given.pin_angles);
+  const auto engagements = engagements_of(given, mechanism);
   return {mechanism, engagements, drive_of(given, mechanism, engagements)};
 }
 
@@ -109,8 +114,9 @@ double analysed_angle(const MechanismCase& given, const loads::DrivenMechanism& 
 std::vector<std::string> notices_of(const MechanismCase& given, const post::UnitSystem units) {
   std::vector<std::string> notices;
   const loads::GenevaDimensionsInput& sizes = given.dimensions;
-  if (!loads::johnson_row(sizes.stations).from_table &&
-      !(sizes.pin_diameter && sizes.thickness && sizes.locking_radius))
+  const bool has_proportions =
+      sizes.pin_diameter && sizes.thickness && (sizes.locking_radius || !given.is_drawn());
+  if (!loads::johnson_row(sizes.stations).from_table && !has_proportions)
     notices.push_back(fmt::format(
         "Johnson's Table 1 ends at 10 stations: the proportions that the case does not give are "
         "those of 10 stations scaled with sin(pi/n), n = {}",

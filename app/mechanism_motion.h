@@ -20,6 +20,11 @@ struct MechanismSizes {
 /// @throws std::invalid_argument where the loads room does
 loads::Mechanism mechanism_of(const MechanismCase& mechanism);
 
+/// Engagements of its pins.
+/// @throws std::invalid_argument where the loads room does
+std::vector<loads::Engagement> engagements_of(const MechanismCase& mechanism,
+                                              const loads::Mechanism& with);
+
 /// With its pins and the motion of its driver.
 /// @throws std::invalid_argument where the loads room does
 loads::DrivenMechanism driven_mechanism(const MechanismCase& mechanism);

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "app/parameters.h"
 #include "loads/internal_outline.h"
 #include "loads/johnson.h"
 #include "loads/outline.h"
@@ -29,11 +30,11 @@ double drawn_inertia(const DrawnWheel& wheel, const double density) {
   return loads::internal_wheel_inertia(std::get<loads::InternalDimensions>(wheel), density);
 }
 
-double inertia_used(const MechanismCase& mechanism, const double from_geometry,
+double inertia_used(const MechanismCase& mechanism, const std::optional<double> from_geometry,
                     const double wheel_diameter) {
   switch (mechanism.inertia_kind) {
     case MechanismCase::InertiaKind::from_geometry:
-      return from_geometry;
+      return from_geometry.value();
     case MechanismCase::InertiaKind::given:
       return mechanism.wheel_inertia;
     case MechanismCase::InertiaKind::johnson:
@@ -48,12 +49,19 @@ double inertia_used(const MechanismCase& mechanism, const double from_geometry,
   return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
 }
 
-void refuse_braking(const loads::PinLoad& load, const loads::DrivenMechanism& driven) {
+void refuse_braking(const loads::PinLoad& load, const MechanismDynamics& dynamics) {
+  const double peak_angle = loads::peak_force_angle(dynamics.driven, dynamics.train);
+  const loads::PinLoad peak =
+      loads::pin_load(dynamics.driven.at_engaged_angle(peak_angle), dynamics.train);
   throw std::invalid_argument(fmt::format(
-      "'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin would leave the "
-      "driving wall (the wheel decelerates); choose an angle with a positive force, for example "
-      "'at maximum wheel acceleration' ({:.6g} deg)",
-      load.driver_angle / degree, load.force, loads::peak_acceleration_angle(driven) / degree));
+      "'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin does not press on "
+      "the driving wall; {}",
+      load.driver_angle / degree, load.force,
+      peak.force > 0.
+          ? fmt::format("choose an angle with a positive force, for example '{}' ({:.6g} deg)",
+                        names::at_maximum_force, peak_angle / degree)
+          : "nor does it anywhere else: give the wheel an inertia, a friction moment or an "
+            "external torque against its motion"));
 }
 
 }  // namespace
@@ -63,7 +71,8 @@ void check_drawing(const MechanismCase& mechanism) { drawn_wheel(mechanism); }
 MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
   const MechanismSizes sizes = sizes_of(mechanism);
   const auto wheel = drawn_wheel(mechanism);
-  const double from_geometry = wheel ? drawn_inertia(*wheel, mechanism.wheel.density) : 0.;
+  std::optional<double> from_geometry;
+  if (wheel) from_geometry = drawn_inertia(*wheel, mechanism.wheel.density);
   const loads::WheelTrain train{inertia_used(mechanism, from_geometry, sizes.wheel_diameter),
                                 mechanism.load, mechanism.external_torque, mechanism.slot_friction,
                                 sizes.pin_diameter};
@@ -72,10 +81,9 @@ MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
 
 MechanismState mechanism_state(const MechanismCase& mechanism) {
   MechanismState state{mechanism_dynamics(mechanism), {}, 0.};
-  loads::check(state.train, state.driven);
   const double angle = analysed_angle(mechanism, state.driven, state.train);
   state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);
-  if (state.load.force <= 0.) refuse_braking(state.load, state.driven);
+  if (state.load.force <= 0.) refuse_braking(state.load, state);
   // What slot friction carries of the moment is not in the contact, which has none.
   state.expected_bore_torque = state.load.force * state.load.pin_distance -
                                state.train.wheel_inertia * state.load.wheel_acceleration;

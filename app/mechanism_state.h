@@ -20,8 +20,8 @@ struct MechanismDynamics {
   loads::DrivenMechanism driven;
   loads::WheelTrain train;
   MechanismSizes sizes;
-  std::optional<DrawnWheel> wheel;  ///< none with mechanisms whose wheel is not drawn
-  double inertia_from_geometry;     ///< [kg m^2]; 0 without a drawn wheel
+  std::optional<DrawnWheel> wheel;              ///< none with mechanisms whose wheel is not drawn
+  std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none without a drawn wheel
 };
 
 /// A mechanism at the analysed driver angle.

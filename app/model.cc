@@ -24,11 +24,11 @@ fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismSt
   problem.thickness = state.sizes.thickness;
   const fem::Rotation rotation{state.train.wheel_inertia, state.load.wheel_speed,
                                state.load.wheel_acceleration};
-  for (unsigned int body = 0; body < mesh.bodies.size(); ++body) {
-    const bool is_wheel = mesh.bodies[body] == "wheel";
+  for (const std::string& body : mesh.bodies) {
+    const bool is_wheel = body == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
     problem.bodies.push_back(
-        {mesh.bodies[body],
+        {body,
          {material.youngs_modulus, material.poissons_ratio},
          is_wheel && !mechanism.is_local ? fem::BodyForce{{0., 0.}, rotation} : fem::BodyForce{}});
   }

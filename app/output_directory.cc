@@ -68,7 +68,7 @@ void write_and_rename(const fs::path& file, const std::string& text) {
   }
 }
 
-OutputDirectory::OutputDirectory(fs::path final, const bool is_owner)
+OutputDirectory::OutputDirectory(const fs::path& final, const bool is_owner)
     : final_(fs::absolute(final).lexically_normal()), is_owner_(is_owner) {
   if (final_.filename().empty()) final_ = final_.parent_path();
   working_ = working_name(final_);

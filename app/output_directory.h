@@ -25,7 +25,7 @@ class OutputDirectory {
   /// @param final where the results go
   /// @param is_owner whether this rank makes, fills and removes directories
   /// @throws std::invalid_argument if the directory cannot be made or written to
-  OutputDirectory(std::filesystem::path final, bool is_owner);
+  OutputDirectory(const std::filesystem::path& final, bool is_owner);
   OutputDirectory(const OutputDirectory&) = delete;
   OutputDirectory& operator=(const OutputDirectory&) = delete;
   ~OutputDirectory();

@@ -157,7 +157,9 @@ std::vector<Parameter> linkage_parameters() {
       {section, "Coupler point angle", "0 deg", quantity(Dimension::angle),
        "Angle from BC to BP, counter-clockwise."},
       {section, "Assembly", "open", ChoiceRule{{"open", "crossed"}},
-       "'open': C lies to the left of the line from B to D; 'crossed': to its right."},
+       "'open': C lies to the left of the line from B to D; 'crossed': to its right. A "
+       "parallelogram "
+       "stays one if open."},
       {section, "Wheel direction", "0 deg", quantity(Dimension::angle),
        "Direction from the crank's axis to the wheel's axis, from the line AD, counter-clockwise. "
        "The distance is the centre distance; without it, it follows from the tangency of path and "

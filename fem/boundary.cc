@@ -84,7 +84,7 @@ Boundary gather_boundary(const dealii::DoFHandler<2>& dof_handler,
   std::map<global_dof_index, unsigned int> node_of_dof;
   for (const FaceRecord& record : all_records(dof_handler)) {
     BoundaryFace face{{}, record.surface, record.circle};
-    for (unsigned int end = 0; end < 2; ++end) {
+    for (std::size_t end = 0; end < 2; ++end) {
       const auto [entry, is_new] = node_of_dof.emplace(
           record.dofs[2 * end], static_cast<unsigned int>(boundary.nodes.size()));
       if (is_new)

@@ -22,6 +22,7 @@ std::vector<BoundaryNode> nodes_of(const Boundary& boundary, const unsigned int 
   for (const BoundaryFace& face : boundary.faces)
     if (face.surface == surface) indices.insert(face.nodes.begin(), face.nodes.end());
   std::vector<BoundaryNode> nodes;
+  nodes.reserve(indices.size());
   for (const unsigned int index : indices) nodes.push_back(boundary.nodes[index]);
   return nodes;
 }
@@ -44,6 +45,7 @@ std::vector<ConstraintLine> support_lines(const Boundary& boundary,
                 "at their common node");
         }
   std::vector<ConstraintLine> lines;
+  lines.reserve(values.size());
   for (const auto& [dof, value] : values) lines.push_back({dof, {}, value});
   return lines;
 }

@@ -43,16 +43,26 @@ double rounding(const FourBar& linkage) {
          (linkage.crank + linkage.coupler + linkage.rocker + frame_length(linkage));
 }
 
-/// B can go to its point nearest to D without coupler and rocker being folded beyond their overlap.
-bool passes_inner_end(const FourBar& linkage) {
-  return std::abs(frame_length(linkage) - linkage.crank) >=
-         std::abs(linkage.coupler - linkage.rocker) - rounding(linkage);
+/// What is left before coupler and rocker overlap when B is nearest to D.
+double inner_room(const FourBar& linkage) {
+  return std::abs(frame_length(linkage) - linkage.crank) -
+         std::abs(linkage.coupler - linkage.rocker);
 }
 
+/// What is left before coupler and rocker are stretched when B is farthest from D.
+double outer_room(const FourBar& linkage) {
+  return linkage.coupler + linkage.rocker - frame_length(linkage) - linkage.crank;
+}
+
+/// B can go to its point nearest to D without coupler and rocker being folded beyond their overlap.
+bool passes_inner_end(const FourBar& linkage) { return inner_room(linkage) >= -rounding(linkage); }
+
 /// B can go to its point farthest from D.
-bool passes_outer_end(const FourBar& linkage) {
-  return frame_length(linkage) + linkage.crank <=
-         linkage.coupler + linkage.rocker + rounding(linkage);
+bool passes_outer_end(const FourBar& linkage) { return outer_room(linkage) >= -rounding(linkage); }
+
+bool is_parallelogram(const FourBar& linkage) {
+  return std::abs(linkage.crank - linkage.rocker) <= rounding(linkage) &&
+         std::abs(frame_length(linkage) - linkage.coupler) <= rounding(linkage);
 }
 
 /// Angle opposite to `opposite` in a triangle, from the half-angle formula: it loses no digits in
@@ -128,6 +138,37 @@ void refuse_dead_point(const FourBar& linkage, double crank_angle, const FourBar
       crank_angle / degree, describe_ranges(linkage)));
 }
 
+/// From the closure equations, each order with the same matrix.
+void differentiate(const FourBar& linkage, double crank_angle, FourBarMotion& state) {
+  const Eigen::PartialPivLU<Eigen::Matrix2d> jacobian(closure_jacobian(linkage, state));
+  for (std::size_t order = 1; order < 4; ++order) {
+    const Vector highest = jacobian.solve(-closure(linkage, crank_angle, state, order));
+    state.coupler_angle[order] = highest[0];
+    state.rocker_angle[order] = highest[1];
+  }
+}
+
+/// The coupler stays parallel to the frame and the rocker to the crank.
+FourBarMotion parallel_motion(const FourBar& linkage, double crank_angle) {
+  FourBarMotion state{};
+  state.coupler_angle[0] = frame_angle(linkage);
+  state.rocker_angle = {std::remainder(crank_angle, 2. * pi), 1., 0., 0.};
+  return state;
+}
+
+/// The side of the straight line BD on which the antiparallelogram goes on smoothly.
+Assembly antiparallel(const FourBar& linkage, double crank_angle) {
+  return std::sin(crank_angle - frame_angle(linkage)) > 0. ? Assembly::crossed : Assembly::open;
+}
+
+FourBarMotion closed_motion(const FourBar& linkage, Assembly assembly, double crank_angle) {
+  FourBarMotion state{};
+  close_position(linkage, assembly, crank_angle, state);
+  refuse_dead_point(linkage, crank_angle, state);
+  differentiate(linkage, crank_angle, state);
+  return state;
+}
+
 void set_point(const FourBar& linkage, double crank_angle, FourBarMotion& state) {
   std::array<double, 4> angle = state.coupler_angle;
   angle[0] += linkage.point_angle;
@@ -175,6 +216,19 @@ bool crank_turns_fully(const FourBar& linkage) {
   return passes_inner_end(linkage) && passes_outer_end(linkage);
 }
 
+std::vector<double> change_points(const FourBar& linkage) {
+  check(linkage);
+  std::vector<double> angles;
+  if (std::abs(inner_room(linkage)) <= rounding(linkage)) angles.push_back(frame_angle(linkage));
+  if (std::abs(outer_room(linkage)) <= rounding(linkage))
+    angles.push_back(frame_angle(linkage) + pi);
+  return angles;
+}
+
+bool stays_parallelogram(const FourBar& linkage, const Assembly assembly) {
+  return assembly == Assembly::open && is_parallelogram(linkage);
+}
+
 std::vector<std::pair<double, double>> crank_ranges(const FourBar& linkage) {
   check(linkage);
   const double frame = frame_length(linkage);
@@ -194,15 +248,12 @@ std::vector<std::pair<double, double>> crank_ranges(const FourBar& linkage) {
 FourBarMotion motion(const FourBar& linkage, Assembly assembly, double crank_angle) {
   check(linkage);
   require_finite("crank angle", crank_angle / degree, "deg");
-  FourBarMotion state{};
-  close_position(linkage, assembly, crank_angle, state);
-  refuse_dead_point(linkage, crank_angle, state);
-  const Eigen::PartialPivLU<Eigen::Matrix2d> jacobian(closure_jacobian(linkage, state));
-  for (std::size_t order = 1; order < 4; ++order) {
-    const Vector highest = jacobian.solve(-closure(linkage, crank_angle, state, order));
-    state.coupler_angle[order] = highest[0];
-    state.rocker_angle[order] = highest[1];
-  }
+  FourBarMotion state =
+      stays_parallelogram(linkage, assembly)
+          ? parallel_motion(linkage, crank_angle)
+          : closed_motion(linkage,
+                          is_parallelogram(linkage) ? antiparallel(linkage, crank_angle) : assembly,
+                          crank_angle);
   set_point(linkage, crank_angle, state);
   state.coupler_angle[0] = std::remainder(state.coupler_angle[0], 2. * pi);
   return state;

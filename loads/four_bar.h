@@ -24,8 +24,10 @@ struct FourBar {
 /// With A on the left, D on the right and the crank pointing upwards, the open linkage looks open.
 /// The sign changes only where B, C and D are in line. If the crank turns fully, it never does:
 /// each assembly is a closed motion of its own. If not, both assemblies meet at the ends of the
-/// crank's ranges. At a change point (equality in Grashof's condition, as in the parallelogram) the
-/// mechanism passes from one to the other in mid-motion.
+/// crank's ranges. At a change point (equality in Grashof's condition) all links are in line, and
+/// the mechanism can pass from one to the other in mid-motion. A parallelogram has two: open stands
+/// for its coupler that stays parallel to the frame, crossed for the antiparallelogram, whose
+/// smooth motion goes through both.
 enum class Assembly { open, crossed };
 
 /// Angles and coupler point at one crank angle phi_2: value and first three derivatives with
@@ -51,6 +53,14 @@ void check(const FourBar& linkage);
 /// @throws std::invalid_argument where check() does
 bool crank_turns_fully(const FourBar& linkage);
 
+/// Crank angles [rad] at which all links are in line though the crank can go on: none, gamma, gamma
+/// + pi or both, with gamma the angle of AD.
+/// @throws std::invalid_argument where check() does
+std::vector<double> change_points(const FourBar& linkage);
+
+/// Whether a linkage is a parallelogram whose coupler stays parallel to the frame.
+bool stays_parallelogram(const FourBar& linkage, Assembly assembly);
+
 /// Intervals {first, last} of the crank angle [rad] in which the linkage can be assembled, first in
 /// [gamma - pi, gamma + pi] with gamma the angle of AD: {gamma, gamma + 2 pi} if the crank turns
 /// fully, otherwise one or two intervals that end where B, C and D are in line.
@@ -63,7 +73,7 @@ std::vector<std::pair<double, double>> crank_ranges(const FourBar& linkage);
 /// @param crank_angle phi_2 [rad], any turn
 /// @throws std::invalid_argument where check() does, and if the linkage cannot be assembled at the
 /// crank angle or stands at a dead point there (sine of the angle between coupler and rocker below
-/// 1e-7), naming the ranges of the crank
+/// 1e-7), naming the ranges of the crank; a parallelogram that stays one has no dead point
 FourBarMotion motion(const FourBar& linkage, Assembly assembly, double crank_angle);
 
 /// Both closures at a crank angle, open and crossed.

@@ -175,6 +175,22 @@ double tangent_distance(const int stations, const std::shared_ptr<const CouplerC
       direction / degree, stations, pitch / degree));
 }
 
+/// Refuses a motion through a place where the linkage could go on in two ways.
+void refuse_change_point(const FourBar& linkage, const Assembly assembly, const double begin,
+                         const double end) {
+  if (stays_parallelogram(linkage, assembly)) return;
+  for (const double angle : change_points(linkage)) {
+    const double inside = angle + 2. * pi * std::ceil((begin - angle) / (2. * pi));
+    if (inside > end) continue;
+    throw std::invalid_argument(fmt::format(
+        "lengths are AB {:.6g}, BC {:.6g}, CD {:.6g} and AD {:.6g} mm: all links are in line at a "
+        "crank angle of {:.6g} deg, which is in the engagement, and the linkage can go on there in "
+        "two ways; make the crank shorter, or choose another wheel direction",
+        1e3 * linkage.crank, 1e3 * linkage.coupler, 1e3 * linkage.rocker,
+        1e3 * frame_length(linkage), std::remainder(angle, 2. * pi) / degree));
+  }
+}
+
 }  // namespace
 
 FourBarGeneva four_bar_geneva(const int stations, const FourBar& linkage, const Assembly assembly,
@@ -214,6 +230,7 @@ FourBarGeneva four_bar_geneva(const int stations, const FourBar& linkage, const 
   const double end = is_whole ? stretch->end
                               : root([&](const double angle) { return turned(angle) - pitch; },
                                      stretch->begin, stretch->end);
+  refuse_change_point(linkage, assembly, stretch->begin, end);
   const double middle =
       root([&](const double angle) { return turned(angle) - pitch / 2.; }, stretch->begin, end);
   const double towards_pin = start + side * pitch / 2.;

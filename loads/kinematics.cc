@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -84,9 +85,8 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
   Characteristics result{};
   result.speed_ratio =
       placed(driven, [&](const MotionState& state) { return state.wheel_angle.first / speed; });
-  result.acceleration_ratio = placed(driven, [&](const MotionState& state) {
-    return std::abs(state.wheel_angle.second) / (speed * speed);
-  });
+  result.acceleration_ratio = placed(
+      driven, [&](const MotionState& state) { return state.wheel_angle.second / (speed * speed); });
   result.entry_acceleration_ratio =
       driven.at_time(first.begin).wheel_angle.second / (speed * speed);
   result.jerk_ratio_at_centre =
@@ -102,15 +102,19 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
   result.time_ratio = motion / dwell;
 
   const MotionState johnson = driven.at_time(result.acceleration_ratio.time);
-  result.force = placed(driven, force);
+  const auto over_johnson = [&](const double value, const double there) {
+    return force(johnson) > 0. ? value / there : std::numeric_limits<double>::quiet_NaN();
+  };
+  result.force =
+      placed(driven, [&](const MotionState& state) { return std::max(0., force(state)); });
   result.braking_force =
       placed(driven, [&](const MotionState& state) { return std::max(0., -force(state)); });
-  result.force_ratio = result.force.value / force(johnson);
+  result.force_ratio = over_johnson(result.force.value, force(johnson));
   result.pressure = placed(driven, pressure);
-  result.pressure_ratio = result.pressure.value / pressure(johnson);
+  result.pressure_ratio = over_johnson(result.pressure.value, pressure(johnson));
   result.pressure_times_slip = placed(driven, pressure_times_slip);
   result.pressure_times_slip_ratio =
-      result.pressure_times_slip.value / pressure_times_slip(johnson);
+      over_johnson(result.pressure_times_slip.value, pressure_times_slip(johnson));
   result.entry_tangency = tangency_defect(driven.mechanism(), driven.mechanism().entry);
   result.exit_tangency = tangency_defect(driven.mechanism(), driven.mechanism().exit);
   return result;

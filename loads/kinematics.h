@@ -42,7 +42,7 @@ struct PlacedPeak {
 /// speed: they are dphi/dtheta and its derivatives where the driver turns at constant speed.
 struct Characteristics {
   PlacedPeak speed_ratio;         ///< greatest, of the wheel
-  PlacedPeak acceleration_ratio;  ///< greatest magnitude
+  PlacedPeak acceleration_ratio;  ///< greatest forwards, at Johnson's point
   double entry_acceleration_ratio;
   double
       jerk_ratio_at_centre;  ///< midway through the first engagement; negative for an external one
@@ -51,13 +51,14 @@ struct Characteristics {
   std::vector<double> dwell_times;  ///< [s], see DrivenMechanism::dwells()
   double motion_fraction;           ///< motion over the whole time
   double time_ratio;                ///< k_t: motion over dwell; infinite without dwell
-  PlacedPeak force;                 ///< greatest on the driving wall [N]
+  PlacedPeak force;                 ///< greatest on the driving wall [N]; 0 if there is none
   PlacedPeak braking_force;         ///< greatest on the braking wall [N]; 0 if there is none
-  double force_ratio;   ///< greatest force over that at the greatest acceleration (Johnson's point)
+  // Greatest values over those at Johnson's point; NaN where nothing presses on the driving wall.
+  double force_ratio;
   PlacedPeak pressure;  ///< Hertz, on either wall [Pa]
-  double pressure_ratio;             ///< greatest pressure over that at Johnson's point
-  PlacedPeak pressure_times_slip;    ///< [Pa m/s]
-  double pressure_times_slip_ratio;  ///< greatest over that at Johnson's point
+  double pressure_ratio;
+  PlacedPeak pressure_times_slip;  ///< [Pa m/s]
+  double pressure_times_slip_ratio;
   double entry_tangency;  ///< angle between the pin's path and the slot at entry [rad]; 0: no jump
   double exit_tangency;   ///< at exit [rad]
 };

@@ -16,12 +16,16 @@ namespace geneva::loads {
 
 namespace {
 
+/// What slot friction takes off the arm of the normal force, per coefficient of friction [m].
+double friction_arm(const MotionState& state, const double pin_diameter) {
+  const double slip = state.slot_position.first;
+  const double lever = pin_diameter / 2. * state.friction_lever;
+  return slip > 0. ? lever : slip < 0. ? -lever : 0.;
+}
+
 /// Arm of the normal force with the share of slot friction.
 double arm(const MotionState& state, const WheelTrain& train) {
-  const double slip = state.slot_position.first;
-  const double lever = train.slot_friction * train.pin_diameter / 2. * state.friction_lever;
-  if (slip == 0.) return state.pin_distance.value;
-  return state.pin_distance.value - (slip > 0. ? lever : -lever);
+  return state.pin_distance.value - train.slot_friction * friction_arm(state, train.pin_diameter);
 }
 
 /// Where the slope of a function changes from rising to falling, if it does between two places.
@@ -107,14 +111,16 @@ void check(const WheelTrain& train, const DrivenMechanism& driven) {
   require_not_negative("friction moment", train.load.friction_moment, "N m");
   require_not_negative("coefficient of slot friction", train.slot_friction, "");
   require_finite("external torque", train.external_torque, "N m");
-  const Peak shortest =
-      greatest(driven, [&](const MotionState& state) { return -arm(state, train); });
-  if (shortest.value >= 0.)
+  if (train.slot_friction == 0.) return;
+  const Peak steepest = greatest(driven, [&](const MotionState& state) {
+    return friction_arm(state, train.pin_diameter) / state.pin_distance.value;
+  });
+  if (train.slot_friction * steepest.value >= 1.)
     throw std::invalid_argument(fmt::format(
         "coefficient of slot friction is {:.6g}: the pin of {:.6g} mm jams in the slot, since "
-        "friction there has a longer arm than the force that turns the wheel; give a smaller "
-        "coefficient",
-        train.slot_friction, 1e3 * train.pin_diameter));
+        "friction there has a longer arm than the force that turns the wheel; the coefficient must "
+        "be below {:.4g}",
+        train.slot_friction, 1e3 * train.pin_diameter, 1. / steepest.value));
 }
 
 Peak greatest(const DrivenMechanism& driven,
@@ -145,7 +151,7 @@ double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train) 
 
 double peak_acceleration_angle(const DrivenMechanism& driven) {
   const Peak peak =
-      greatest(driven, [](const MotionState& state) { return std::abs(state.wheel_angle.second); });
+      greatest(driven, [](const MotionState& state) { return state.wheel_angle.second; });
   return driven.drive().driver_angle(peak.time).value;
 }
 

@@ -50,7 +50,7 @@ struct PinLoad {
 PinLoad pin_load(const MotionState& state, const WheelTrain& train);
 
 /// @throws std::invalid_argument if an inertia, the friction moment or the friction coefficient is
-/// negative, or if slot friction locks the pin at its least distance from the wheel's axis
+/// negative, or if slot friction jams the pin, with the greatest coefficient at which it does not
 void check(const WheelTrain& train, const DrivenMechanism& driven);
 
 /// A greatest value over the engagements and the time at which it occurs.
@@ -69,8 +69,8 @@ Peak greatest(const DrivenMechanism& driven,
 /// @throws std::invalid_argument where check() does
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train);
 
-/// Driver angle [rad] of the greatest acceleration of the wheel, whichever its sign; the first of
-/// two equal ones, so before the line of centres.
+/// Driver angle [rad] of the greatest acceleration of the wheel forwards (Johnson's point): before
+/// the line of centres where the driver's speed is constant.
 double peak_acceleration_angle(const DrivenMechanism& driven);
 
 }  // namespace geneva::loads

@@ -43,9 +43,10 @@ const char* name_of(const loads::Wall wall) {
   return "none";
 }
 
+/// What is 0 all the way has no place.
 void add_peak(json& result, const std::string& name, const PlacedPeak& peak, const char* unit) {
   result[name] = quantity(peak.value, unit);
-  result[name + "_angle"] = quantity(peak.driver_angle, "rad");
+  result[name + "_angle"] = peak.value > 0. ? quantity(peak.driver_angle, "rad") : json(nullptr);
 }
 
 /// Lines of the table: name and value.
@@ -75,7 +76,9 @@ class Table {
     const OutputUnit angle = output_unit(units_, Dimension::angle);
     line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
          fmt::format("{:.6g}", peak.value * unit.factor),
-         fmt::format("at {:.5g} {}", shown(peak.driver_angle) * angle.factor, angle.name));
+         peak.value > 0.
+             ? fmt::format("at {:.5g} {}", shown(peak.driver_angle) * angle.factor, angle.name)
+             : "");
   }
   void line(const std::string& name, const std::string& value, const std::string& place = "") {
     text_ += fmt::format("{:<52} {:>12}{}{}\n", name, value, place.empty() ? "" : "  ", place);
@@ -87,13 +90,15 @@ class Table {
 
 void add_forces(Table& table, const loads::Characteristics& values) {
   table.add("greatest pin force", values.force, Dimension::force);
-  table.add("  over that at the greatest acceleration", values.force_ratio,
-            Dimension::dimensionless);
+  if (std::isfinite(values.force_ratio))
+    table.add("  over that at the greatest acceleration", values.force_ratio,
+              Dimension::dimensionless);
   if (values.braking_force.value > 0.)
     table.add("greatest force on the braking wall", values.braking_force, Dimension::force);
   table.add("greatest Hertz pressure", values.pressure, Dimension::stress);
-  table.add("  over that at the greatest acceleration", values.pressure_ratio,
-            Dimension::dimensionless);
+  if (std::isfinite(values.pressure_ratio))
+    table.add("  over that at the greatest acceleration", values.pressure_ratio,
+              Dimension::dimensionless);
   table.add("greatest pressure x slip", values.pressure_times_slip, Dimension::stress,
             Dimension::speed);
 }
@@ -119,10 +124,10 @@ json kinematics_summary(const KinematicsReport& report) {
   result["motion_fraction"] = values.motion_fraction;
   result["time_ratio"] = finite(values.time_ratio);
   add_peak(result, "peak_force", values.force, "N");
-  result["peak_force_ratio"] = values.force_ratio;
+  result["peak_force_ratio"] = finite(values.force_ratio);
   add_peak(result, "peak_braking_force", values.braking_force, "N");
   add_peak(result, "peak_hertz_pressure", values.pressure, "Pa");
-  result["peak_hertz_pressure_ratio"] = values.pressure_ratio;
+  result["peak_hertz_pressure_ratio"] = finite(values.pressure_ratio);
   add_peak(result, "peak_pressure_times_slip", values.pressure_times_slip, "Pa m/s");
   result["peak_pressure_times_slip_ratio"] = finite(values.pressure_times_slip_ratio);
   result["entry_tangency"] = quantity(values.entry_tangency, "rad");

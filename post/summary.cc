@@ -70,8 +70,9 @@ json bodies_section(const fem::Solution& solution, const Results& results) {
 
 json wheel_section(const fem::Solution& solution, const Results& results,
                    const MechanismReport& mechanism) {
-  json wheel{{"inertia_from_geometry", quantity(mechanism.inertia_from_geometry, "kg m^2")},
-             {"inertia_used", quantity(mechanism.inertia_used, "kg m^2")}};
+  json wheel{{"inertia_used", quantity(mechanism.inertia_used, "kg m^2")}};
+  if (mechanism.inertia_from_geometry)
+    wheel["inertia_from_geometry"] = quantity(*mechanism.inertia_from_geometry, "kg m^2");
   for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
     if (solution.problem.bodies[i].name == "wheel") {
       wheel["max_von_mises"] = quantity(results.max_von_mises[i].value, "Pa");

@@ -13,9 +13,9 @@ namespace geneva::post {
 /// What the mechanism asks of the contact, SI units.
 struct MechanismReport {
   loads::PinLoad load;
-  double inertia_from_geometry;       ///< of the drawn wheel [kg m^2]
-  double inertia_used;                ///< [kg m^2]
-  double expected_bore_torque;        ///< J_L a + M_f + M_e [N m]
+  std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none unless a wheel is drawn
+  double inertia_used;                          ///< [kg m^2]
+  double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
   std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
   std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
 };

@@ -29,8 +29,9 @@ Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& po
 /// between the last but one active node and the first open one.
 double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
                    const std::size_t count) {
+  const auto edge_node = nodes.begin() + static_cast<std::ptrdiff_t>(edge);
   const auto node = [&](const int steps) -> const ContactNode& {
-    return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)];
+    return edge_node[inwards * steps];
   };
   const double last = node(0).arc_length;
   const int half = static_cast<int>(count) / 2;

@@ -200,12 +200,8 @@ class Mover:
         return self.greatest(self.force)
 
     def peak_acceleration(self):
-        """Of the magnitude; the first of two equal ones, so before the line of centres."""
-        place = self.motion.place
-        up = self.greatest(lambda at: place(at).acceleration)
-        down = self.greatest(lambda at: -place(at).acceleration)
-        greater = -value(lambda at: place(at).acceleration, down) / value(lambda at: place(at).acceleration, up)
-        return down if greater > 1 + 1e-9 else up
+        """Forwards."""
+        return self.greatest(lambda at: self.motion.place(at).acceleration)
 
 
 def load_values(mover, at, drawn=None):

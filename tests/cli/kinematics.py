@@ -206,6 +206,22 @@ class Tables(Kinematics):
             for key in ("peak_speed_ratio", "peak_acceleration_ratio", "peak_force", "time_ratio"):
                 self.assert_value(chain, key, number(plane[key]), 1e-10)
 
+    def test_a_parallelogram_is_an_external_geneva(self):
+        """Also where it turns through the positions in which all links are in line."""
+        links = {"Crank": "40 mm", "Rocker": "40 mm", "Coupler": "100 mm", "Frame": "100 mm"}
+        sizes = {"Pin diameter": "10 mm", "Wheel thickness": "10 mm"}
+        plane = self.kinematics(self.write_case({"Stations": 5, "Crank radius": "40 mm", **sizes}))
+        for direction in ("0 deg", "90 deg", "180 deg"):
+            case = self.copy_case(LINKAGE, f"direction-{direction[:-4]}")
+            changes = {"Stations": 5, "Driver speed": "60 rpm", "Friction moment": None, "Wheel inertia": "0.001 kg.m^2",
+                       "Load inertia": "0.01 kg.m^2", "Load diameter": None, "Load length": None, "Load density": None,
+                       "Linkage/Coupler point distance": "50 mm", "Linkage/Wheel direction": direction, **sizes,
+                       **{f"Linkage/{name}": length for name, length in links.items()}}
+            change_case(case, {f"Mechanism/{path}": value for path, value in changes.items()})
+            linkage = self.kinematics(case)
+            for key in ("peak_speed_ratio", "peak_acceleration_ratio", "peak_force", "time_ratio"):
+                self.assert_value(linkage, key, number(plane[key]), 1e-9)
+
     def test_a_chain_across_passes_the_wheel_on_a_straight(self):
         case = self.write_case({"Type": "long dwell", "Stations": 6, "Crank radius": "40 mm",
                                 "Sprocket spacing": "60 mm", "Sprocket line": "across line of centres",
@@ -316,6 +332,26 @@ class Curves(Kinematics):
 
 
 class Loads(Kinematics):
+
+    def test_a_torque_that_drives_the_wheel_takes_the_pin_off_the_driving_wall(self):
+        case = self.changed(SIX, {"External torque": "-50 N.m"})
+        values = self.kinematics(case)
+        self.assertEqual(number(values["peak_force"]), 0)
+        self.assertGreater(number(values["peak_braking_force"]), 0)
+        for key in ("peak_force_angle", "peak_force_ratio", "peak_hertz_pressure_ratio", "peak_pressure_times_slip_ratio"):
+            self.assertIsNone(values[key], key)
+        self.assertNotIn("driving", self.curves(case)["wall"])
+
+    def test_johnsons_point_is_where_the_wheel_speeds_up(self):
+        """An accelerating driver slows the wheel down more than it speeds it up."""
+        case = self.changed(SIX, {"Driver acceleration": "200 rad/s^2"})
+        values = self.kinematics(case)
+        curves = self.curves(case)
+        acceleration = curves["acceleration_ratio"]
+        self.assertLess(max(acceleration), -min(acceleration))
+        self.assert_close(number(values["peak_acceleration_ratio"]), max(acceleration), 1e-4, "greatest forwards")
+        self.assertLess(number(values["peak_acceleration_angle"]), 0)
+        self.assertGreater(values["peak_force_ratio"], 1)
 
     def test_an_external_torque_adds_to_the_friction(self):
         friction = self.kinematics(self.changed(SIX, {"Friction moment": "2 N.m"}))
@@ -433,20 +469,23 @@ class KinematicsRefusals(Refusals):
 
     def test_pins_that_would_be_in_slots_together(self):
         near = {"Pin angles": "0 deg, 100 deg"}
-        self.assert_change_refused(PINS, near, "pins 1 and 2", "100 deg", "120 deg", "together")
+        self.assert_change_refused(PINS, near, "'Pin angles' =", "pins 1 and 2", "100 deg", "120 deg", "together")
         self.assert_change_refused(SIX, {"Pins": "4"}, "3 equally spaced pins at most")
         self.assert_change_refused(PINS, {"Pin angles": "10 deg, 160 deg"}, "'Pin angles'", "the first is 0 deg")
         self.assert_change_refused(PINS, {"Pin angles": "0 deg, 150"}, "'Pin angles'")
 
     def test_shafts_that_are_parallel_or_beyond(self):
         self.assert_change_refused(SPHERE, {"Shaft angle": "0 deg"}, "'Shaft angle' = '0 deg'", "greater than 0")
-        self.assert_change_refused(SPHERE, {"Shaft angle": "180 deg"}, "shaft angle is 180 deg", "0 to 180 deg")
-        self.assert_change_refused(SPHERE, {"Shaft angle": "190 deg"}, "shaft angle is 190 deg", "0 to 180 deg")
+        self.assert_change_refused(SPHERE, {"Shaft angle": "180 deg"}, "line", "'Shaft angle' = '180 deg'", "0 to 180 deg")
+        self.assert_change_refused(SPHERE, {"Shaft angle": "190 deg"}, "'Shaft angle' = '190 deg'", "0 to 180 deg")
 
     def test_linkages_that_turn_no_wheel(self):
         links = {"Linkage/Crank": "60 mm", "Linkage/Coupler": "60 mm", "Linkage/Frame": "110 mm"}
         self.assert_change_refused(LINKAGE, links, "crank of 60 mm does not turn fully", "Grashof")
         self.assert_change_refused(LINKAGE, {"Linkage/Frame": "400 mm"}, "400 mm", "cannot be closed", "280 mm")
+        flat = {"Linkage/Crank": "40 mm", "Linkage/Rocker": "40 mm", "Linkage/Coupler": "110 mm",
+                "Linkage/Frame": "110 mm", "Linkage/Wheel direction": "0 deg", "Linkage/Assembly": "crossed"}
+        self.assert_change_refused(LINKAGE, flat, "'Linkage'", "AB 40, BC 110, CD 40 and AD 110 mm", "in two ways")
         small = {"Linkage/Crank": "5 mm", "Linkage/Coupler point distance": "300 mm",
                  "Linkage/Wheel direction": "270 deg"}
         self.assert_change_refused(LINKAGE, small, "wheel direction is 270 deg", "60 deg", "another direction")
@@ -455,15 +494,15 @@ class KinematicsRefusals(Refusals):
     def test_slot_friction_that_cannot_be(self):
         self.assert_change_refused(SIX, {"Slot friction": "-0.1"}, "'Slot friction' = '-0.1'", "0 or greater")
         jammed = {"Slot friction": "5"}
-        self.assert_change_refused(SIX, jammed, "coefficient of slot friction is 5", "16.8 mm", "smaller")
+        self.assert_change_refused(SIX, jammed, "line", "'Slot friction' = '5'", "16.8 mm", "must be below")
 
     def test_laws_of_motion_without_their_time(self):
         changes = {"Driver speed": None, "Driver motion": "harmonic on the carrier"}
         self.assert_change_refused(SIX, changes, "'Motion time' is missing", "harmonic on the carrier")
         self.assert_change_refused(HARMONIC, {"Driver speed": "60 rpm"}, "'Driver speed'", "Driver motion = constant")
         self.assert_change_refused(SIX, {"Motion time": "1 s"}, "'Motion time'", "a law of motion")
-        self.assert_change_refused(SIX, {"Driver acceleration": "-1000 rad/s^2"}, "driver acceleration is -1000",
-                                   "must be between")
+        self.assert_change_refused(SIX, {"Driver acceleration": "-1000 rad/s^2"},
+                                   "'Driver acceleration' = '-1000 rad/s^2'", "must be between")
 
     def assert_table_refused(self, table, *words):
         case = self.copy_case(SIX, f"case-{len(list(self.directory.iterdir()))}")
@@ -475,7 +514,7 @@ class KinematicsRefusals(Refusals):
 
     def test_motion_tables_that_are_none(self):
         heading = "time [s], angle [deg]\n"
-        self.assert_table_refused("", "motion table has 0 rows", "four or more")
+        self.assert_table_refused("", "line", "'Motion table' = 'motion.csv'", "has 0 rows", "four or more")
         self.assert_table_refused(heading, "motion table has 0 rows", "four or more")
         self.assert_table_refused(heading + "0,-100\n2,-50\n1,0\n3,100\n", "row 3", "motion table", "sort the table")
         self.assert_table_refused(heading + "0,-100\n1,soon\n", "motion.csv, line 3", "'1,soon'", "two numbers")

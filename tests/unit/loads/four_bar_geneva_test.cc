@@ -77,9 +77,10 @@ TEST(FourBarGeneva, HasTheDerivativesOfItsPositions) {
 }
 
 TEST(FourBarGeneva, WithAParallelogramIsTheExternalGeneva) {
-  for (const int n : {4, 5, 6, 9}) {
+  for (const auto& [n, direction] :
+       std::vector<std::pair<int, double>>{{4, 95.}, {5, 0.}, {6, 180.}, {9, -20.}}) {
     const FourBarGeneva found =
-        four_bar_geneva(n, parallelogram(), Assembly::open, {95. * degree, std::nullopt});
+        four_bar_geneva(n, parallelogram(), Assembly::open, {direction * degree, std::nullopt});
     const Mechanism plain = external_geneva(n, 0.04 / std::sin(pi / n));
     EXPECT_NEAR(found.mechanism.exit, plain.exit, 1e-10);
     for (const double part : {-0.95, -0.5, 0., 0.3, 0.8}) {
@@ -111,6 +112,17 @@ TEST(FourBarGeneva, OffItsTangentPlaceLeavesTheSlotAtAnAngle) {
         four_bar_geneva(6, symmetric(), Assembly::open, {150. * degree, 1.1 * distance});
       },
       {"centre distance is", "at most", "turns by 60 deg", "leave it out"});
+}
+
+TEST(FourBarGeneva, RefusesAnEngagementInWhichTheLinkageCanGoOnInTwoWays) {
+  FourBar linkage = parallelogram();
+  expect_refused(
+      [&] {
+        four_bar_geneva(6, linkage, Assembly::crossed, {0., std::nullopt});
+      },
+      {"AB 40, BC 100, CD 40 and AD 100 mm", "crank angle of 0 deg", "in two ways", "shorter"});
+  linkage.crank = 0.039;
+  EXPECT_NO_THROW(four_bar_geneva(6, linkage, Assembly::crossed, {0., std::nullopt}));
 }
 
 TEST(FourBarGeneva, RefusesALinkageWhoseCrankDoesNotTurn) {

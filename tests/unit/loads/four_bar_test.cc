@@ -149,11 +149,9 @@ TEST(FourBar, BothAssembliesAreMirrorImagesOfEachOtherInTheLineFromPinToRockerPi
 
 TEST(FourBar, CouplerOfAParallelogramDoesNotTurn) {
   const FourBar parallelogram{{0., 0.}, {0.1, 0.}, 0.04, 0.1, 0.04, 0.06, 0.7};
-  for (int k = 1; k < 36; ++k) {
-    if (k == 18) continue;  // in line: a change point
+  for (int k = -20; k < 40; ++k) {  // through the change points
     const double angle = 10. * k * degree;
-    const FourBarMotion m =
-        motion(parallelogram, k < 18 ? Assembly::open : Assembly::crossed, angle);
+    const FourBarMotion m = motion(parallelogram, Assembly::open, angle);
     EXPECT_NEAR(m.coupler_angle[0], 0., 1e-14) << k;
     for (const std::size_t order : {1U, 2U, 3U}) EXPECT_NEAR(m.coupler_angle[order], 0., 1e-12);
     const double x = 0.06 * std::cos(0.7);
@@ -242,10 +240,26 @@ TEST(FourBar, RefusesLengthsThatCannotBeClosed) {
                  {"AB 30, BC 220, CD 80 and AD 100 mm", "shorter than the other three", "210 mm"});
 }
 
-TEST(FourBar, RefusesTheChangePointOfAParallelogram) {
-  const FourBar parallelogram{{0., 0.}, {0.1, 0.}, 0.04, 0.1, 0.04, 0.06, 0.7};
-  expect_refused([&] { motion(parallelogram, Assembly::open, 0.); },
-                 {"crank angle is 0 deg", "dead point", "any crank angle"});
+TEST(FourBar, CrossedParallelogramIsTheAntiparallelogramThroughItsChangePoints) {
+  const FourBar linkage{{0., 0.}, {0.1, 0.}, 0.04, 0.1, 0.04, 0.06, 0.7};
+  EXPECT_EQ(change_points(linkage), (std::vector<double>{0., pi}));
+  for (const double angle : {0., pi}) {
+    const FourBarMotion before = motion(linkage, Assembly::crossed, angle - 1e-3);
+    const FourBarMotion after = motion(linkage, Assembly::crossed, angle + 1e-3);
+    EXPECT_LT(before.rocker_angle[1], 0.);
+    for (const std::size_t order : {1U, 2U})
+      EXPECT_NEAR(before.rocker_angle[order], after.rocker_angle[order], 0.025) << angle;
+    expect_refused([&] { motion(linkage, Assembly::crossed, angle); },
+                   {"dead point", "any crank angle"});
+  }
+}
+
+TEST(FourBar, HasAChangePointWhereGrashofsConditionIsAnEquality) {
+  EXPECT_TRUE(change_points(crank_rocker).empty());
+  const FourBar stretched{{0., 0.}, {0., 0.1}, 0.03, 0.06, 0.07, 0., 0.};
+  EXPECT_EQ(change_points(stretched), (std::vector<double>{pi / 2. + pi}));
+  const FourBar folded{{0., 0.}, {0., 0.1}, 0.03, 0.13, 0.06, 0., 0.};
+  EXPECT_EQ(change_points(folded), (std::vector<double>{pi / 2.}));
 }
 
 }  // namespace

@@ -254,7 +254,8 @@ TEST(WheelTrain, IsRefusedWithNegativeValuesOrAJammedPin) {
       [&] {
         checked({1., {1., 0.}, 0., 12., 0.02});
       },
-      {"coefficient of slot friction is 12", "jams"});
+      {"coefficient of slot friction is 12", "jams", "must be below 5"});
+  EXPECT_NO_THROW(checked({1., {1., 0.}, 0., 4.9, 0.02}));
 }
 
 TEST(PeakForceAngle, TendsToTheLineOfCentresWhenFrictionPrevails) {
