@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "fem/problem.h"
-#include "loads/crank_rocker.h"
-#include "loads/design.h"
-#include "loads/drive.h"
-#include "loads/four_bar_geneva.h"
-#include "loads/johnson.h"
-#include "loads/long_dwell_geneva.h"
-#include "loads/path_synthesis.h"
-#include "loads/quick_return.h"
-#include "loads/shaft.h"
+#include "loads/design/design.h"
+#include "loads/design/shaft.h"
+#include "loads/motion/drive.h"
+#include "loads/motion/four_bar_geneva.h"
+#include "loads/motion/long_dwell_geneva.h"
+#include "loads/motion/pin_load.h"
+#include "loads/synthesis/crank_rocker.h"
+#include "loads/synthesis/path_synthesis.h"
+#include "loads/synthesis/quick_return.h"
 #include "post/units.h"
 
 namespace geneva::app {

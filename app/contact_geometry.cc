@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "loads/internal_outline.h"
-#include "loads/local_outline.h"
+#include "loads/wheel/internal_outline.h"
+#include "loads/wheel/local_outline.h"
 
 namespace geneva::app {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/mechanism_state.h"
-#include "loads/outline.h"
+#include "loads/wheel/outline.h"
 #include "mesh/gmsh_mesher.h"
 
 namespace geneva::app {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "loads/external_geneva.h"
-#include "loads/internal_geneva.h"
-#include "loads/johnson.h"
-#include "loads/long_dwell_geneva.h"
+#include "loads/design/johnson.h"
+#include "loads/motion/external_geneva.h"
+#include "loads/motion/internal_geneva.h"
+#include "loads/motion/long_dwell_geneva.h"
+#include "loads/motion/spherical_geneva.h"
 #include "loads/pi.h"
-#include "loads/spherical_geneva.h"
 
 namespace geneva::app {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/case_file.h"
-#include "loads/driven_mechanism.h"
-#include "loads/pin_load.h"
+#include "loads/motion/driven_mechanism.h"
+#include "loads/motion/pin_load.h"
 
 namespace geneva::app {
 

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "app/parameters.h"
-#include "loads/internal_outline.h"
-#include "loads/johnson.h"
-#include "loads/outline.h"
+#include "loads/design/johnson.h"
 #include "loads/pi.h"
+#include "loads/wheel/internal_outline.h"
+#include "loads/wheel/outline.h"
 
 namespace geneva::app {
 

@@ -5,10 +5,10 @@
 
 #include "app/case_file.h"
 #include "app/mechanism_motion.h"
-#include "loads/driven_mechanism.h"
-#include "loads/geneva_dimensions.h"
-#include "loads/internal_dimensions.h"
-#include "loads/pin_load.h"
+#include "loads/motion/driven_mechanism.h"
+#include "loads/motion/pin_load.h"
+#include "loads/wheel/geneva_dimensions.h"
+#include "loads/wheel/internal_dimensions.h"
 
 namespace geneva::app {
 

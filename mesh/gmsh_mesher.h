@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "loads/geneva_dimensions.h"
-#include "loads/internal_dimensions.h"
-#include "loads/local_outline.h"
-#include "loads/outline.h"
+#include "loads/wheel/geneva_dimensions.h"
+#include "loads/wheel/internal_dimensions.h"
+#include "loads/wheel/local_outline.h"
+#include "loads/wheel/outline.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::mesh {

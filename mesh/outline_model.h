@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "loads/outline.h"
+#include "loads/wheel/outline.h"
 #include "mesh/model_reader.h"
 #include "mesh/size_field.h"
 

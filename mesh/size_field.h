@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "loads/outline.h"
+#include "loads/wheel/outline.h"
 #include "mesh/gmsh_mesher.h"
 
 namespace geneva::mesh {

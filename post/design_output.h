@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "loads/design.h"
-#include "loads/shaft.h"
+#include "loads/design/design.h"
+#include "loads/design/shaft.h"
+#include "loads/motion/pin_load.h"
 #include "post/units.h"
 
 namespace geneva::post {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "loads/kinematics.h"
+#include "loads/motion/kinematics.h"
 #include "post/units.h"
 
 namespace geneva::post {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "loads/pin_load.h"
+#include "loads/motion/pin_load.h"
 #include "post/results.h"
 #include "post/units.h"
 

@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "loads/crank_rocker.h"
-#include "loads/path_synthesis.h"
-#include "loads/quick_return.h"
+#include "loads/synthesis/crank_rocker.h"
+#include "loads/synthesis/path_synthesis.h"
+#include "loads/synthesis/quick_return.h"
 #include "post/units.h"
 
 namespace geneva::post {

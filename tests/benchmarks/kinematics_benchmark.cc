@@ -3,11 +3,11 @@
 #include <utility>
 #include <vector>
 
-#include "loads/external_geneva.h"
-#include "loads/internal_geneva.h"
-#include "loads/kinematics.h"
-#include "loads/long_dwell_geneva.h"
-#include "loads/spherical_geneva.h"
+#include "loads/motion/external_geneva.h"
+#include "loads/motion/internal_geneva.h"
+#include "loads/motion/kinematics.h"
+#include "loads/motion/long_dwell_geneva.h"
+#include "loads/motion/spherical_geneva.h"
 
 /// Kinematics, pin force and pressure of a full revolution at 100 000 angles: to stay below 0.1 s.
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/refusal.h"
 #include "tests/support/solving.h"
 #include "tests/support/structured_mesh.h"
-#include "tests/unit/loads/refusal.h"
 
 namespace geneva::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "fem/boundary.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"
-#include "tests/unit/loads/refusal.h"
 
 namespace geneva::fem::test {
 namespace {

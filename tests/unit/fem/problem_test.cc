@@ -6,8 +6,8 @@
 #include "fem/problem_check.h"
 #include "fem/scaling.h"
 #include "tests/support/line_contact.h"
+#include "tests/support/refusal.h"
 #include "tests/support/structured_mesh.h"
-#include "tests/unit/loads/refusal.h"
 
 namespace geneva::fem::test {
 namespace {

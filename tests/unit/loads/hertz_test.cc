@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "loads/pi.h"
-#include "random_values.h"
-#include "refusal.h"
+#include "tests/support/refusal.h"
+#include "tests/unit/loads/random_values.h"
 
 namespace geneva::loads {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "case_directory.h"
-#include "tests/unit/loads/refusal.h"
+#include "tests/support/refusal.h"
 
 namespace geneva::mesh {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "loads/internal_outline.h"
-#include "loads/johnson.h"
+#include "loads/design/johnson.h"
+#include "loads/wheel/internal_outline.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
 #include "mesh_measures.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "loads/local_outline.h"
+#include "loads/wheel/local_outline.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
 #include "mesh_measures.h"

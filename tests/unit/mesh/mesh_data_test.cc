@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "mesh/mesh_quality.h"
-#include "tests/unit/loads/refusal.h"
+#include "tests/support/refusal.h"
 
 namespace geneva::mesh {
 namespace {

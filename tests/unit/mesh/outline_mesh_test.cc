@@ -7,13 +7,13 @@
 #include <set>
 #include <string>
 
-#include "loads/johnson.h"
-#include "loads/outline.h"
+#include "loads/design/johnson.h"
 #include "loads/pi.h"
+#include "loads/wheel/outline.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
 #include "mesh_measures.h"
-#include "tests/unit/loads/refusal.h"
+#include "tests/support/refusal.h"
 
 namespace geneva::mesh {
 namespace {

@@ -14,7 +14,7 @@
 #include "case_directory.h"
 #include "mesh/gmsh_session.h"
 #include "mesh/mesh_quality.h"
-#include "tests/unit/loads/refusal.h"
+#include "tests/support/refusal.h"
 
 namespace geneva::mesh {
 namespace {

@@ -1,0 +1,123 @@
+#include "loads/motion/kinematics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace geneva::loads {
+
+namespace {
+
+PinLoad rest(const MotionState& state) {
+  PinLoad load{};
+  load.time = state.time;
+  load.driver_angle = state.driver_angle.value;
+  load.driver_speed = state.driver_angle.first;
+  load.driver_acceleration = state.driver_angle.second;
+  load.pin_distance = state.pin_distance.value;
+  load.wall = Wall::none;
+  return load;
+}
+
+PlacedPeak placed(const DrivenMechanism& driven,
+                  const std::function<double(const MotionState&)>& quantity) {
+  const Peak peak = greatest(driven, quantity);
+  return {peak.value, driven.drive().driver_angle(peak.time).value, peak.time};
+}
+
+/// Steps of the cycle and the ends of the engagements, in order.
+std::vector<double> times(const DrivenMechanism& driven, const int steps) {
+  const double begin = driven.drive().begin;
+  const double end = driven.drive().end;
+  std::vector<double> result;
+  for (int i = 0; i <= steps; ++i)
+    result.push_back(i == steps ? end : begin + (end - begin) * i / steps);
+  const double same = 1e-9 * (end - begin);
+  for (const TimedEngagement& engagement : driven.engagements())
+    for (const double time : {engagement.begin, engagement.end}) {
+      const auto next = std::lower_bound(result.begin(), result.end(), time - same);
+      if (next != result.end() && *next <= time + same)
+        *next = time;
+      else
+        result.insert(next, time);
+    }
+  return result;
+}
+
+}  // namespace
+
+double hertz_pressure(const PinContact& contact, const double force) {
+  if (force == 0.) return 0.;
+  return hertz_line(std::abs(force) / contact.thickness, contact.pin_diameter / 2.,
+                    contact.contact_modulus)
+      .peak_pressure;
+}
+
+std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
+                                           const PinContact& contact, const int steps) {
+  if (steps < 1)
+    throw std::invalid_argument(fmt::format("number of steps is {}: it must be 1 or more", steps));
+  std::vector<KinematicsRow> rows;
+  for (const double time : times(driven, steps)) {
+    const MotionState state = driven.at_time(time);
+    const PinLoad load = state.pin ? pin_load(state, train) : rest(state);
+    rows.push_back({state, load, hertz_pressure(contact, load.force)});
+  }
+  return rows;
+}
+
+Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain& train,
+                                const PinContact& contact) {
+  check(train, driven);
+  const double speed = driven.drive().reference_speed;
+  const TimedEngagement& first = driven.engagements().front();
+  const auto force = [&](const MotionState& state) { return pin_load(state, train).force; };
+  const auto pressure = [&](const MotionState& state) {
+    return hertz_pressure(contact, force(state));
+  };
+  const auto pressure_times_slip = [&](const MotionState& state) {
+    return pressure(state) * std::abs(state.slot_position.first);
+  };
+  Characteristics result{};
+  result.speed_ratio =
+      placed(driven, [&](const MotionState& state) { return state.wheel_angle.first / speed; });
+  result.acceleration_ratio = placed(
+      driven, [&](const MotionState& state) { return state.wheel_angle.second / (speed * speed); });
+  result.entry_acceleration_ratio =
+      driven.at_time(first.begin).wheel_angle.second / (speed * speed);
+  result.jerk_ratio_at_centre =
+      driven.at_engaged_angle(first.engagement.middle).wheel_angle.third / (speed * speed * speed);
+  result.engagement_angle = driven.mechanism().exit - driven.mechanism().entry;
+  result.motion_time = first.end - first.begin;
+  result.dwell_times = driven.dwells();
+  double motion = 0.;
+  for (const TimedEngagement& engagement : driven.engagements())
+    motion += engagement.end - engagement.begin;
+  const double dwell = std::accumulate(result.dwell_times.begin(), result.dwell_times.end(), 0.);
+  result.motion_fraction = motion / (motion + dwell);
+  result.time_ratio = motion / dwell;
+
+  const MotionState johnson = driven.at_time(result.acceleration_ratio.time);
+  const auto over_johnson = [&](const double value, const double there) {
+    return force(johnson) > 0. ? value / there : std::numeric_limits<double>::quiet_NaN();
+  };
+  result.force =
+      placed(driven, [&](const MotionState& state) { return std::max(0., force(state)); });
+  result.braking_force =
+      placed(driven, [&](const MotionState& state) { return std::max(0., -force(state)); });
+  result.force_ratio = over_johnson(result.force.value, force(johnson));
+  result.pressure = placed(driven, pressure);
+  result.pressure_ratio = over_johnson(result.pressure.value, pressure(johnson));
+  result.pressure_times_slip = placed(driven, pressure_times_slip);
+  result.pressure_times_slip_ratio =
+      over_johnson(result.pressure_times_slip.value, pressure_times_slip(johnson));
+  result.entry_tangency = tangency_defect(driven.mechanism(), driven.mechanism().entry);
+  result.exit_tangency = tangency_defect(driven.mechanism(), driven.mechanism().exit);
+  return result;
+}
+
+}  // namespace geneva::loads

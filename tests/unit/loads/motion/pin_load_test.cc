@@ -1,0 +1,286 @@
+#include "loads/motion/pin_load.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "loads/motion/external_geneva.h"
+#include "loads/motion/four_bar_geneva.h"
+#include "loads/motion/internal_geneva.h"
+#include "loads/motion/long_dwell_geneva.h"
+#include "loads/motion/spherical_geneva.h"
+#include "loads/pi.h"
+#include "tests/support/refusal.h"
+#include "tests/unit/loads/random_values.h"
+
+namespace geneva::loads {
+namespace {
+
+using test::between;
+using test::expect_refused;
+using test::random_stations;
+
+constexpr double degree = pi / 180.;
+constexpr double centre_distance = 0.1;
+constexpr WheelTrain inertia_only{2e-3, {1e-3, 0.}};
+
+DrivenMechanism driven(int stations, double speed = 60., double acceleration = 0.) {
+  const Mechanism mechanism = external_geneva(stations, centre_distance);
+  const auto pins = engagements(mechanism, {0.});
+  return {mechanism, pins, constant_acceleration(mechanism, pins, speed, acceleration)};
+}
+
+PinLoad load_at(const DrivenMechanism& mechanism, const WheelTrain& train, double angle) {
+  return pin_load(mechanism.at_engaged_angle(angle), train);
+}
+
+double force(int stations, double angle) {
+  return load_at(driven(stations), inertia_only, angle).force;
+}
+
+struct PeakForce {
+  int stations;
+  double excess;  // over the force at the peak of acceleration, percent
+  double angle;   // before the line of centres, degrees
+};
+
+class PeakForceComesAfterPeakAcceleration : public testing::TestWithParam<PeakForce> {};
+
+TEST_P(PeakForceComesAfterPeakAcceleration, ByTheListedAngleAndExcess) {
+  const int n = GetParam().stations;
+  const double angle = peak_force_angle(driven(n), inertia_only);
+  const double excess =
+      force(n, angle) / force(n, -ExternalGeneva(n).peak_acceleration_angle()) - 1.;
+  EXPECT_NEAR(-angle / degree, GetParam().angle, 5.1e-5);  // half a unit of the last digit given
+  EXPECT_NEAR(100. * excess, GetParam().excess, 5.1e-5);
+  EXPECT_NEAR(peak_acceleration_angle(driven(n)), -ExternalGeneva(n).peak_acceleration_angle(),
+              1e-7);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithoutFriction, PeakForceComesAfterPeakAcceleration,
+                         testing::Values(PeakForce{3, 1.7586, 4.1218}, PeakForce{4, 1.7234, 9.9436},
+                                         PeakForce{5, 1.6660, 15.2749},
+                                         PeakForce{6, 1.5959, 19.9649},
+                                         PeakForce{8, 1.4408, 27.7628},
+                                         PeakForce{10, 1.2854, 34.0110}),
+                         [](const testing::TestParamInfo<PeakForce>& peak) {
+                           return std::to_string(peak.param.stations) + "stations";
+                         });
+
+TEST(PinLoad, IsTheTorqueBalanceAtThePeakOfAcceleration) {
+  const ExternalGeneva geneva(4);
+  const double beta = geneva.peak_acceleration_angle();
+  const PinLoad state = load_at(driven(4), {2e-3, {1e-3, 0.2}}, -beta);
+  const double acceleration = 5.4070 * 3600.;
+  const double arm = 0.2387 * centre_distance * std::sqrt(2.);  // k D, D = 2 c cos(45 deg)
+  EXPECT_NEAR(state.driver_angle, -beta, 1e-14);
+  EXPECT_NEAR(state.wheel_acceleration / acceleration, 1., 1e-5);  // digits of 5.4070
+  EXPECT_NEAR(state.pin_distance / arm, 1., 2.5e-4);               // digits of 0.2387
+  EXPECT_NEAR(state.force / ((3e-3 * acceleration + 0.2) / arm), 1., 3e-4);
+  EXPECT_NEAR(state.wheel_speed, 60. * geneva.speed_ratio(-beta), 1e-12);
+  EXPECT_LT(state.wheel_angle, 0.);
+  EXPECT_LT(state.slip_speed, 0.) << "inwards";
+}
+
+TEST(PinLoad, CarriesNothingAtTheLineOfCentresWithoutFriction) {
+  EXPECT_NEAR(force(6, 0.), 0., 1e-12);
+}
+
+TEST(PinLoad, ContainsTheDriversAcceleration) {
+  // speed ratio 1 at the line of centres, pin at c/2
+  EXPECT_NEAR(load_at(driven(6, 60., 500.), inertia_only, 0.).force, 3e-3 * 500. / 0.05, 1e-10);
+}
+
+TEST(PinLoad, ChangesTheWallWhereTheWheelSlowsDown) {
+  for (int n = 3; n <= 24; ++n) {
+    const double end = 90. * degree - 180. * degree / n;
+    EXPECT_EQ(load_at(driven(n), inertia_only, -end).wall, Wall::driving) << n;
+    EXPECT_EQ(load_at(driven(n), inertia_only, end).wall, Wall::braking) << n;
+    // with friction the driving wall carries a little longer
+    const WheelTrain rough{2e-3, {1e-3, 1e-3}};
+    EXPECT_EQ(load_at(driven(n), rough, 1e-9).wall, Wall::driving) << n;
+  }
+}
+
+TEST(PinLoad, ContainsTheExternalTorque) {
+  WheelTrain train{0., {0., 0.3}};
+  train.external_torque = 0.7;
+  EXPECT_NEAR(load_at(driven(6), train, 0.).force, 1. / 0.05, 1e-10);
+}
+
+/// Slot friction helps while the pin moves inwards and hinders while it moves outwards.
+TEST(PinLoad, HasTheArmOfSlotFriction) {
+  WheelTrain train = inertia_only;
+  train.slot_friction = 0.1;
+  train.pin_diameter = 0.02;
+  for (const double angle : {-40., -5., 5., 40.}) {
+    const PinLoad smooth = load_at(driven(6), inertia_only, angle * degree);
+    const PinLoad rough = load_at(driven(6), train, angle * degree);
+    const double arm = smooth.pin_distance + (angle < 0. ? 0.001 : -0.001);
+    EXPECT_NEAR(rough.force * arm, smooth.force * smooth.pin_distance, 1e-12) << angle;
+  }
+}
+
+/// The forces on driver and wheel at the point of contact, and their power: what the driver gives
+/// is what the wheel gets and what slides away. The bodies turn about their own axes, and do not
+/// penetrate each other.
+TEST(PinLoad, PowerOfTheDriverIsThatOfTheWheelAndOfFriction) {
+  WheelTrain train{2e-3, {1e-3, 0.2}};
+  train.slot_friction = 0.15;
+  train.pin_diameter = 0.02;
+  for (const double angle : {-55., -20., -3., 4., 25., 50.}) {
+    const PinLoad load = load_at(driven(6), train, angle * degree);
+    // The wheel's axis is the origin, the driver's at (c, 0); the wheel turns counter-clockwise.
+    const double phi = load.wheel_angle;
+    const double along[2] = {std::cos(phi), std::sin(phi)};
+    const double normal[2] = {-std::sin(phi), std::cos(phi)};
+    const double side = load.force > 0. ? 1. : -1.;
+    const double x = load.pin_distance * along[0] + side * 0.01 * normal[0];
+    const double y = load.pin_distance * along[1] + side * 0.01 * normal[1];
+    const double wheel[2] = {-load.wheel_speed * y, load.wheel_speed * x};
+    const double driver[2] = {load.driver_speed * y, -load.driver_speed * (x - centre_distance)};
+    const double slide[2] = {driver[0] - wheel[0], driver[1] - wheel[1]};
+    EXPECT_NEAR(slide[0] * normal[0] + slide[1] * normal[1], 0., 1e-12) << "no penetration";
+    const double friction = 0.15 * std::abs(load.force) * (load.slip_speed > 0. ? 1. : -1.);
+    const double f[2] = {load.force * normal[0] + friction * along[0],
+                         load.force * normal[1] + friction * along[1]};
+    const double to_wheel = f[0] * wheel[0] + f[1] * wheel[1];
+    const double from_driver = f[0] * driver[0] + f[1] * driver[1];
+    const double lost = friction * (slide[0] * along[0] + slide[1] * along[1]);
+    EXPECT_NEAR(to_wheel, load.moment * load.wheel_speed, 1e-10 * std::abs(to_wheel)) << angle;
+    EXPECT_NEAR(from_driver, to_wheel + lost, 1e-10 * std::abs(from_driver)) << angle;
+  }
+}
+
+/// Gauss-Legendre integral with five points in each of many intervals.
+double integral(const std::function<double(double)>& f, double begin, double end) {
+  constexpr double points[] = {0., 0.5384693101056831, 0.9061798459386640};
+  constexpr double weights[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr int intervals = 400;
+  const double half = (end - begin) / (2. * intervals);
+  double sum = 0.;
+  for (int i = 0; i < intervals; ++i) {
+    const double middle = begin + (2. * i + 1.) * half;
+    sum += weights[0] * f(middle);
+    for (int k = 1; k < 3; ++k)
+      sum += weights[k] * (f(middle - points[k] * half) + f(middle + points[k] * half));
+  }
+  return sum * half;
+}
+
+std::vector<DrivenMechanism> every_mechanism() {
+  std::vector<DrivenMechanism> all;
+  const double c = centre_distance;
+  for (const Mechanism& mechanism :
+       {external_geneva(5, c), internal_geneva(5, c), spherical_geneva(5, 1.2, c),
+        long_dwell_geneva(5, c, 0.05, SprocketLine::along_line_of_centres),
+        long_dwell_geneva(5, c, 0.05, SprocketLine::across_line_of_centres),
+        four_bar_geneva(5, {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, pi / 2.}, Assembly::open,
+                        {150. * degree, std::nullopt})
+            .mechanism}) {
+    const auto pins = engagements(mechanism, {0.});
+    all.emplace_back(mechanism, pins, constant_speed(mechanism, pins, 20.));
+    all.emplace_back(mechanism, pins, constant_acceleration(mechanism, pins, 20., 50.));
+    for (const MotionLaw law : {MotionLaw::harmonic, MotionLaw::cycloidal})
+      all.emplace_back(mechanism, pins, law_on_carrier(mechanism, pins, law, 0.1));
+  }
+  for (const MotionLaw law : {MotionLaw::harmonic, MotionLaw::cycloidal}) {
+    const Mechanism mechanism = external_geneva(5, c);
+    const auto pins = engagements(mechanism, {0.});
+    all.emplace_back(mechanism, pins,
+                     law_on_cross(mechanism, PlaneGeneva::external, c, pins, law, 0.1));
+  }
+  return all;
+}
+
+/// Work of the pin's normal force and friction against the change of kinetic energy, the work of
+/// friction and of the external torque. The force comes from the torque balance, the speed from the
+/// mechanism; the work is taken to the middle of the engagement, where the wheel is fast.
+TEST(Energy, WorkOfThePinIsKineticEnergyAndFriction) {
+  WheelTrain train{2e-3, {1e-3, 0.2}};
+  train.external_torque = 0.1;
+  train.slot_friction = 0.1;
+  train.pin_diameter = 0.01;
+  for (const DrivenMechanism& mechanism : every_mechanism()) {
+    const TimedEngagement& engagement = mechanism.engagements().front();
+    std::vector<double> times{engagement.begin};
+    for (const double joint : mechanism.joints(engagement)) times.push_back(joint);
+    times.push_back(mechanism.drive().time_at(0.));
+    times.push_back(engagement.end);
+    std::sort(times.begin(), times.end());
+    const auto power = [&](double time) {
+      const MotionState state = mechanism.at_time(time);
+      const PinLoad load = pin_load(state, train);
+      const double friction = train.slot_friction * load.force * train.pin_diameter / 2. *
+                              state.friction_lever * (load.slip_speed > 0. ? -1. : 1.);
+      return (load.force * load.pin_distance + friction) * load.wheel_speed;
+    };
+    double work = 0.;
+    double scale = 0.;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      const double part = integral(power, times[i], times[i + 1]);
+      const MotionState from = mechanism.at_time(times[i]);
+      const MotionState to = mechanism.at_time(times[i + 1]);
+      const double kinetic = 0.5 * 3e-3 *
+                             (to.wheel_angle.first * to.wheel_angle.first -
+                              from.wheel_angle.first * from.wheel_angle.first);
+      const double dissipated = 0.3 * (to.wheel_angle.value - from.wheel_angle.value);
+      scale = std::max(scale, std::abs(kinetic) + dissipated);
+      EXPECT_NEAR(part, kinetic + dissipated, 1e-8 * scale) << mechanism.mechanism().name;
+      work += part;
+    }
+    EXPECT_NEAR(work, 0.3 * 2. * pi / 5., 1e-8 * scale)
+        << mechanism.mechanism().name << ": the wheel rests before and after";
+  }
+}
+
+TEST(PinLoad, RefusesAnglesBeyondTheEngagement) {
+  expect_refused([] { force(6, -61. * degree); },
+                 {"driver angle is -61 deg", "6 stations", "from -60 deg to 60 deg", "choose"});
+  expect_refused([] { force(6, std::nan("")); }, {"driver angle is nan deg"});
+  expect_refused([] { pin_load(driven(6).at_time(0.05), inertia_only); }, {"the wheel rests"});
+}
+
+TEST(WheelTrain, IsRefusedWithNegativeValuesOrAJammedPin) {
+  const auto checked = [](WheelTrain train) { check(train, driven(6)); };
+  expect_refused([&] { checked({-1., {0., 0.}}); }, {"wheel inertia is -1 kg m^2"});
+  expect_refused([&] { checked({1., {-1., 0.}}); }, {"load inertia is -1"});
+  expect_refused([&] { checked({1., {1., -2.}}); }, {"friction moment is -2 N m"});
+  expect_refused(
+      [&] {
+        checked({1., {1., 0.}, 0., 12., 0.02});
+      },
+      {"coefficient of slot friction is 12", "jams", "must be below 5"});
+  EXPECT_NO_THROW(checked({1., {1., 0.}, 0., 4.9, 0.02}));
+}
+
+TEST(PeakForceAngle, TendsToTheLineOfCentresWhenFrictionPrevails) {
+  // F ~ M_f/x, greatest where x is least; the inertia's share shifts it by about its size, 1e-9,
+  // and a flat maximum is found to the root of a rounding
+  EXPECT_NEAR(peak_force_angle(driven(6, 1e-3), {2e-3, {1e-3, 10.}}), 0., 1e-7);
+}
+
+RC_GTEST_PROP(PinLoadProperty, ForceIsPositiveBeforeTheLineOfCentres, ()) {
+  const int n = random_stations();
+  const WheelTrain train{between(1e-5, 1.), {between(0., 1.), between(0., 10.)}};
+  const DrivenMechanism mechanism = driven(n, between(1., 100.));
+  RC_ASSERT(load_at(mechanism, train, between(1e-3, 1.) * mechanism.mechanism().entry).force > 0.);
+}
+
+RC_GTEST_PROP(PinLoadProperty, NoForceExceedsThatOfThePeakForceAngle, ()) {
+  const WheelTrain train{2e-3, {between(0., 1e-2), between(0., 10.)}};
+  const double speed = between(1., 100.);
+  const DrivenMechanism mechanism =
+      driven(random_stations(), speed, between(-.2, .2) * speed * speed);
+  const double peak = peak_force_angle(mechanism, train);
+  const double angle = between(-1., 1.) * mechanism.mechanism().exit;
+  const double at_peak = load_at(mechanism, train, peak).force;
+  RC_ASSERT(load_at(mechanism, train, angle).force <= at_peak + 1e-9 * std::abs(at_peak));
+}
+
+}  // namespace
+}  // namespace geneva::loads

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "loads/wheel/outline.h"
+
+namespace geneva::loads::test {
+
+inline double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
+
+inline double cross(Point origin, Point p, Point q) {
+  return (p.x - origin.x) * (q.y - origin.y) - (p.y - origin.y) * (q.x - origin.x);
+}
+
+/// Points of an arc or line, without its end.
+inline void append_points(std::vector<Point>& points, const Segment& segment, int pieces) {
+  if (!segment.is_arc) {
+    points.push_back(segment.start);
+    return;
+  }
+  const Point p{segment.start.x - segment.centre.x, segment.start.y - segment.centre.y};
+  const Point q{segment.end.x - segment.centre.x, segment.end.y - segment.centre.y};
+  const double turn = std::atan2(p.x * q.y - p.y * q.x, p.x * q.x + p.y * q.y);
+  for (int i = 0; i < pieces; ++i) {
+    const double t = turn * i / pieces;
+    points.push_back({segment.centre.x + std::cos(t) * p.x - std::sin(t) * p.y,
+                      segment.centre.y + std::sin(t) * p.x + std::cos(t) * p.y});
+  }
+}
+
+inline std::vector<Point> polygon(const Loop& loop, int pieces) {
+  std::vector<Point> points;
+  for (const Segment& segment : loop) append_points(points, segment, pieces);
+  return points;
+}
+
+/// Every segment starts where the one before ended, to the last bit; arcs lie on their circles and
+/// take less than half a turn in the sense they name.
+inline void expect_closed(const Outline& outline) {
+  for (const Loop& loop : outline.loops)
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Segment& segment = loop[i];
+      const Segment& next = loop[(i + 1) % loop.size()];
+      EXPECT_EQ(segment.end.x, next.start.x) << segment.surface << ' ' << i;
+      EXPECT_EQ(segment.end.y, next.start.y) << segment.surface << ' ' << i;
+      EXPECT_GT(distance(segment.start, segment.end), 1e-6) << segment.surface << ' ' << i;
+      if (!segment.is_arc) continue;
+      EXPECT_NEAR(distance(segment.start, segment.centre), distance(segment.end, segment.centre),
+                  1e-15);
+      EXPECT_EQ(cross(segment.centre, segment.start, segment.end) < 0., segment.clockwise);
+    }
+}
+
+/// Products below rounding count as touching: walls of opposite slots lie on one line.
+inline bool chords_cross(Point a, Point b, Point c, Point d) {
+  const double rounding = -1e-28;
+  return cross(a, b, c) * cross(a, b, d) < rounding && cross(c, d, a) * cross(c, d, b) < rounding;
+}
+
+inline bool crosses_itself(const std::vector<Point>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 2; j < count; ++j) {
+      const std::size_t after = (j + 1) % count;  // the first when j is the last: a neighbour of it
+      if (after != i && chords_cross(points[i], points[i + 1], points[j], points[after]))
+        return true;
+    }
+  return false;
+}
+
+}  // namespace geneva::loads::test
