@@ -178,11 +178,17 @@ class Mechanisms(Refusals):
             self.assert_parameter_refused(MECHANISM, {"Mechanism/Driver angle": angle}, "-45 deg", "45 deg")
 
     def test_an_angle_at_which_the_pin_leaves_the_driving_wall_is_refused(self):
-        self.assert_parameter_refused(MECHANISM, {"Mechanism/Driver angle": "20 deg"}, "leave the driving wall")
+        self.assert_parameter_refused(MECHANISM, {"Mechanism/Driver angle": "20 deg"},
+                                      "does not press on the driving wall", "'at maximum pin force' (-9.93")
 
     def test_an_angle_without_any_force_is_refused(self):
         changes = {"Mechanism/Friction moment": "0 N.m", "Mechanism/Driver angle": "0 deg"}
-        self.assert_parameter_refused(MECHANISM, changes, "leave the driving wall")
+        self.assert_parameter_refused(MECHANISM, changes, "does not press on the driving wall", "'at maximum pin force'")
+
+    def test_a_torque_that_turns_the_wheel_leaves_no_angle_to_choose(self):
+        for angle in ("-10 deg", "at maximum pin force", "at maximum wheel acceleration"):
+            changes = {"Mechanism/External torque": "-1000 N.m", "Mechanism/Driver angle": angle}
+            self.assert_parameter_refused(MECHANISM, changes, "nor does it anywhere else")
 
     def test_inertia_of_johnson_s_table_is_refused_beyond_its_10_stations(self):
         changes = {"Mechanism/Stations": "12", "Mechanism/Wheel inertia": "Johnson"}

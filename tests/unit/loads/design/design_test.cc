@@ -9,6 +9,7 @@
 #include "loads/pi.h"
 #include "loads/wheel/outline.h"
 #include "tests/support/refusal.h"
+#include "tests/unit/loads/design/johnson_units.h"
 #include "tests/unit/loads/random_values.h"
 
 namespace geneva::loads {
@@ -16,13 +17,7 @@ namespace {
 
 using test::between;
 using test::expect_refused;
-
-// Johnson's units: inch, pound-force, second.
-constexpr double inch = 0.0254;
-constexpr double pound = 4.4482216152605;
-constexpr double psi = pound / (inch * inch);
-constexpr double inertia_unit = pound * inch;                                   // lbf s^2 in
-constexpr double density = 0.283 / 386. * pound / (inch * inch * inch * inch);  // w/g, lbf s^2/in^4
+using namespace test::johnson_units;
 
 /// Johnson's Example 1, exact kinematics.
 DesignInput example_one() {

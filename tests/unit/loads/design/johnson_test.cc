@@ -9,6 +9,7 @@
 #include "loads/pi.h"
 #include "loads/wheel/outline.h"
 #include "tests/support/refusal.h"
+#include "tests/unit/loads/design/johnson_units.h"
 #include "tests/unit/loads/random_values.h"
 
 namespace geneva::loads {
@@ -16,6 +17,7 @@ namespace {
 
 using test::between;
 using test::expect_refused;
+using namespace test::johnson_units;
 
 constexpr double degree = pi / 180.;
 
@@ -97,12 +99,7 @@ TEST(JohnsonRow, RefusesStationsOutOfRange) {
   expect_refused([] { johnson_row(25); }, {"number of stations is 25"});
 }
 
-// Johnson's Example 1 in his units: inch, pound-force, second.
-constexpr double inch = 0.0254;
-constexpr double pound = 4.4482216152605;
-constexpr double psi = pound / (inch * inch);
-constexpr double inertia_unit = pound * inch;                                   // lbf s^2 in
-constexpr double density = 0.283 / 386. * pound / (inch * inch * inch * inch);  // w/g, lbf s^2/in^4
+// Johnson's Example 1 in his units.
 const Elastic example_steel{30e6 * psi, 0.3};
 
 WheelLoad example_load() {

@@ -8,6 +8,7 @@
 #include "loads/design/johnson.h"
 #include "loads/pi.h"
 #include "tests/support/refusal.h"
+#include "tests/unit/loads/design/johnson_units.h"
 #include "tests/unit/loads/random_values.h"
 
 namespace geneva::loads {
@@ -15,14 +16,8 @@ namespace {
 
 using test::between;
 using test::expect_refused;
+using namespace test::johnson_units;
 
-// Johnson's units: inch, pound-force, second.
-constexpr double inch = 0.0254;
-constexpr double pound = 4.4482216152605;
-constexpr double psi = pound / (inch * inch);
-constexpr double moment_unit = pound * inch;   // lbf in
-constexpr double inertia_unit = pound * inch;  // lbf s^2 in: the same number of SI units
-constexpr double density = 0.283 / 386. * pound / (inch * inch * inch * inch);  // w/g, lbf s^2/in^4
 constexpr double shear_modulus = 12e6 * psi;
 
 const Shaft thin{{{0.375 * inch, 5. * inch}}, shear_modulus, density};

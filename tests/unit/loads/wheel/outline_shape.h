@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "loads/wheel/outline.h"
@@ -69,6 +70,16 @@ inline bool crosses_itself(const std::vector<Point>& points) {
         return true;
     }
   return false;
+}
+
+/// Two closed loops that do not cross themselves, the outer one counter-clockwise and the inner one
+/// clockwise.
+inline void expect_ring(const Outline& outline) {
+  expect_closed(outline);
+  ASSERT_EQ(outline.loops.size(), 2U);
+  for (const Loop& loop : outline.loops) EXPECT_FALSE(crosses_itself(polygon(loop, 6)));
+  EXPECT_GT(area_moments({"outer", {outline.loops[0]}}).area, 0.);
+  EXPECT_THROW(area_moments({"inner", {outline.loops[1]}}), std::invalid_argument);
 }
 
 }  // namespace geneva::loads::test

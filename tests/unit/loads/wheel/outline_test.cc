@@ -23,6 +23,7 @@ using test::crosses_itself;
 using test::distance;
 using test::expect_closed;
 using test::expect_refused;
+using test::expect_ring;
 using test::polygon;
 using test::random_stations;
 
@@ -177,26 +178,12 @@ TEST(AreaMoments, OfTheWheelAgreeWithAFinePolygon) {
   }
 }
 
-TEST(WheelOutline, IsClosedWithoutGapsForEveryNumberOfStations) {
-  for (int n = 3; n <= 24; ++n) {
-    SCOPED_TRACE(n);
-    expect_closed(wheel_outline(wheel_of(n)));
-    expect_closed(wheel_outline(wheel_of(n, 1e-3)));
-  }
-}
-
-TEST(WheelOutline, BoundaryRunsCounterClockwiseAndBoreClockwise) {
-  for (int n = 3; n <= 24; ++n) {
-    const Outline wheel = wheel_outline(wheel_of(n));
-    ASSERT_EQ(wheel.loops.size(), 2U);
-    EXPECT_GT(area_moments({"boundary", {wheel.loops[0]}}).area, 0.) << n;
-    EXPECT_THROW(area_moments({"bore", {wheel.loops[1]}}), std::invalid_argument) << n;
-  }
-}
-
-TEST(WheelOutline, NeverCrossesItself) {
+TEST(WheelOutline, IsARingForEveryNumberOfStations) {
   for (int n = 3; n <= 24; ++n)
-    EXPECT_FALSE(crosses_itself(polygon(wheel_outline(wheel_of(n)).loops[0], 6))) << n;
+    for (const double clearance : {0., 1e-3}) {
+      SCOPED_TRACE(n);
+      expect_ring(wheel_outline(wheel_of(n, clearance)));
+    }
 }
 
 TEST(WheelOutline, NamesEverySurface) {
