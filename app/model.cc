@@ -66,9 +66,9 @@ std::string greater_force(const MechanismState& state) {
   const double excess = force / state.load.force - 1.;
   if (excess < worth_saying) return "";
   return fmt::format(
-      "the pin force is greatest at {:.4f} deg, {:.2g} % above that here ('Driver angle = at "
+      "the pin force is greatest at {:.6g} deg, {:.{}f} % above that here ('Driver angle = at "
       "maximum pin force')",
-      angle / degree, 100. * excess);
+      angle / degree, 100. * excess, excess < 0.1 ? 1 : 0);
 }
 
 }  // namespace

@@ -82,21 +82,32 @@ std::string describe_ranges(const FourBar& linkage) {
   return text;
 }
 
-/// Value and derivatives of length (cos, sin)(angle), the angle given with its derivatives.
-VectorDerivatives turning(double length, const std::array<double, 4>& angle) {
-  const Vector along = length * direction(angle[0]);
+/// Value and derivatives of a turning vector from its value and the derivatives of its angle.
+VectorDerivatives turning(const Vector& along, const std::array<double, 4>& angle) {
   const Vector across = left_of(along);
   return {along, angle[1] * across, angle[2] * across - angle[1] * angle[1] * along,
           (angle[3] - angle[1] * angle[1] * angle[1]) * across - 3. * angle[1] * angle[2] * along};
 }
 
+/// The links as vectors AB, BC and DC.
+struct Links {
+  Vector crank;
+  Vector coupler;
+  Vector rocker;
+};
+
+Links links(const FourBar& linkage, double crank_angle, const FourBarMotion& state) {
+  return {linkage.crank * direction(crank_angle),
+          linkage.coupler * direction(state.coupler_angle[0]),
+          linkage.rocker * direction(state.rocker_angle[0])};
+}
+
 /// The closure equations differentiated `order` times without their terms in the derivatives of
 /// that order, which must still be 0 in coupler and rocker.
-Vector closure(const FourBar& linkage, double crank_angle, const FourBarMotion& state,
-               std::size_t order) {
-  return turning(linkage.crank, {crank_angle, 1., 0., 0.})[order] +
-         turning(linkage.coupler, state.coupler_angle)[order] -
-         turning(linkage.rocker, state.rocker_angle)[order];
+Vector closure(const Links& links, const FourBarMotion& state, std::size_t order) {
+  return turning(links.crank, {0., 1., 0., 0.})[order] +
+         turning(links.coupler, state.coupler_angle)[order] -
+         turning(links.rocker, state.rocker_angle)[order];
 }
 
 /// Triangle B C D: the closed form of position.
@@ -122,10 +133,9 @@ void close_position(const FourBar& linkage, Assembly assembly, double crank_angl
 }
 
 /// d(closure)/d(phi_3, phi_4); its determinant is BC CD sin(phi_3 - phi_4).
-Eigen::Matrix2d closure_jacobian(const FourBar& linkage, const FourBarMotion& state) {
+Eigen::Matrix2d closure_jacobian(const Links& links) {
   Eigen::Matrix2d jacobian;
-  jacobian << linkage.coupler * left_of(direction(state.coupler_angle[0])),
-      -linkage.rocker * left_of(direction(state.rocker_angle[0]));
+  jacobian << left_of(links.coupler), -left_of(links.rocker);
   return jacobian;
 }
 
@@ -140,9 +150,10 @@ void refuse_dead_point(const FourBar& linkage, double crank_angle, const FourBar
 
 /// From the closure equations, each order with the same matrix.
 void differentiate(const FourBar& linkage, double crank_angle, FourBarMotion& state) {
-  const Eigen::PartialPivLU<Eigen::Matrix2d> jacobian(closure_jacobian(linkage, state));
+  const Links vectors = links(linkage, crank_angle, state);
+  const Eigen::PartialPivLU<Eigen::Matrix2d> jacobian(closure_jacobian(vectors));
   for (std::size_t order = 1; order < 4; ++order) {
-    const Vector highest = jacobian.solve(-closure(linkage, crank_angle, state, order));
+    const Vector highest = jacobian.solve(-closure(vectors, state, order));
     state.coupler_angle[order] = highest[0];
     state.rocker_angle[order] = highest[1];
   }
@@ -170,10 +181,11 @@ FourBarMotion closed_motion(const FourBar& linkage, Assembly assembly, double cr
 }
 
 void set_point(const FourBar& linkage, double crank_angle, FourBarMotion& state) {
-  std::array<double, 4> angle = state.coupler_angle;
-  angle[0] += linkage.point_angle;
-  const VectorDerivatives pin = turning(linkage.crank, {crank_angle, 1., 0., 0.});
-  const VectorDerivatives arm = turning(linkage.point_distance, angle);
+  const VectorDerivatives pin =
+      turning(linkage.crank * direction(crank_angle), {crank_angle, 1., 0., 0.});
+  const VectorDerivatives arm =
+      turning(linkage.point_distance * direction(state.coupler_angle[0] + linkage.point_angle),
+              state.coupler_angle);
   for (std::size_t order = 0; order < 4; ++order) {
     state.x[order] = pin[order].x() + arm[order].x();
     state.y[order] = pin[order].y() + arm[order].y();

@@ -34,6 +34,7 @@ std::vector<double> times(const DrivenMechanism& driven, const int steps) {
   const double begin = driven.drive().begin;
   const double end = driven.drive().end;
   std::vector<double> result;
+  result.reserve(static_cast<std::size_t>(steps) + 1 + 2 * driven.engagements().size());
   for (int i = 0; i <= steps; ++i)
     result.push_back(i == steps ? end : begin + (end - begin) * i / steps);
   const double same = 1e-9 * (end - begin);
@@ -61,8 +62,10 @@ std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const 
                                            const PinContact& contact, const int steps) {
   if (steps < 1)
     throw std::invalid_argument(fmt::format("number of steps is {}: it must be 1 or more", steps));
+  const std::vector<double> instants = times(driven, steps);
   std::vector<KinematicsRow> rows;
-  for (const double time : times(driven, steps)) {
+  rows.reserve(instants.size());
+  for (const double time : instants) {
     const MotionState state = driven.at_time(time);
     const PinLoad load = state.pin ? pin_load(state, train) : rest(state);
     rows.push_back({state, load, hertz_pressure(contact, load.force)});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loads/motion/external_geneva.h"
+#include "loads/motion/four_bar_geneva.h"
 #include "loads/motion/internal_geneva.h"
 #include "loads/motion/kinematics.h"
 #include "loads/motion/long_dwell_geneva.h"
@@ -41,6 +42,11 @@ BENCHMARK_CAPTURE(revolution, spherical, spherical_geneva(8, 1.5, 0.1))
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(revolution, long_dwell,
                   long_dwell_geneva(6, 0.05, 0.1, SprocketLine::across_line_of_centres))
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(revolution, four_bar,
+                  four_bar_geneva(6, {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, 1.57},
+                                  Assembly::open, {2.6, std::nullopt})
+                      .mechanism)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(law_on_the_cross)->Unit(benchmark::kMillisecond);
 
