@@ -101,6 +101,9 @@ void add_forces(Table& table, const loads::Characteristics& values) {
               Dimension::dimensionless);
   table.add("greatest pressure x slip", values.pressure_times_slip, Dimension::stress,
             Dimension::speed);
+  if (std::isfinite(values.pressure_times_slip_ratio))
+    table.add("  over that at the greatest acceleration", values.pressure_times_slip_ratio,
+              Dimension::dimensionless);
 }
 
 }  // namespace
