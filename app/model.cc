@@ -18,7 +18,7 @@ namespace {
 
 /// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.
 fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
-                               const mesh::MeshData& mesh, const std::string& held_surface) {
+                               const mesh::MeshData<2>& mesh, const std::string& held_surface) {
   fem::Problem problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.sizes.thickness;
@@ -39,9 +39,9 @@ fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismSt
 }
 
 /// Runs a task on rank 0 that may refuse its input, and makes all ranks refuse together.
-mesh::MeshData on_rank_zero(const MPI_Comm communicator,
-                            const std::function<mesh::MeshData()>& task) {
-  mesh::MeshData mesh;
+mesh::MeshData<2> on_rank_zero(const MPI_Comm communicator,
+                               const std::function<mesh::MeshData<2>()>& task) {
+  mesh::MeshData<2> mesh;
   std::string refusal;
   bool is_refused = false;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {

@@ -15,7 +15,7 @@ namespace geneva::app {
 
 /// A case ready to be solved.
 struct Model {
-  mesh::MeshData mesh;
+  mesh::MeshData<2> mesh;
   fem::Problem problem;
   std::optional<MechanismState> mechanism;
   std::string held_surface;          ///< of the mechanism's wheel or block

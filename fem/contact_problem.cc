@@ -39,8 +39,8 @@ constexpr double grading_overhead = 1.3;
 /// its state.
 class NestedIteration {
  public:
-  NestedIteration(const MPI_Comm communicator, const mesh::MeshData& mesh, const Problem& problem,
-                  const Settings& settings, const Progress& progress)
+  NestedIteration(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
+                  const Problem& problem, const Settings& settings, const Progress& progress)
       : communicator_(communicator),
         settings_(settings),
         grading_(grading_for(settings.accuracy)),
@@ -327,7 +327,7 @@ class NestedIteration {
 
 }  // namespace
 
-Solution solve_contact(const MPI_Comm communicator, const mesh::MeshData& mesh,
+Solution solve_contact(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
                        const Problem& problem, const Settings& settings, const Progress& progress) {
   check(problem, mesh);
   return NestedIteration(communicator, mesh, problem, settings, progress).run();

@@ -46,7 +46,7 @@ dealii::Point<2> remotest_node(const Surface& surface, const Surface& other) {
   return remotest;
 }
 
-SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData& mesh,
+SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData<2>& mesh,
                               const Problem& problem) {
   SurfaceOrigins origins;
   for (const ContactPair& pair : problem.pairs) {
@@ -59,20 +59,22 @@ SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData& me
 }
 
 /// Compliance of a body's surface up to a common factor: (1 - nu^2)/E, or 1/E in plane stress.
-double compliance(const mesh::MeshData& mesh, const Problem& problem, const std::string& surface) {
+double compliance(const mesh::MeshData<2>& mesh, const Problem& problem,
+                  const std::string& surface) {
   const Material& material =
       problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()].material;
   const double nu = problem.plane == PlaneKind::plane_stress ? 0. : material.poissons_ratio;
   return (1. - nu * nu) / material.youngs_modulus;
 }
 
-double source_share(const mesh::MeshData& mesh, const Problem& problem, const ContactPair& pair) {
+double source_share(const mesh::MeshData<2>& mesh, const Problem& problem,
+                    const ContactPair& pair) {
   const double source = compliance(mesh, problem, pair.source);
   return source / (source + compliance(mesh, problem, pair.target));
 }
 
-std::vector<ContactInterface> make_interfaces(const Boundary& boundary, const mesh::MeshData& mesh,
-                                              const Problem& problem,
+std::vector<ContactInterface> make_interfaces(const Boundary& boundary,
+                                              const mesh::MeshData<2>& mesh, const Problem& problem,
                                               const SurfaceOrigins& origins) {
   std::vector<ContactInterface> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
@@ -91,7 +93,7 @@ std::vector<ContactInterface> make_interfaces(const Boundary& boundary, const me
   return interfaces;
 }
 
-void add_held_lines(Level& level, const mesh::MeshData& mesh, const Problem& problem) {
+void add_held_lines(Level& level, const mesh::MeshData<2>& mesh, const Problem& problem) {
   level.held_lines = support_lines(level.boundary, problem.supports, mesh.surfaces);
   for (const RigidTie& tie : problem.ties) {
     const TieLines lines = tie_lines(level.boundary, tie, mesh.surfaces);
@@ -159,7 +161,7 @@ bool advance(Level& level, const std::vector<ContactState>& states,
 
 }  // namespace
 
-Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData& mesh,
+Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
                  const Problem& scaled_problem, const Scales& scales,
                  std::optional<SurfaceOrigins>& origins) {
   Level level;

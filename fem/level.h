@@ -34,7 +34,7 @@ struct Level {
 
 /// Builds the level on the dof handler's mesh.
 /// @param origins chosen on the first mesh if empty, kept on the others
-Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData& mesh,
+Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
                  const Problem& scaled_problem, const Scales& scales,
                  std::optional<SurfaceOrigins>& origins);
 

@@ -22,7 +22,7 @@ void require_name(const std::vector<std::string>& names, const std::string& name
       fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
 }
 
-void check_names(const Problem& problem, const mesh::MeshData& mesh) {
+void check_names(const Problem& problem, const mesh::MeshData<2>& mesh) {
   for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
   for (const Support& support : problem.supports)
     require_name(mesh.surfaces, support.surface, "'Supports': surface");
@@ -37,7 +37,7 @@ void check_names(const Problem& problem, const mesh::MeshData& mesh) {
 }
 
 /// @return the one body that a contact surface belongs to
-unsigned int contact_body(const mesh::MeshData& mesh, const std::string& surface) {
+unsigned int contact_body(const mesh::MeshData<2>& mesh, const std::string& surface) {
   const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
   if (bodies.empty())
     throw std::invalid_argument(
@@ -49,7 +49,7 @@ unsigned int contact_body(const mesh::MeshData& mesh, const std::string& surface
   return *bodies.begin();
 }
 
-void check_pairs(const Problem& problem, const mesh::MeshData& mesh) {
+void check_pairs(const Problem& problem, const mesh::MeshData<2>& mesh) {
   if (problem.pairs.empty())
     throw std::invalid_argument("'Contact pairs': there is none; at least one is needed");
   std::set<std::string> sources;
@@ -76,7 +76,7 @@ void check_pairs(const Problem& problem, const mesh::MeshData& mesh) {
 }
 
 /// A body that nothing holds and nothing touches can float away.
-void check_held(const Problem& problem, const mesh::MeshData& mesh) {
+void check_held(const Problem& problem, const mesh::MeshData<2>& mesh) {
   std::set<unsigned int> held;
   const auto add = [&](const std::string& surface) {
     const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
@@ -97,7 +97,7 @@ void check_held(const Problem& problem, const mesh::MeshData& mesh) {
 
 }  // namespace
 
-void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
+void order_bodies(Problem& problem, const mesh::MeshData<2>& mesh) {
   for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
   std::vector<Body> ordered;
   for (const std::string& name : mesh.bodies) {
@@ -111,7 +111,7 @@ void order_bodies(Problem& problem, const mesh::MeshData& mesh) {
   problem.bodies = ordered;
 }
 
-void check(const Problem& problem, const mesh::MeshData& mesh) {
+void check(const Problem& problem, const mesh::MeshData<2>& mesh) {
   check_names(problem, mesh);
   check_pairs(problem, mesh);
   check_held(problem, mesh);

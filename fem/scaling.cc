@@ -5,7 +5,7 @@
 
 namespace geneva::fem {
 
-Scales scales_of(const Problem& problem, const mesh::MeshData& mesh) {
+Scales scales_of(const Problem& problem, const mesh::MeshData<2>& mesh) {
   double extent = 0.;
   for (const std::size_t component : {0U, 1U}) {
     double lowest = std::numeric_limits<double>::max();

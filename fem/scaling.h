@@ -14,7 +14,7 @@ struct Scales {
   [[nodiscard]] double force() const { return stress * length * length; }
 };
 
-Scales scales_of(const Problem& problem, const mesh::MeshData& mesh);
+Scales scales_of(const Problem& problem, const mesh::MeshData<2>& mesh);
 
 /// The same problem in those units.
 Problem scaled(const Problem& problem, const Scales& scales);

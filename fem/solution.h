@@ -93,7 +93,7 @@ enum class Outcome {
 struct Solution {
   Problem problem;  ///< SI units
   Scales scales{};
-  mesh::MeshData mesh;  ///< coarse, SI units
+  mesh::MeshData<2> mesh;  ///< coarse, SI units
   std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> triangulation;
   std::unique_ptr<dealii::FESystem<2>> element;
   std::unique_ptr<dealii::DoFHandler<2>> dof_handler;

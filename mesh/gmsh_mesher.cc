@@ -109,7 +109,7 @@ void set_options(const Attempt& attempt) {
 }
 
 struct AttemptResult {
-  std::optional<MeshData> mesh;
+  std::optional<MeshData<2>> mesh;
   std::string failure;  ///< why there is none
 };
 
@@ -163,10 +163,10 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions) {
                 {0., 0.});
 }
 
-MeshData mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {
+MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {
   check_sizing(sizing);
   check_loops(outlines, extent(outlines));
-  std::optional<MeshData> best;
+  std::optional<MeshData<2>> best;
   double best_quality = least_quality;
   std::string failure = "there are none";
   // sizes that fit badly into a narrow place give a bad cell there: a little finer or coarser helps

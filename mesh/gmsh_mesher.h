@@ -39,6 +39,6 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions);
 /// length. Runs on one rank, without MPI.
 /// @throws std::invalid_argument if sizes or outlines are unfit: not positive, an open loop
 /// @throws std::runtime_error if Gmsh fails or finds no mesh of good cells
-MeshData mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing);
+MeshData<2> mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing);
 
 }  // namespace geneva::mesh

@@ -33,7 +33,7 @@ VertexPair ordered(unsigned int first, unsigned int second) {
   return {std::min(first, second), std::max(first, second)};
 }
 
-void check_vertices(const MeshData& mesh) {
+void check_vertices(const MeshData<2>& mesh) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const auto& [x, y] = mesh.vertices[i];
     if (!std::isfinite(x) || !std::isfinite(y))
@@ -41,22 +41,22 @@ void check_vertices(const MeshData& mesh) {
   }
 }
 
-void check_surfaces(const MeshData& mesh) {
+void check_surfaces(const MeshData<2>& mesh) {
   if (mesh.surfaces.empty() || !mesh.surfaces.front().empty())
     refuse("the first surface must be \"\", which holds the edges without a name");
 }
 
-void check_indices(const MeshData& mesh) {
+void check_indices(const MeshData<2>& mesh) {
   const auto beyond = [&](unsigned int vertex) { return vertex >= mesh.vertices.size(); };
-  for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
-    const Quad& quad = mesh.quads[i];
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const Cell<2>& quad = mesh.cells[i];
     if (std::any_of(quad.vertices.begin(), quad.vertices.end(), beyond))
       refuse("cell {} refers to a vertex beyond the {} that exist", i, mesh.vertices.size());
     if (quad.body >= mesh.bodies.size())
       refuse("cell {} belongs to body {} of {}", i, quad.body, mesh.bodies.size());
   }
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
-    const Edge& edge = mesh.edges[i];
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const Face<2>& edge = mesh.faces[i];
     if (beyond(edge.vertices[0]) || beyond(edge.vertices[1]))
       refuse("edge {} refers to a vertex beyond the {} that exist", i, mesh.vertices.size());
     if (edge.surface >= mesh.surfaces.size())
@@ -66,22 +66,22 @@ void check_indices(const MeshData& mesh) {
   }
 }
 
-void check_cells(const MeshData& mesh) {
-  for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
-    const double quality = scaled_jacobian(corners(mesh, mesh.quads[i]));
+void check_cells(const MeshData<2>& mesh) {
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const double quality = scaled_jacobian(corners(mesh, mesh.cells[i]));
     if (quality > least_scaled_jacobian) continue;
-    const auto& [x, y] = mesh.vertices[mesh.quads[i].vertices[0]];
+    const auto& [x, y] = mesh.vertices[mesh.cells[i].vertices[0]];
     refuse(
         "cell {} of body \"{}\" near ({:.6g}, {:.6g}) m is degenerate or turned over (scaled "
         "Jacobian {:.3g}, more than {} is needed): use smaller cells there, or move the points "
         "that pinch it",
-        i, mesh.bodies[mesh.quads[i].body], x, y, quality, least_scaled_jacobian);
+        i, mesh.bodies[mesh.cells[i].body], x, y, quality, least_scaled_jacobian);
   }
 }
 
-void check_boundary(const MeshData& mesh) {
+void check_boundary(const MeshData<2>& mesh) {
   std::map<VertexPair, int> missing;  // times that a side of a cell has still to be accounted for
-  for (const Quad& quad : mesh.quads)
+  for (const Cell<2>& quad : mesh.cells)
     for (std::size_t i = 0; i < 4; ++i)
       ++missing[ordered(quad.vertices[i], quad.vertices[(i + 1) % 4])];
   const auto place = [&](const VertexPair& side) {
@@ -91,7 +91,7 @@ void check_boundary(const MeshData& mesh) {
   };
   for (const auto& [side, cells] : missing)
     if (cells > 2) refuse("{} cells meet at the side {}: at most two may", cells, place(side));
-  for (const Edge& edge : mesh.edges) {
+  for (const Face<2>& edge : mesh.faces) {
     const VertexPair side = ordered(edge.vertices[0], edge.vertices[1]);
     const auto found = missing.find(side);
     if (found == missing.end()) refuse("the boundary edge {} is no side of a cell", place(side));
@@ -103,8 +103,8 @@ void check_boundary(const MeshData& mesh) {
     if (cells == 1) refuse("the boundary edge {} is not listed", place(side));
 }
 
-void check_circles(const MeshData& mesh) {
-  for (const Edge& edge : mesh.edges) {
+void check_circles(const MeshData<2>& mesh) {
+  for (const Face<2>& edge : mesh.faces) {
     if (edge.circle < 0) continue;
     const Circle& circle = mesh.circles[static_cast<std::size_t>(edge.circle)];
     for (const unsigned int vertex : edge.vertices) {
@@ -119,10 +119,10 @@ void check_circles(const MeshData& mesh) {
 
 }  // namespace
 
-void check_bodies(const MeshData& mesh) {
+void check_bodies(const MeshData<2>& mesh) {
   std::vector<unsigned int> body_of(mesh.vertices.size(), no_body);
   std::vector<bool> has_cells(mesh.bodies.size(), false);
-  for (const Quad& quad : mesh.quads) {
+  for (const Cell<2>& quad : mesh.cells) {
     has_cells[quad.body] = true;
     for (const unsigned int vertex : quad.vertices) {
       if (body_of[vertex] != no_body && body_of[vertex] != quad.body)
@@ -143,18 +143,22 @@ void check_bodies(const MeshData& mesh) {
              mesh.vertices[i][0], mesh.vertices[i][1]);
 }
 
-std::set<unsigned int> bodies_of(const MeshData& mesh, const unsigned int surface) {
+template <int dim>
+std::set<unsigned int> bodies_of(const MeshData<dim>& mesh, const unsigned int surface) {
   std::set<unsigned int> vertices;
-  for (const Edge& edge : mesh.edges)
-    if (edge.surface == surface) vertices.insert(edge.vertices.begin(), edge.vertices.end());
+  for (const Face<dim>& face : mesh.faces)
+    if (face.surface == surface) vertices.insert(face.vertices.begin(), face.vertices.end());
   std::set<unsigned int> bodies;
-  for (const Quad& quad : mesh.quads)
-    for (const unsigned int vertex : quad.vertices)
-      if (vertices.count(vertex) > 0) bodies.insert(quad.body);
+  for (const Cell<dim>& cell : mesh.cells)
+    for (const unsigned int vertex : cell.vertices)
+      if (vertices.count(vertex) > 0) bodies.insert(cell.body);
   return bodies;
 }
 
-void check(const MeshData& mesh) {
+template std::set<unsigned int> bodies_of(const MeshData<2>&, unsigned int);
+template std::set<unsigned int> bodies_of(const MeshData<3>&, unsigned int);
+
+void check(const MeshData<2>& mesh) {
   check_surfaces(mesh);
   check_vertices(mesh);
   check_indices(mesh);

@@ -1,40 +1,47 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace geneva::mesh {
 
-/// The circle that a boundary curve is part of.
+/// The circle that a boundary curve of a plane mesh is part of; in space the cylinder over it,
+/// whose axis is parallel to z.
 struct Circle {
   std::array<double, 2> centre;  ///< [m]
   double radius;                 ///< [m], > 0
 };
 
-/// A cell with its four vertices counter-clockwise, and the body that it belongs to.
-struct Quad {
-  std::array<unsigned int, 4> vertices;
+/// A quadrilateral or hexahedron, and the body that it belongs to: four vertices counter-clockwise,
+/// or four counter-clockwise as seen from above and the four above them.
+template <int dim>
+struct Cell {
+  std::array<unsigned int, 1U << dim> vertices;
   unsigned int body;  ///< index into MeshData::bodies
 };
 
-/// A boundary edge, the surface that it belongs to and the circle that it is a chord of.
-struct Edge {
-  std::array<unsigned int, 2> vertices;
+/// A boundary edge or quadrilateral (its vertices one after the other around it), the surface that
+/// it belongs to and the circle that it is a chord of.
+template <int dim>
+struct Face {
+  std::array<unsigned int, 1U << (dim - 1)> vertices;
   unsigned int surface;  ///< index into MeshData::surfaces
   int circle;            ///< index into MeshData::circles; -1: straight
 };
 
-/// A coarse plane mesh of linear quadrilaterals with named bodies and surfaces; the bodies share no
-/// vertex.
+/// A coarse mesh of linear quadrilaterals or hexahedra with named bodies and surfaces; the bodies
+/// share no vertex.
 ///
-/// Every boundary edge is in `edges`; those of no named surface carry the surface "" (index 0,
-/// always present).
+/// Every face of the boundary is in `faces`; those of no named surface carry the surface "" (index
+/// 0, always present).
+template <int dim>
 struct MeshData {
-  std::vector<std::array<double, 2>> vertices;  ///< [m]
-  std::vector<Quad> quads;
-  std::vector<Edge> edges;
+  std::vector<std::array<double, static_cast<std::size_t>(dim)>> vertices;  ///< [m]
+  std::vector<Cell<dim>> cells;
+  std::vector<Face<dim>> faces;
   std::vector<Circle> circles;
   std::vector<std::string> bodies;
   std::vector<std::string> surfaces;
@@ -42,7 +49,7 @@ struct MeshData {
 
 /// The part of check() on bodies: every body has cells, no vertex is shared by two or unused.
 /// @throws std::invalid_argument naming the bodies, the place and what to change
-void check_bodies(const MeshData& mesh);
+void check_bodies(const MeshData<2>& mesh);
 
 /// Refuses a mesh that a solver cannot use.
 ///
@@ -50,9 +57,10 @@ void check_bodies(const MeshData& mesh);
 /// boundary edge listed once and no other, every body has cells, no vertex shared by two bodies, no
 /// vertex unused, edges of a circle end on it.
 /// @throws std::invalid_argument naming the cell, its place and what to change
-void check(const MeshData& mesh);
+void check(const MeshData<2>& mesh);
 
-/// Bodies that the edges of a surface (an index into MeshData::surfaces) belong to.
-std::set<unsigned int> bodies_of(const MeshData& mesh, unsigned int surface);
+/// Bodies that the faces of a surface (an index into MeshData::surfaces) belong to.
+template <int dim>
+std::set<unsigned int> bodies_of(const MeshData<dim>& mesh, unsigned int surface);
 
 }  // namespace geneva::mesh

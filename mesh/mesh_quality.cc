@@ -19,9 +19,9 @@ VertexPair ordered(unsigned int first, unsigned int second) {
 Place middle(const Place& a, const Place& b) { return {(a[0] + b[0]) / 2., (a[1] + b[1]) / 2.}; }
 
 /// Middles of the edges that are bent.
-std::map<VertexPair, Place> middles_on_circles(const MeshData& mesh) {
+std::map<VertexPair, Place> middles_on_circles(const MeshData<2>& mesh) {
   std::map<VertexPair, Place> middles;
-  for (const Edge& edge : mesh.edges) {
+  for (const Face<2>& edge : mesh.faces) {
     if (edge.circle < 0) continue;
     const auto& [centre, radius] = mesh.circles[static_cast<std::size_t>(edge.circle)];
     const auto [x, y] = middle(mesh.vertices[edge.vertices[0]], mesh.vertices[edge.vertices[1]]);
@@ -44,7 +44,7 @@ double least_of_children(const Corners& outer, const Corners& middles) {
 
 }  // namespace
 
-Corners corners(const MeshData& mesh, const Quad& quad) {
+Corners corners(const MeshData<2>& mesh, const Cell<2>& quad) {
   return {mesh.vertices[quad.vertices[0]], mesh.vertices[quad.vertices[1]],
           mesh.vertices[quad.vertices[2]], mesh.vertices[quad.vertices[3]]};
 }
@@ -63,16 +63,17 @@ double scaled_jacobian(const Corners& corners) {
   return least;
 }
 
-double least_scaled_jacobian(const MeshData& mesh) {
+double least_scaled_jacobian(const MeshData<2>& mesh) {
   double least = 1.;
-  for (const Quad& quad : mesh.quads) least = std::min(least, scaled_jacobian(corners(mesh, quad)));
+  for (const Cell<2>& quad : mesh.cells)
+    least = std::min(least, scaled_jacobian(corners(mesh, quad)));
   return least;
 }
 
-double least_scaled_jacobian_refined(const MeshData& mesh) {
+double least_scaled_jacobian_refined(const MeshData<2>& mesh) {
   const auto bent = middles_on_circles(mesh);
   double least = 1.;
-  for (const Quad& quad : mesh.quads) {
+  for (const Cell<2>& quad : mesh.cells) {
     const Corners outer = corners(mesh, quad);
     Corners middles{};
     for (std::size_t i = 0; i < 4; ++i) {

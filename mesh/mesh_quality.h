@@ -9,20 +9,20 @@ namespace geneva::mesh {
 /// Corners of a quadrilateral, counter-clockwise.
 using Corners = std::array<std::array<double, 2>, 4>;
 
-Corners corners(const MeshData& mesh, const Quad& quad);
+Corners corners(const MeshData<2>& mesh, const Cell<2>& quad);
 
 /// Least over the corners of the sine of the angle there, -1..1: 1 for a rectangle, not positive
 /// for a cell that is turned over, pinched or not convex.
 double scaled_jacobian(const Corners& corners);
 
 /// Least scaled Jacobian of all cells.
-double least_scaled_jacobian(const MeshData& mesh);
+double least_scaled_jacobian(const MeshData<2>& mesh);
 
 /// Least scaled Jacobian after every cell has been divided into four and its edges on circles bent
 /// to them.
 ///
 /// New inner vertices as in transfinite interpolation: half the sum of the sides' middles less a
 /// quarter of the sum of the corners.
-double least_scaled_jacobian_refined(const MeshData& mesh);
+double least_scaled_jacobian_refined(const MeshData<2>& mesh);
 
 }  // namespace geneva::mesh

@@ -61,14 +61,14 @@ VertexOfTag read_quads(const ModelLabels& labels, TaggedMesh& result) {
     for (const int surface : labels.bodies[body].surfaces) {
       const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
       for (std::size_t i = 0; i < nodes.size(); i += 4) {
-        Quad quad{{}, static_cast<unsigned int>(body)};
+        Cell<2> quad{{}, static_cast<unsigned int>(body)};
         for (std::size_t k = 0; k < 4; ++k) {
           const auto next = static_cast<unsigned int>(result.tags.size());
           const auto [found, is_new] = vertex_of.emplace(nodes[i + k], next);
           if (is_new) result.tags.push_back(nodes[i + k]);
           quad.vertices[k] = found->second;
         }
-        result.mesh.quads.push_back(quad);
+        result.mesh.cells.push_back(quad);
       }
     }
   }
@@ -98,12 +98,12 @@ double turning(const Corners& c) {
   return (c[2][0] - c[0][0]) * (c[3][1] - c[1][1]) - (c[3][0] - c[1][0]) * (c[2][1] - c[0][1]);
 }
 
-void turn_clockwise_quads(MeshData& mesh) {
-  for (Quad& quad : mesh.quads)
+void turn_clockwise_quads(MeshData<2>& mesh) {
+  for (Cell<2>& quad : mesh.cells)
     if (turning(corners(mesh, quad)) < 0.) std::swap(quad.vertices[1], quad.vertices[3]);
 }
 
-unsigned int surface_index(MeshData& mesh, const std::string& name) {
+unsigned int surface_index(MeshData<2>& mesh, const std::string& name) {
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), name);
   const auto index = static_cast<unsigned int>(found - mesh.surfaces.begin());
   if (found == mesh.surfaces.end()) mesh.surfaces.push_back(name);
@@ -126,21 +126,21 @@ std::map<VertexPair, ModelLabels::Curve> read_lines(const ModelLabels& labels,
   return curve_of;
 }
 
-void add_edges(const std::map<VertexPair, ModelLabels::Curve>& curve_of, MeshData& mesh) {
+void add_edges(const std::map<VertexPair, ModelLabels::Curve>& curve_of, MeshData<2>& mesh) {
   std::map<VertexPair, int> cells;
-  for (const Quad& quad : mesh.quads)
+  for (const Cell<2>& quad : mesh.cells)
     for (std::size_t i = 0; i < 4; ++i)
       ++cells[ordered(quad.vertices[i], quad.vertices[(i + 1) % 4])];
-  for (const Quad& quad : mesh.quads) {
+  for (const Cell<2>& quad : mesh.cells) {
     for (std::size_t i = 0; i < 4; ++i) {
       const std::array<unsigned int, 2> side{quad.vertices[i], quad.vertices[(i + 1) % 4]};
       const VertexPair pair = ordered(side[0], side[1]);
       if (cells.at(pair) != 1) continue;
       const auto curve = curve_of.find(pair);
       if (curve == curve_of.end())
-        mesh.edges.push_back({side, 0, -1});
+        mesh.faces.push_back({side, 0, -1});
       else
-        mesh.edges.push_back(
+        mesh.faces.push_back(
             {side, surface_index(mesh, curve->second.surface), curve->second.circle});
     }
   }

@@ -31,7 +31,7 @@ int circle_index(std::vector<Circle>& circles, const Circle& circle);
 
 /// A mesh and the tags that its vertices have in Gmsh.
 struct TaggedMesh {
-  MeshData mesh;
+  MeshData<2> mesh;
   std::vector<std::size_t> tags;
 };
 

@@ -6,6 +6,8 @@
 
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
+#include <memory>
+#include <utility>
 
 namespace geneva::mesh {
 
@@ -23,9 +25,10 @@ struct FlatMesh {
   }
 };
 
-FlatMesh flatten(const MeshData& mesh) {
+template <int dim>
+FlatMesh flatten(const MeshData<dim>& mesh) {
   FlatMesh flat;
-  for (const std::size_t size : {mesh.vertices.size(), mesh.quads.size(), mesh.edges.size(),
+  for (const std::size_t size : {mesh.vertices.size(), mesh.cells.size(), mesh.faces.size(),
                                  mesh.circles.size(), mesh.bodies.size()})
     flat.integers.push_back(static_cast<unsigned int>(size));
   for (const auto& vertex : mesh.vertices)
@@ -34,25 +37,26 @@ FlatMesh flatten(const MeshData& mesh) {
     flat.reals.insert(flat.reals.end(), circle.centre.begin(), circle.centre.end());
     flat.reals.push_back(circle.radius);
   }
-  for (const auto& quad : mesh.quads) {
-    flat.integers.insert(flat.integers.end(), quad.vertices.begin(), quad.vertices.end());
-    flat.integers.push_back(quad.body);
+  for (const auto& cell : mesh.cells) {
+    flat.integers.insert(flat.integers.end(), cell.vertices.begin(), cell.vertices.end());
+    flat.integers.push_back(cell.body);
   }
-  for (const auto& edge : mesh.edges) {
-    flat.integers.insert(flat.integers.end(), edge.vertices.begin(), edge.vertices.end());
-    flat.integers.push_back(edge.surface);
-    flat.integers.push_back(static_cast<unsigned int>(edge.circle + 1));
+  for (const auto& face : mesh.faces) {
+    flat.integers.insert(flat.integers.end(), face.vertices.begin(), face.vertices.end());
+    flat.integers.push_back(face.surface);
+    flat.integers.push_back(static_cast<unsigned int>(face.circle + 1));
   }
   flat.names = mesh.bodies;
   flat.names.insert(flat.names.end(), mesh.surfaces.begin(), mesh.surfaces.end());
   return flat;
 }
 
-MeshData unflatten(const FlatMesh& flat) {
-  MeshData mesh;
+template <int dim>
+MeshData<dim> unflatten(const FlatMesh& flat) {
+  MeshData<dim> mesh;
   mesh.vertices.resize(flat.integers[0]);
-  mesh.quads.resize(flat.integers[1]);
-  mesh.edges.resize(flat.integers[2]);
+  mesh.cells.resize(flat.integers[1]);
+  mesh.faces.resize(flat.integers[2]);
   mesh.circles.resize(flat.integers[3]);
   auto real = flat.reals.begin();
   for (auto& vertex : mesh.vertices)
@@ -62,14 +66,14 @@ MeshData unflatten(const FlatMesh& flat) {
     circle.radius = *real++;
   }
   auto integer = flat.integers.begin() + 5;
-  for (auto& quad : mesh.quads) {
-    for (unsigned int& vertex : quad.vertices) vertex = *integer++;
-    quad.body = *integer++;
+  for (auto& cell : mesh.cells) {
+    for (unsigned int& vertex : cell.vertices) vertex = *integer++;
+    cell.body = *integer++;
   }
-  for (auto& edge : mesh.edges) {
-    for (unsigned int& vertex : edge.vertices) vertex = *integer++;
-    edge.surface = *integer++;
-    edge.circle = static_cast<int>(*integer++) - 1;
+  for (auto& face : mesh.faces) {
+    for (unsigned int& vertex : face.vertices) vertex = *integer++;
+    face.surface = *integer++;
+    face.circle = static_cast<int>(*integer++) - 1;
   }
   const auto surfaces_begin = flat.names.begin() + flat.integers[4];
   mesh.bodies.assign(flat.names.begin(), surfaces_begin);
@@ -77,49 +81,97 @@ MeshData unflatten(const FlatMesh& flat) {
   return mesh;
 }
 
-}  // namespace
-
-MeshData broadcast(MPI_Comm communicator, const MeshData& mesh) {
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return mesh;
-  return unflatten(dealii::Utilities::MPI::broadcast(communicator, flatten(mesh)));
+/// The vertices around a quadrilateral in the order of deal.II, line by line.
+template <typename Vertices>
+void swap_to_lines(Vertices& vertices) {
+  for (std::size_t last = 3; last < vertices.size(); last += 4)
+    std::swap(vertices[last - 1], vertices[last]);
 }
 
-std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> make_triangulation(
-    MPI_Comm communicator, const MeshData& mesh, const double length) {
-  std::vector<dealii::Point<2>> vertices;
-  vertices.reserve(mesh.vertices.size());
-  for (const auto& [x, y] : mesh.vertices) vertices.emplace_back(x / length, y / length);
-
-  std::vector<dealii::CellData<2>> cells;
-  cells.reserve(mesh.quads.size());
-  for (const auto& quad : mesh.quads) {
-    dealii::CellData<2> cell;
-    const auto& [a, b, c, d] = quad.vertices;
-    cell.vertices = {a, b, d, c};  // deal.II counts a cell's vertices line by line
-    cell.material_id = quad.body;
-    cells.push_back(cell);
-  }
-
-  dealii::SubCellData boundary;
-  for (const auto& edge : mesh.edges) {
-    dealii::CellData<1> line;
-    line.vertices = {edge.vertices[0], edge.vertices[1]};
-    line.boundary_id = edge.surface;
-    line.manifold_id = edge.circle < 0 ? dealii::numbers::flat_manifold_id
-                                       : static_cast<dealii::types::manifold_id>(edge.circle + 1);
-    boundary.boundary_lines.push_back(line);
-  }
-
-  auto triangulation = std::make_unique<dealii::parallel::distributed::Triangulation<2>>(
-      communicator, dealii::Triangulation<2>::limit_level_difference_at_vertices);
-  for (unsigned int i = 0; i < mesh.circles.size(); ++i) {
-    const auto& [x, y] = mesh.circles[i].centre;
-    triangulation->set_manifold(
-        i + 1, dealii::SphericalManifold<2>(dealii::Point<2>(x / length, y / length)));
+template <int dim>
+std::vector<dealii::CellData<dim>> cell_data(const MeshData<dim>& mesh) {
+  std::vector<dealii::CellData<dim>> cells;
+  cells.reserve(mesh.cells.size());
+  for (const Cell<dim>& cell : mesh.cells) {
+    dealii::CellData<dim> data;
+    data.vertices.assign(cell.vertices.begin(), cell.vertices.end());
+    swap_to_lines(data.vertices);
+    data.material_id = cell.body;
+    cells.push_back(data);
   }
   dealii::GridTools::consistently_order_cells(cells);
-  triangulation->create_triangulation(vertices, cells, boundary);
+  return cells;
+}
+
+template <int dim>
+dealii::SubCellData boundary_data(const MeshData<dim>& mesh) {
+  dealii::SubCellData boundary;
+  for (const Face<dim>& face : mesh.faces) {
+    dealii::CellData<dim - 1> data;
+    data.vertices.assign(face.vertices.begin(), face.vertices.end());
+    swap_to_lines(data.vertices);
+    data.boundary_id = face.surface;
+    data.manifold_id = face.circle < 0 ? dealii::numbers::flat_manifold_id
+                                       : static_cast<dealii::types::manifold_id>(face.circle + 1);
+    if constexpr (dim == 2)
+      boundary.boundary_lines.push_back(data);
+    else
+      boundary.boundary_quads.push_back(data);
+  }
+  return boundary;
+}
+
+/// Gives the edges of curved faces in space the manifold of their face.
+template <int dim>
+void bend_lines(dealii::Triangulation<dim>& triangulation) {
+  if constexpr (dim == 3)
+    for (const auto& face : triangulation.active_face_iterators())
+      if (face->at_boundary() && face->manifold_id() != dealii::numbers::flat_manifold_id)
+        face->set_all_manifold_ids(face->manifold_id());
+}
+
+/// The circle, or the cylinder over it along z, in the units of the triangulation.
+template <int dim>
+std::unique_ptr<dealii::Manifold<dim>> manifold(const Circle& circle, const double length) {
+  dealii::Point<dim> centre;
+  for (unsigned int component = 0; component < 2; ++component)
+    centre[component] = circle.centre[component] / length;
+  if constexpr (dim == 2)
+    return std::make_unique<dealii::SphericalManifold<2>>(centre);
+  else
+    return std::make_unique<dealii::CylindricalManifold<3>>(dealii::Tensor<1, 3>({0., 0., 1.}),
+                                                            centre);
+}
+
+}  // namespace
+
+template <int dim>
+MeshData<dim> broadcast(const MPI_Comm communicator, const MeshData<dim>& mesh) {
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1) return mesh;
+  return unflatten<dim>(dealii::Utilities::MPI::broadcast(communicator, flatten(mesh)));
+}
+
+template <int dim>
+std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> make_triangulation(
+    const MPI_Comm communicator, const MeshData<dim>& mesh, const double length) {
+  std::vector<dealii::Point<dim>> vertices(mesh.vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (unsigned int component = 0; component < dim; ++component)
+      vertices[i][component] = mesh.vertices[i][component] / length;
+  auto triangulation = std::make_unique<dealii::parallel::distributed::Triangulation<dim>>(
+      communicator, dealii::Triangulation<dim>::limit_level_difference_at_vertices);
+  for (unsigned int i = 0; i < mesh.circles.size(); ++i)
+    triangulation->set_manifold(i + 1, *manifold<dim>(mesh.circles[i], length));
+  triangulation->create_triangulation(vertices, cell_data(mesh), boundary_data(mesh));
+  bend_lines(*triangulation);
   return triangulation;
 }
+
+template MeshData<2> broadcast(MPI_Comm, const MeshData<2>&);
+template MeshData<3> broadcast(MPI_Comm, const MeshData<3>&);
+template std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> make_triangulation(
+    MPI_Comm, const MeshData<2>&, double);
+template std::unique_ptr<dealii::parallel::distributed::Triangulation<3>> make_triangulation(
+    MPI_Comm, const MeshData<3>&, double);
 
 }  // namespace geneva::mesh

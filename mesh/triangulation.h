@@ -10,14 +10,16 @@
 namespace geneva::mesh {
 
 /// Sends the mesh of rank 0 to all ranks.
-MeshData broadcast(MPI_Comm communicator, const MeshData& mesh);
+template <int dim>
+MeshData<dim> broadcast(MPI_Comm communicator, const MeshData<dim>& mesh);
 
 /// Makes the distributed coarse mesh: material ids are body indices, boundary ids surface indices,
-/// and every edge on a circle carries a manifold (id 1 + circle index), so that refinement follows
-/// the true circle.
+/// and every face on a circle or cylinder carries a manifold (id 1 + circle index), so that
+/// refinement follows the true one.
 /// @param mesh the same on all ranks
 /// @param length unit of length of the triangulation [m]: vertices are divided by it
-std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> make_triangulation(
-    MPI_Comm communicator, const MeshData& mesh, double length);
+template <int dim>
+std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> make_triangulation(
+    MPI_Comm communicator, const MeshData<dim>& mesh, double length);
 
 }  // namespace geneva::mesh

@@ -237,17 +237,17 @@ void check_cells(const OtherCells& cells, bool is_mesh_file) {
                                    "into four-sided ones with Transfinite Surface"));
 }
 
-void check_named_curves(const MeshData& mesh) {
+void check_named_curves(const MeshData<2>& mesh) {
   for (std::size_t i = 1; i < mesh.surfaces.size(); ++i)
-    if (std::none_of(mesh.edges.begin(), mesh.edges.end(),
-                     [&](const Edge& edge) { return edge.surface == i; }))
+    if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
+                     [&](const Face<2>& edge) { return edge.surface == i; }))
       throw std::invalid_argument(
           fmt::format("the physical curve \"{}\" holds no edge of a body's boundary: list the "
                       "curves that bound its surface",
                       mesh.surfaces[i]));
 }
 
-void scale(MeshData& mesh, double length_unit) {
+void scale(MeshData<2>& mesh, double length_unit) {
   for (Place& vertex : mesh.vertices)
     for (double& coordinate : vertex) coordinate *= length_unit;
   for (Circle& circle : mesh.circles) {
@@ -257,13 +257,13 @@ void scale(MeshData& mesh, double length_unit) {
 }
 
 /// The current Gmsh model with its names, after its mesh has been made or read.
-MeshData named_mesh(bool is_mesh_file) {
+MeshData<2> named_mesh(bool is_mesh_file) {
   check_cells(count_other_cells(), is_mesh_file);
   ModelLabels labels;
   label_bodies(labels);
   check_bodies(read_model(labels).mesh);  // before the curves: shared ones have two names
   label_curves(labels);
-  MeshData mesh = read_model(labels).mesh;
+  MeshData<2> mesh = read_model(labels).mesh;
   check_named_curves(mesh);
   return mesh;
 }
@@ -299,7 +299,7 @@ void run(GmshSession& session, const std::function<void()>& action,
   throw std::invalid_argument(listed(errors));
 }
 
-MeshData read_geo(const std::filesystem::path& file) {
+MeshData<2> read_geo(const std::filesystem::path& file) {
   const GuardedGeometry geometry = guard_geometry(file);
   // Gmsh opens only what this program has written to a place of its own: beside the user's file it
   // would also run "<file>.opt"
@@ -312,7 +312,7 @@ MeshData read_geo(const std::filesystem::path& file) {
   const std::filesystem::path guarded = directory.write("geometry.geo", geometry.text);
   GmshSession session;
   set_quadrilateral_options();
-  MeshData mesh;
+  MeshData<2> mesh;
   run(
       session, [&] { gmsh::open(guarded.string()); }, geometry);
   run(session, [&] {
@@ -322,20 +322,20 @@ MeshData read_geo(const std::filesystem::path& file) {
   return mesh;
 }
 
-MeshData read_msh(const std::filesystem::path& file) {
+MeshData<2> read_msh(const std::filesystem::path& file) {
   const std::string content = read_file(file);
   check_msh(content, file);
   const PrivateDirectory directory;
   const std::filesystem::path copy = directory.write("mesh.msh", content);
   GmshSession session;
-  MeshData mesh;
+  MeshData<2> mesh;
   run(session, [&] { gmsh::open(copy.string()); });
   run(session, [&] { mesh = named_mesh(true); });
   return mesh;
 }
 
 /// Runs an action; what it refuses gets the name of the file in front, unless it is there.
-MeshData naming(const std::filesystem::path& file, const std::function<MeshData()>& action) {
+MeshData<2> naming(const std::filesystem::path& file, const std::function<MeshData<2>()>& action) {
   try {
     return action();
   } catch (const std::invalid_argument& error) {
@@ -347,7 +347,7 @@ MeshData naming(const std::filesystem::path& file, const std::function<MeshData(
 
 }  // namespace
 
-MeshData read_geometry(const std::filesystem::path& file, double length_unit) {
+MeshData<2> read_geometry(const std::filesystem::path& file, double length_unit) {
   if (!(length_unit > 0.) || !std::isfinite(length_unit))
     throw std::invalid_argument(fmt::format("{}: its unit of length is {} m: it must be positive",
                                             file.string(), length_unit));
@@ -356,7 +356,7 @@ MeshData read_geometry(const std::filesystem::path& file, double length_unit) {
     throw std::invalid_argument(
         fmt::format("{}: a geometry must be a .geo or a .msh file", file.string()));
   return naming(file, [&] {
-    MeshData mesh = extension == ".geo" ? read_geo(file) : read_msh(file);
+    MeshData<2> mesh = extension == ".geo" ? read_geo(file) : read_msh(file);
     scale(mesh, length_unit);
     check(mesh);
     return mesh;

@@ -19,6 +19,6 @@ namespace geneva::mesh {
 /// geometry may not hold, syntax error, no plane physical group, unnamed groups or a name used
 /// twice, triangles, cells of order 2, cut short, bodies that share vertices, cells that no solver
 /// can use
-MeshData read_geometry(const std::filesystem::path& file, double length_unit);
+MeshData<2> read_geometry(const std::filesystem::path& file, double length_unit);
 
 }  // namespace geneva::mesh

@@ -19,7 +19,7 @@ double curvature(const fem::Solution& solution, const int circle, const bool is_
 
 /// The material of the body that a surface belongs to.
 loads::Elastic material_of(const fem::Solution& solution, const std::string& surface) {
-  const mesh::MeshData& mesh = solution.mesh;
+  const mesh::MeshData<2>& mesh = solution.mesh;
   const auto name = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
   const unsigned int body =
       *mesh::bodies_of(mesh, static_cast<unsigned int>(name - mesh.surfaces.begin())).begin();

@@ -26,9 +26,9 @@ loads::Elastic elastic(const fem::Material& material) {
 
 }  // namespace
 
-mesh::MeshData mesh_of(const LineContact& contact) {
+mesh::MeshData<2> mesh_of(const LineContact& contact) {
   const double R = contact.radius;
-  mesh::MeshData mesh = empty_mesh();
+  mesh::MeshData<2> mesh = empty_mesh();
   Ring ring;
   ring.centre = {0., R};
   const auto layers = static_cast<unsigned int>(std::lround(4. * (1. - contact.core)));

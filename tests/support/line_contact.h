@@ -24,7 +24,7 @@ struct LineContact {
 };
 
 /// Surfaces: "cylinder" and "core" of the cylinder, "top" and "bottom" of the block.
-mesh::MeshData mesh_of(const LineContact& contact);
+mesh::MeshData<2> mesh_of(const LineContact& contact);
 
 fem::Problem problem_of(const LineContact& contact);
 

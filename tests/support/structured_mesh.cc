@@ -11,7 +11,7 @@ namespace {
 using mesh::MeshData;
 
 /// Index of a surface name, which is added if it is new.
-unsigned int named(MeshData& mesh, const std::string& surface) {
+unsigned int named(MeshData<2>& mesh, const std::string& surface) {
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
   if (found != mesh.surfaces.end()) return static_cast<unsigned int>(found - mesh.surfaces.begin());
   mesh.surfaces.push_back(surface);
@@ -31,31 +31,31 @@ struct Grid {
   }
 };
 
-void add_cells(MeshData& mesh, const Grid& grid, const std::string& body) {
+void add_cells(MeshData<2>& mesh, const Grid& grid, const std::string& body) {
   const auto index = static_cast<unsigned int>(mesh.bodies.size());
   mesh.bodies.push_back(body);
   for (unsigned int row = 0; row + 1 < grid.rows; ++row)
     for (unsigned int column = 0; column < grid.cells(); ++column)
-      mesh.quads.push_back({{grid.node(column, row), grid.node(column + 1, row),
+      mesh.cells.push_back({{grid.node(column, row), grid.node(column + 1, row),
                              grid.node(column + 1, row + 1), grid.node(column, row + 1)},
                             index});
 }
 
-void add_row_edges(MeshData& mesh, const Grid& grid, const unsigned int row,
+void add_row_edges(MeshData<2>& mesh, const Grid& grid, const unsigned int row,
                    const std::string& surface, const int circle) {
   const unsigned int id = named(mesh, surface);
   for (unsigned int column = 0; column < grid.cells(); ++column)
-    mesh.edges.push_back({{grid.node(column, row), grid.node(column + 1, row)}, id, circle});
+    mesh.faces.push_back({{grid.node(column, row), grid.node(column + 1, row)}, id, circle});
 }
 
-void add_column_edges(MeshData& mesh, const Grid& grid, const unsigned int column,
+void add_column_edges(MeshData<2>& mesh, const Grid& grid, const unsigned int column,
                       const std::string& surface) {
   const unsigned int id = named(mesh, surface);
   for (unsigned int row = 0; row + 1 < grid.rows; ++row)
-    mesh.edges.push_back({{grid.node(column, row), grid.node(column, row + 1)}, id, -1});
+    mesh.faces.push_back({{grid.node(column, row), grid.node(column, row + 1)}, id, -1});
 }
 
-int add_circle(MeshData& mesh, const std::array<double, 2>& centre, const double radius) {
+int add_circle(MeshData<2>& mesh, const std::array<double, 2>& centre, const double radius) {
   mesh.circles.push_back({centre, radius});
   return static_cast<int>(mesh.circles.size()) - 1;
 }
@@ -68,13 +68,13 @@ std::vector<double> equal_steps(const double begin, const double end, const unsi
   return values;
 }
 
-MeshData empty_mesh() {
-  MeshData mesh;
+MeshData<2> empty_mesh() {
+  MeshData<2> mesh;
   mesh.surfaces = {""};
   return mesh;
 }
 
-void add_rectangle(MeshData& mesh, const std::string& body, const std::vector<double>& x,
+void add_rectangle(MeshData<2>& mesh, const std::string& body, const std::vector<double>& x,
                    const std::vector<double>& y, const RectangleSides& sides) {
   const Grid grid{static_cast<unsigned int>(mesh.vertices.size()),
                   static_cast<unsigned int>(x.size()), static_cast<unsigned int>(y.size()), false};
@@ -87,7 +87,7 @@ void add_rectangle(MeshData& mesh, const std::string& body, const std::vector<do
   add_column_edges(mesh, grid, grid.columns - 1, sides.right);
 }
 
-void add_ring(MeshData& mesh, const std::string& body, const Ring& ring) {
+void add_ring(MeshData<2>& mesh, const std::string& body, const Ring& ring) {
   const double span = ring.angles.back() - ring.angles.front();
   const bool closed = std::abs(span - 2. * std::acos(-1.)) < 1e-9;
   const std::size_t rays = ring.angles.size() - (closed ? 1 : 0);
@@ -109,14 +109,14 @@ void add_ring(MeshData& mesh, const std::string& body, const Ring& ring) {
   add_column_edges(mesh, grid, grid.columns - 1, ring.first_end);
 }
 
-MeshData mirrored(MeshData mesh) {
+MeshData<2> mirrored(MeshData<2> mesh) {
   for (auto& vertex : mesh.vertices) vertex[0] = -vertex[0];
   for (auto& circle : mesh.circles) circle.centre[0] = -circle.centre[0];
-  for (auto& quad : mesh.quads) std::reverse(quad.vertices.begin(), quad.vertices.end());
+  for (auto& quad : mesh.cells) std::reverse(quad.vertices.begin(), quad.vertices.end());
   return mesh;
 }
 
-MeshData enlarged(MeshData mesh, const double factor) {
+MeshData<2> enlarged(MeshData<2> mesh, const double factor) {
   for (auto& vertex : mesh.vertices)
     for (double& coordinate : vertex) coordinate *= factor;
   for (auto& circle : mesh.circles) {
@@ -126,7 +126,7 @@ MeshData enlarged(MeshData mesh, const double factor) {
   return mesh;
 }
 
-unsigned int surface_id(const MeshData& mesh, const std::string& name) {
+unsigned int surface_id(const MeshData<2>& mesh, const std::string& name) {
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), name);
   if (found == mesh.surfaces.end()) throw std::out_of_range("no surface '" + name + "'");
   return static_cast<unsigned int>(found - mesh.surfaces.begin());

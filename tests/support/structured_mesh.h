@@ -12,7 +12,7 @@ namespace geneva::test {
 std::vector<double> equal_steps(double begin, double end, unsigned int n);
 
 /// A mesh without bodies, with the unnamed surface.
-mesh::MeshData empty_mesh();
+mesh::MeshData<2> empty_mesh();
 
 /// Names of the four sides of a rectangle; "" stays unnamed.
 struct RectangleSides {
@@ -20,7 +20,7 @@ struct RectangleSides {
 };
 
 /// Adds a rectangular body with grid lines at the given places, in increasing order [m].
-void add_rectangle(mesh::MeshData& mesh, const std::string& body, const std::vector<double>& x,
+void add_rectangle(mesh::MeshData<2>& mesh, const std::string& body, const std::vector<double>& x,
                    const std::vector<double>& y, const RectangleSides& sides);
 
 /// A ring, or a sector of one, around a centre, with its boundary on true circles.
@@ -32,15 +32,15 @@ struct Ring {
   std::string first_end, last_end;  ///< surface names of a sector's ends
 };
 
-void add_ring(mesh::MeshData& mesh, const std::string& body, const Ring& ring);
+void add_ring(mesh::MeshData<2>& mesh, const std::string& body, const Ring& ring);
 
 /// The mesh with every x turned into -x.
-mesh::MeshData mirrored(mesh::MeshData mesh);
+mesh::MeshData<2> mirrored(mesh::MeshData<2> mesh);
 
 /// The mesh with all lengths multiplied by the factor.
-mesh::MeshData enlarged(mesh::MeshData mesh, double factor);
+mesh::MeshData<2> enlarged(mesh::MeshData<2> mesh, double factor);
 
 /// Index of a surface. @throws std::out_of_range if there is none of this name
-unsigned int surface_id(const mesh::MeshData& mesh, const std::string& name);
+unsigned int surface_id(const mesh::MeshData<2>& mesh, const std::string& name);
 
 }  // namespace geneva::test

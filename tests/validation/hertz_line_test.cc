@@ -47,7 +47,7 @@ TEST(JohnsonContactMechanics, ClosedFormOfTheSolutionIsThatOfItsInput) {
 TEST(JohnsonContactMechanics, Eq443And445CylinderInConcaveGroove) {
   // 1/R = 1/R1 - 1/(1.5 R1): a cylinder of three times the radius on a flat.
   const LineContact contact;
-  mesh::MeshData mesh = empty_mesh();
+  mesh::MeshData<2> mesh = empty_mesh();
   const double R = contact.radius;
   const double pi = std::acos(-1.);
   add_ring(mesh, "cylinder",

@@ -21,7 +21,7 @@ const fem::Material steel{2e11, 0.3};
 TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
   const double R = 0.01;
   const double force = 100.;
-  mesh::MeshData mesh = empty_mesh();
+  mesh::MeshData<2> mesh = empty_mesh();
   add_ring(mesh, "sphere",
            {{0., R},
             equal_steps(0.25 * R, R, 3),
@@ -61,7 +61,7 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
 TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
   LineContact one;
   const double R = one.radius;
-  mesh::MeshData mesh = empty_mesh();
+  mesh::MeshData<2> mesh = empty_mesh();
   for (const double side : {-1., 1.}) {
     const std::string name = side < 0. ? "left" : "right";
     add_ring(mesh, name,
@@ -95,8 +95,8 @@ TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
 
 /// Three blocks on top of each other between frictionless planes, on meshes that match nowhere,
 /// under a constant pressure.
-mesh::MeshData three_blocks(const std::vector<double>& middle_columns) {
-  mesh::MeshData mesh = empty_mesh();
+mesh::MeshData<2> three_blocks(const std::vector<double>& middle_columns) {
+  mesh::MeshData<2> mesh = empty_mesh();
   add_rectangle(mesh, "low", equal_steps(0., 3., 5), equal_steps(0., 1., 2),
                 {"bottom", "", "low top", "side"});
   add_rectangle(mesh, "middle", middle_columns, {1., 1.4, 2.},
@@ -237,7 +237,7 @@ TEST(Limits, TheLastGoodMeshStandsWhereTheActiveSetDoesNotSettle) {
 
 /// A punch with square edges: K. L. Johnson, 1985, section 2.8 (rigid, Eq. 2.64) and 5.1 (elastic).
 TEST(JohnsonContactMechanics, Sec51PressureAtASharpEdgeIsCalledUnbounded) {
-  mesh::MeshData mesh = empty_mesh();
+  mesh::MeshData<2> mesh = empty_mesh();
   add_rectangle(mesh, "punch", equal_steps(-1., 1., 6), equal_steps(0., 2., 6),
                 {"face", "", "lid", ""});
   add_rectangle(mesh, "block", equal_steps(-5., 5., 21), equal_steps(-5., 0., 10),

@@ -17,8 +17,8 @@ namespace {
 using geneva::test::equal_steps;
 using loads::test::expect_refused;
 
-mesh::MeshData square() {
-  mesh::MeshData mesh = geneva::test::empty_mesh();
+mesh::MeshData<2> square() {
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
   geneva::test::add_rectangle(mesh, "square", equal_steps(0., 1., 4), equal_steps(0., 1., 4),
                               {"bottom", "right", "top", "left"});
   return mesh;
@@ -26,7 +26,7 @@ mesh::MeshData square() {
 
 /// Boundary of a square with 16 edges.
 struct Square {
-  mesh::MeshData mesh = square();
+  mesh::MeshData<2> mesh = square();
   Discretisation grid{mesh};
   Boundary boundary = gather_boundary(*grid.dof_handler, mesh.circles, 1.);
 };
@@ -112,7 +112,7 @@ TEST(RigidTie, MovesAsOneAlongItsDirectionOnly) {
 }
 
 TEST(Constraints, HangingNodesAreTheMeansOfTheirNeighbours) {
-  mesh::MeshData mesh = square();
+  mesh::MeshData<2> mesh = square();
   Discretisation grid(mesh);
   for (const auto& cell : grid.triangulation->active_cell_iterators())
     if (cell->is_locally_owned() && cell->center()[0] < 0.5) cell->set_refine_flag();

@@ -18,7 +18,7 @@ namespace geneva::fem::test {
 
 /// Bilinear elements on a small mesh, refined evenly; lengths as in the mesh.
 struct Discretisation {
-  explicit Discretisation(const mesh::MeshData& mesh, const unsigned int refinements = 0)
+  explicit Discretisation(const mesh::MeshData<2>& mesh, const unsigned int refinements = 0)
       : triangulation(mesh::make_triangulation(MPI_COMM_WORLD, mesh, 1.)),
         element(dealii::FE_Q<2>(1), 2) {
     triangulation->refine_global(refinements);

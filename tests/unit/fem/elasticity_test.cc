@@ -25,24 +25,24 @@ constexpr std::array<PlaneKind, 3> all_kinds{PlaneKind::plane_strain, PlaneKind:
 
 /// The patch of MacNeal and Harder (Finite Elements in Analysis and Design 1, 1985): five distorted
 /// cells in a rectangle of 0.24 by 0.12, moved along x.
-mesh::MeshData patch(const double x0 = 0.) {
-  mesh::MeshData mesh = geneva::test::empty_mesh();
+mesh::MeshData<2> patch(const double x0 = 0.) {
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
   mesh.surfaces = {"", "bottom", "right", "top", "left"};
   mesh.bodies = {"patch"};
   mesh.vertices = {{0., 0.},     {0.24, 0.},   {0.24, 0.12}, {0., 0.12},
                    {0.04, 0.02}, {0.18, 0.03}, {0.16, 0.08}, {0.08, 0.08}};
   for (auto& vertex : mesh.vertices) vertex[0] += x0;
   for (unsigned int i = 0; i < 4; ++i) {
-    mesh.quads.push_back({{i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i}, 0});
-    mesh.edges.push_back({{i, (i + 1) % 4}, 1 + i, -1});
+    mesh.cells.push_back({{i, (i + 1) % 4, 4 + (i + 1) % 4, 4 + i}, 0});
+    mesh.faces.push_back({{i, (i + 1) % 4}, 1 + i, -1});
   }
-  mesh.quads.push_back({{4, 5, 6, 7}, 0});
+  mesh.cells.push_back({{4, 5, 6, 7}, 0});
   return mesh;
 }
 
 /// A sector of a ring that is not centred at the origin, beside a rectangle.
-mesh::MeshData ring_and_rectangle() {
-  mesh::MeshData mesh = geneva::test::empty_mesh();
+mesh::MeshData<2> ring_and_rectangle() {
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
   geneva::test::add_ring(
       mesh, "ring",
       {{0.5, 0.25}, {0.25, 0.5, 1.}, equal_steps(0.3, 0.3 + 2. * pi, 9), "bore", "rim", "", ""});
@@ -51,7 +51,7 @@ mesh::MeshData ring_and_rectangle() {
   return mesh;
 }
 
-Problem problem_on(const mesh::MeshData& mesh, const PlaneKind plane = PlaneKind::plane_strain) {
+Problem problem_on(const mesh::MeshData<2>& mesh, const PlaneKind plane = PlaneKind::plane_strain) {
   Problem problem;
   problem.plane = plane;
   problem.thickness = 0.7;
@@ -63,7 +63,8 @@ Problem problem_on(const mesh::MeshData& mesh, const PlaneKind plane = PlaneKind
 double size_of(const dealii::FullMatrix<double>& matrix) { return matrix.linfty_norm(); }
 
 /// The greatest force K u on any cell relative to K's size: 0 for motions without strain.
-double greatest_cell_force(const mesh::MeshData& mesh, const PlaneKind plane, const Field& motion) {
+double greatest_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
+                           const Field& motion) {
   const Discretisation grid(mesh);
   const auto systems = cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
   auto system = systems.begin();
@@ -102,7 +103,7 @@ struct Resultant {
   double moment = 0.;
 };
 
-Resultant resultant(const mesh::MeshData& mesh, const Problem& problem,
+Resultant resultant(const mesh::MeshData<2>& mesh, const Problem& problem,
                     const unsigned int refinements = 0) {
   const Discretisation grid(mesh, refinements);
   const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
@@ -176,7 +177,7 @@ constexpr double round_off = 1e-13;
 
 TEST(Stiffness, KnowsNoForceFromRigidMotionsInAPlane) {
   for (const PlaneKind plane : {PlaneKind::plane_strain, PlaneKind::plane_stress})
-    for (const mesh::MeshData& mesh : {patch(), ring_and_rectangle()}) {
+    for (const mesh::MeshData<2>& mesh : {patch(), ring_and_rectangle()}) {
       const auto along_x = [](const Point<2>&) { return Tensor<1, 2>({1., 0.}); };
       const auto along_y = [](const Point<2>&) { return Tensor<1, 2>({0., 1.}); };
       const auto rotation = [](const Point<2>& x) { return Tensor<1, 2>({-x[1], x[0]}); };
@@ -194,7 +195,7 @@ TEST(Stiffness, KnowsNoForceFromAnAxialTranslationOfABodyOfRevolution) {
 
 TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
   for (const PlaneKind plane : all_kinds) {
-    const mesh::MeshData mesh = patch(0.1);
+    const mesh::MeshData<2> mesh = patch(0.1);
     const Discretisation grid(mesh);
     for (const CellSystem& system :
          cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces)) {
@@ -217,7 +218,7 @@ TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
 /// A constant strain in equilibrium with its tractions: the displacement is linear and
 /// K u - f vanishes at every node of a distorted mesh.
 void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, const double x0) {
-  const mesh::MeshData mesh = patch(x0);
+  const mesh::MeshData<2> mesh = patch(x0);
   Problem problem = problem_on(mesh, plane);
   const bool axisymmetric = plane == PlaneKind::axisymmetric;
   const PlaneStress constant = stress(lame(steel, plane), plane, dealii::symmetrize(gradient),
@@ -248,7 +249,7 @@ TEST(PatchTest, ConstantStrainsOfABodyOfRevolutionAreExact) {
 }
 
 TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   problem.bodies[1].force.uniform = {3., -2.};
   const Resultant sum = resultant(mesh, problem);
@@ -259,7 +260,7 @@ TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
 }
 
 TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
-  const mesh::MeshData mesh = patch(0.1);
+  const mesh::MeshData<2> mesh = patch(0.1);
   Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
   problem.bodies[0].force.uniform = {0., -2.};
   const double volume = pi * (0.34 * 0.34 - 0.1 * 0.1) * 0.12;
@@ -268,7 +269,7 @@ TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
 
 /// The inertia's moment is the given one on any mesh, so that the reaction torque is too.
 TEST(BodyForce, MomentOfTheInertiaIsMinusJAlphaOnAnyMesh) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   problem.bodies[0].force.rotation = {0.37, 5., 11.};
   for (const unsigned int refinements : {0U, 1U, 3U})
@@ -277,7 +278,7 @@ TEST(BodyForce, MomentOfTheInertiaIsMinusJAlphaOnAnyMesh) {
 
 TEST(BodyForce, OfASteadyRotationIsCentrifugal) {
   // A rectangle from (2, -1) to (3.5, 0.5): density J/(t integral r^2), force m omega^2 x_centre.
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   const double inertia = 0.4;
   problem.bodies[1].force.rotation = {inertia, 5., 0.};
@@ -291,7 +292,7 @@ TEST(BodyForce, OfASteadyRotationIsCentrifugal) {
 }
 
 TEST(BodyForce, OfAnAcceleratedRotationLagsBehind) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   problem.bodies[1].force.rotation = {0.4, 0., 3.};
   const double mass = 0.4 / (2.75 * 2.75 + 0.25 * 0.25 + 2. * 1.5 * 1.5 / 12.);
@@ -302,7 +303,7 @@ TEST(BodyForce, OfAnAcceleratedRotationLagsBehind) {
 }
 
 TEST(SurfaceLoad, PressurePushesAgainstTheOutwardNormal) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   problem.loads = {{"top", 4., {0., 0.}}};
   const Resultant sum = resultant(mesh, problem, 1);
@@ -311,7 +312,7 @@ TEST(SurfaceLoad, PressurePushesAgainstTheOutwardNormal) {
 }
 
 TEST(SurfaceLoad, PressureAllAroundABodyOrAHoleHasNoResultant) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   for (const auto& closed :
        std::vector<std::vector<std::string>>{{"rim"}, {"bore"}, {"bottom", "right", "top", "left"}})
     for (const unsigned int refinements : {0U, 2U}) {
@@ -325,7 +326,7 @@ TEST(SurfaceLoad, PressureAllAroundABodyOrAHoleHasNoResultant) {
 
 TEST(SurfaceLoad, PressureAllAroundABodyOfRevolutionHasNoAxialResultant) {
   for (const double inner_radius : {0., 0.1}) {
-    const mesh::MeshData mesh = patch(inner_radius);
+    const mesh::MeshData<2> mesh = patch(inner_radius);
     Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
     for (const char* side : {"bottom", "right", "top", "left"})
       problem.loads.push_back({side, 4., {0., 0.}});
@@ -334,14 +335,14 @@ TEST(SurfaceLoad, PressureAllAroundABodyOfRevolutionHasNoAxialResultant) {
 }
 
 TEST(SurfaceLoad, TractionOnABodyOfRevolutionActsOnTheWholeRing) {
-  const mesh::MeshData mesh = patch(0.1);
+  const mesh::MeshData<2> mesh = patch(0.1);
   Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
   problem.loads = {{"top", 0., {0., 5.}}};
   EXPECT_NEAR(resultant(mesh, problem).force[1], 5. * pi * (0.34 * 0.34 - 0.1 * 0.1), round_off);
 }
 
 TEST(SurfaceLoad, LoadsOnOneSurfaceAddUp) {
-  const mesh::MeshData mesh = ring_and_rectangle();
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem problem = problem_on(mesh);
   problem.loads = {{"top", 4., {1., 0.}}, {"top", -1., {0., 2.}}};
   const Resultant sum = resultant(mesh, problem);

@@ -39,7 +39,7 @@ struct CoarseSolution {
     state = solve_level(*grid.dof_handler, level, guess, {}, [](unsigned int, unsigned int) {});
   }
 
-  mesh::MeshData mesh;
+  mesh::MeshData<2> mesh;
   Problem problem;
   Scales scales;
   Discretisation grid;
@@ -173,7 +173,7 @@ TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
 
 /// A plane of symmetry without friction pulls across itself only, also where a tie meets it.
 TEST(Reactions, OfAPlaneOfSymmetryHaveNoForceAlongIt) {
-  mesh::MeshData mesh = geneva::test::empty_mesh();
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
   const double R = 0.01;
   geneva::test::add_ring(mesh, "cylinder",
                          {{0., R},

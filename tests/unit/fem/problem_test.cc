@@ -15,8 +15,8 @@ namespace {
 using geneva::test::LineContact;
 using loads::test::expect_refused;
 
-const mesh::MeshData& mesh() {
-  static const mesh::MeshData data = mesh_of(LineContact());
+const mesh::MeshData<2>& mesh() {
+  static const mesh::MeshData<2> data = mesh_of(LineContact());
   return data;
 }
 
@@ -180,7 +180,7 @@ TEST(Check, RefusesASurfaceThatIsSourceAndTarget) {
 }
 
 TEST(Check, RefusesAContactSurfaceOfTwoBodies) {
-  mesh::MeshData two = geneva::test::empty_mesh();
+  mesh::MeshData<2> two = geneva::test::empty_mesh();
   for (const double left : {0., 2.})
     geneva::test::add_rectangle(two, left == 0. ? "a" : "b", {left, left + 1.}, {0., 1.},
                                 {"", "", "lids", ""});
@@ -194,7 +194,7 @@ TEST(Check, RefusesAContactSurfaceOfTwoBodies) {
 }
 
 TEST(Check, RefusesABodyThatNothingHolds) {
-  mesh::MeshData three = mesh();
+  mesh::MeshData<2> three = mesh();
   geneva::test::add_rectangle(three, "stray", {1., 2.}, {0., 1.}, {"", "", "", ""});
   Problem changed = problem();
   changed.bodies.push_back({"stray", {1., 0.3}, {}});

@@ -229,7 +229,7 @@ TEST(Overlaps, AreNoneBetweenSurfacesThatLookTheSameWay) {
 }
 
 TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
-  mesh::MeshData mesh = geneva::test::empty_mesh();
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
   geneva::test::add_ring(
       mesh, "ring",
       {{0.2, 0.1}, {0.5, 1.}, geneva::test::equal_steps(0., 2. * pi, 8), "bore", "rim", "", ""});

@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(Stations, EveryWheel,
 
 TEST_P(EveryWheel, HasAValidMeshOfGoodCellsForThePinAtBothEndsAndBetween) {
   for (const double way : {0., 0.1, 0.5, 1.}) {
-    const MeshData mesh =
+    const MeshData<2> mesh =
         way == 0.1 ? wheel().mesh : meshed(type(), stations(), diameter, way).mesh;
     check(mesh);
     EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << way;
@@ -62,7 +62,7 @@ TEST_P(EveryWheel, HasTheAreaOfItsOutlinesWithTheCirclesCountedIn) {
 }
 
 TEST_P(EveryWheel, HasAFewHundredCells) {
-  const std::size_t cells = wheel().mesh.quads.size();
+  const std::size_t cells = wheel().mesh.cells.size();
   const std::size_t most_for_few_stations = type() == WheelType::external ? 400 : 600;
   EXPECT_GE(cells, 150U);
   EXPECT_LE(cells, stations() <= 8 ? most_for_few_stations : 1300U);
@@ -104,10 +104,10 @@ TEST_P(BothWheels, HaveThePointOfContactAsAVertexOfThePin) {
 TEST_P(BothWheels, HaveNoVertexOfBothBodiesThoughTheyTouch) {
   // without clearance the pin at its farthest into the slot touches both walls and the bottom
   const double deepest = GetParam() == WheelType::external ? 0. : 1.;
-  const MeshData mesh = meshed(GetParam(), 6, diameter, deepest).mesh;
+  const MeshData<2> mesh = meshed(GetParam(), 6, diameter, deepest).mesh;
   std::set<unsigned int> of_wheel;
   std::set<unsigned int> of_pin;
-  for (const Quad& quad : mesh.quads)
+  for (const Cell<2>& quad : mesh.cells)
     (quad.body == 0 ? of_wheel : of_pin).insert(quad.vertices.begin(), quad.vertices.end());
   for (const unsigned int vertex : of_pin) EXPECT_EQ(of_wheel.count(vertex), 0U);
 }
@@ -124,7 +124,7 @@ TEST_P(BothWheels, HaveEveryVertexOfTheOutlineExactly) {
 
 TEST_P(BothWheels, HaveTheirBoundaryOnTheCirclesOfTheOutlineToRoundOff) {
   const DrawnWheel& wheel = usual(GetParam(), 4);
-  for (const Edge& edge : wheel.mesh.edges) {
+  for (const Face<2>& edge : wheel.mesh.faces) {
     const std::string& name = wheel.mesh.surfaces[edge.surface];
     if (wheel.radius.count(name) == 0) continue;
     ASSERT_GE(edge.circle, 0) << name;
@@ -145,7 +145,7 @@ TEST_P(BothWheels, ListEveryCircleOnce) {
 
 TEST_P(BothWheels, KeepTheDrivingWallStraight) {
   const DrawnWheel& wheel = usual(GetParam(), 4);
-  for (const Edge& edge : wheel.mesh.edges) {
+  for (const Face<2>& edge : wheel.mesh.faces) {
     if (wheel.mesh.surfaces[edge.surface] != "driving wall") continue;
     EXPECT_EQ(edge.circle, -1);
     for (const unsigned int vertex : edge.vertices)
@@ -157,7 +157,7 @@ TEST_P(BothWheels, KeepTheDrivingWallStraight) {
 TEST_P(BothWheels, AreFineOnTheDrivingWallAtTheContact) {
   for (const int n : {3, 4, 6, 12, 24}) {
     const DrawnWheel wheel = meshed(GetParam(), n, diameter, 0.4);
-    for (const Edge& edge : wheel.mesh.edges) {
+    for (const Face<2>& edge : wheel.mesh.faces) {
       if (wheel.mesh.surfaces[edge.surface] != "driving wall") continue;
       const double a = wheel.mesh.vertices[edge.vertices[0]][0];
       const double b = wheel.mesh.vertices[edge.vertices[1]][0];
@@ -170,13 +170,13 @@ TEST_P(BothWheels, AreFineOnTheDrivingWallAtTheContact) {
 
 TEST_P(BothWheels, DoNotDependOnTheUnitOfLength) {
   for (const int n : {4, 7, 13}) {
-    const MeshData& metres = usual(GetParam(), n).mesh;
+    const MeshData<2>& metres = usual(GetParam(), n).mesh;
     for (const double factor : {0.0254, 1000., 1. / 3.}) {
-      const MeshData scaled = meshed(GetParam(), n, diameter * factor).mesh;
+      const MeshData<2> scaled = meshed(GetParam(), n, diameter * factor).mesh;
       ASSERT_EQ(scaled.vertices.size(), metres.vertices.size());
-      ASSERT_EQ(scaled.quads.size(), metres.quads.size());
-      for (std::size_t i = 0; i < metres.quads.size(); ++i)
-        EXPECT_EQ(scaled.quads[i].vertices, metres.quads[i].vertices);
+      ASSERT_EQ(scaled.cells.size(), metres.cells.size());
+      for (std::size_t i = 0; i < metres.cells.size(); ++i)
+        EXPECT_EQ(scaled.cells[i].vertices, metres.cells[i].vertices);
       for (std::size_t i = 0; i < metres.vertices.size(); ++i)
         for (std::size_t k = 0; k < 2; ++k)
           EXPECT_NEAR(scaled.vertices[i][k], factor * metres.vertices[i][k],
@@ -190,7 +190,7 @@ TEST_P(BothWheels, AreTheSameEveryTime) {
 }
 
 TEST(ExternalWheelMesh, OfFourStationsHasTwoToFourHundredCells) {
-  const std::size_t cells = usual(WheelType::external, 4).mesh.quads.size();
+  const std::size_t cells = usual(WheelType::external, 4).mesh.cells.size();
   EXPECT_GE(cells, 200U);
   EXPECT_LE(cells, 400U);
 }
@@ -204,7 +204,7 @@ TEST(ExternalWheelMesh, MakesARingOfLayersOfThePin) {
   const loads::CommonDimensions& d = wheel.dimensions;
   const double middle = (d.slot_width - d.pin_diameter) / 2.;
   int cells = 0;
-  for (const Quad& quad : wheel.mesh.quads) {
+  for (const Cell<2>& quad : wheel.mesh.cells) {
     if (quad.body != 1) continue;
     ++cells;
     EXPECT_GT(scaled_jacobian(corners(wheel.mesh, quad)), 0.98);

@@ -20,7 +20,7 @@ struct DrawnWheel {
   double size;                           ///< greatest radius [m]
   std::map<std::string, double> radius;  ///< of the circles by surface [m]
   std::vector<loads::Outline> outlines;  ///< wheel and pin
-  MeshData mesh;
+  MeshData<2> mesh;
 };
 
 /// @param way of the pin along the driving wall: 0 nearest to the wheel's axis, 1 farthest

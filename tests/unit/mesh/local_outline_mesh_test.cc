@@ -17,7 +17,7 @@ using test::area;
 using test::edges_by_surface;
 using test::has_vertex;
 
-MeshData meshed(const LocalDimensions& dimensions) {
+MeshData<2> meshed(const LocalDimensions& dimensions) {
   return mesh_outlines(loads::local_outlines(dimensions), default_sizing(dimensions));
 }
 
@@ -26,8 +26,8 @@ LocalDimensions block(double width, double depth) {
   return {0.01, 0.0025, 0.01 * width, 0.01 * depth};
 }
 
-const MeshData& usual() {
-  static const MeshData mesh = meshed(block(4., 3.));
+const MeshData<2>& usual() {
+  static const MeshData<2> mesh = meshed(block(4., 3.));
   return mesh;
 }
 
@@ -44,10 +44,10 @@ TEST(LocalOutlineMesh, HasAFewHundredGoodCellsWhateverTheBlock) {
                                      {10., 10.},
                                      {20., 10.},
                                      {50., 50.}}) {
-    const MeshData mesh = meshed(block(width, depth));
+    const MeshData<2> mesh = meshed(block(width, depth));
     check(mesh);
-    EXPECT_GE(mesh.quads.size(), 70U) << width << " x " << depth;
-    EXPECT_LE(mesh.quads.size(), 700U) << width << " x " << depth;
+    EXPECT_GE(mesh.cells.size(), 70U) << width << " x " << depth;
+    EXPECT_LE(mesh.cells.size(), 700U) << width << " x " << depth;
     EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << width << " x " << depth;
     EXPECT_GT(least_scaled_jacobian_refined(mesh), 0.15) << width << " x " << depth;
   }
@@ -73,7 +73,7 @@ TEST(LocalOutlineMesh, HasThePointOfContactAsAVertexOfThePin) {
 }
 
 TEST(LocalOutlineMesh, KeepsTheFacesOfTheBlockStraight) {
-  for (const Edge& edge : usual().edges)
+  for (const Face<2>& edge : usual().faces)
     for (const unsigned int vertex : edge.vertices) {
       const std::string& name = usual().surfaces[edge.surface];
       const auto& [x, y] = usual().vertices[vertex];
@@ -93,9 +93,9 @@ TEST(LocalOutlineMesh, KeepsTheFacesOfTheBlockStraight) {
 /// refinement removes.
 TEST(LocalOutlineMesh, IsRegularAlongTheContact) {
   std::vector<int> cells(usual().vertices.size(), 0);
-  for (const Quad& quad : usual().quads)
+  for (const Cell<2>& quad : usual().cells)
     for (const unsigned int vertex : quad.vertices) ++cells[vertex];
-  for (const Edge& edge : usual().edges) {
+  for (const Face<2>& edge : usual().faces) {
     const std::string& name = usual().surfaces[edge.surface];
     for (const unsigned int vertex : edge.vertices) {
       const bool is_corner = std::abs(std::abs(usual().vertices[vertex][0]) - 0.02) < 1e-15;
@@ -107,10 +107,10 @@ TEST(LocalOutlineMesh, IsRegularAlongTheContact) {
 }
 
 TEST(LocalOutlineMesh, DoesNotDependOnTheUnitOfLength) {
-  const MeshData inches = meshed({0.01 / 0.0254, 0.0025 / 0.0254, 0.04 / 0.0254, 0.03 / 0.0254});
-  ASSERT_EQ(inches.quads.size(), usual().quads.size());
-  for (std::size_t i = 0; i < usual().quads.size(); ++i)
-    EXPECT_EQ(inches.quads[i].vertices, usual().quads[i].vertices);
+  const MeshData<2> inches = meshed({0.01 / 0.0254, 0.0025 / 0.0254, 0.04 / 0.0254, 0.03 / 0.0254});
+  ASSERT_EQ(inches.cells.size(), usual().cells.size());
+  for (std::size_t i = 0; i < usual().cells.size(); ++i)
+    EXPECT_EQ(inches.cells[i].vertices, usual().cells[i].vertices);
 }
 
 }  // namespace

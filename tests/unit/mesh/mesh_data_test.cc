@@ -15,14 +15,14 @@ using loads::test::expect_refused;
 
 /// Two squares beside each other that touch without a common vertex: "left" of two cells, "right"
 /// of one.
-MeshData two_bodies() {
-  MeshData mesh;
+MeshData<2> two_bodies() {
+  MeshData<2> mesh;
   mesh.vertices = {{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}, {1., 2.},
                    {0., 2.}, {1., 0.}, {2., 0.}, {2., 1.}, {1., 1.}};
-  mesh.quads = {{{0, 1, 2, 3}, 0}, {{3, 2, 4, 5}, 0}, {{6, 7, 8, 9}, 1}};
+  mesh.cells = {{{0, 1, 2, 3}, 0}, {{3, 2, 4, 5}, 0}, {{6, 7, 8, 9}, 1}};
   mesh.bodies = {"left", "right"};
   mesh.surfaces = {"", "base"};
-  mesh.edges = {{{0, 1}, 1, -1}, {{1, 2}, 0, -1}, {{2, 4}, 0, -1}, {{4, 5}, 0, -1},
+  mesh.faces = {{{0, 1}, 1, -1}, {{1, 2}, 0, -1}, {{2, 4}, 0, -1}, {{4, 5}, 0, -1},
                 {{5, 3}, 0, -1}, {{3, 0}, 0, -1}, {{6, 7}, 1, -1}, {{7, 8}, 0, -1},
                 {{8, 9}, 0, -1}, {{9, 6}, 0, -1}};
   return mesh;
@@ -49,10 +49,10 @@ TEST(ScaledJacobian, IsZeroWhereTwoVerticesCoincide) {
 }
 
 TEST(ScaledJacobian, AfterRefinementSeesTheBentEdge) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   EXPECT_NEAR(least_scaled_jacobian_refined(mesh), 1., 1e-15);
   mesh.circles = {{{0.5, 0.5}, std::sqrt(0.5)}};
-  mesh.edges[0].circle = 0;
+  mesh.faces[0].circle = 0;
   EXPECT_LT(least_scaled_jacobian_refined(mesh), 0.99);
   EXPECT_DOUBLE_EQ(least_scaled_jacobian(mesh), 1.);
 }
@@ -60,95 +60,95 @@ TEST(ScaledJacobian, AfterRefinementSeesTheBentEdge) {
 TEST(MeshCheck, AcceptsBodiesThatTouchWithoutSharingVertices) { check(two_bodies()); }
 
 TEST(MeshCheck, RefusesAVertexOfTwoBodies) {
-  MeshData mesh = two_bodies();
-  mesh.quads[2].vertices = {1, 7, 8, 2};
+  MeshData<2> mesh = two_bodies();
+  mesh.cells[2].vertices = {1, 7, 8, 2};
   expect_refused([&] { check(mesh); }, {"left", "right", "(1, 0)", "its own points"});
 }
 
 TEST(MeshCheck, RefusesAClockwiseCell) {
-  MeshData mesh = two_bodies();
-  mesh.quads[2].vertices = {6, 9, 8, 7};
+  MeshData<2> mesh = two_bodies();
+  mesh.cells[2].vertices = {6, 9, 8, 7};
   expect_refused([&] { check(mesh); }, {"cell 2", "right", "(1, 0)", "turned over", "-1"});
 }
 
 TEST(MeshCheck, RefusesAFlatCell) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.vertices[8] = {1.505, 0.5};
   expect_refused([&] { check(mesh); }, {"cell 2", "smaller cells"});
 }
 
 TEST(MeshCheck, RefusesAVertexThatNoCellUses) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.vertices.push_back({7., 8.});
   expect_refused([&] { check(mesh); }, {"vertex 10", "(7, 8)", "no cell"});
 }
 
 TEST(MeshCheck, RefusesABodyWithoutCells) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.bodies.emplace_back("third");
   expect_refused([&] { check(mesh); }, {"third", "no cells"});
 }
 
 TEST(MeshCheck, RefusesABoundaryEdgeThatIsNotListed) {
-  MeshData mesh = two_bodies();
-  mesh.edges.pop_back();
+  MeshData<2> mesh = two_bodies();
+  mesh.faces.pop_back();
   expect_refused([&] { check(mesh); }, {"not listed", "(1, 0)", "(1, 1)"});
 }
 
 TEST(MeshCheck, RefusesAnEdgeThatIsListedTwice) {
-  MeshData mesh = two_bodies();
-  mesh.edges.push_back({{1, 0}, 0, -1});
+  MeshData<2> mesh = two_bodies();
+  mesh.faces.push_back({{1, 0}, 0, -1});
   expect_refused([&] { check(mesh); }, {"twice", "(0, 0)", "(1, 0)"});
 }
 
 TEST(MeshCheck, RefusesAnEdgeInsideOfABody) {
-  MeshData mesh = two_bodies();
-  mesh.edges.push_back({{2, 3}, 0, -1});
+  MeshData<2> mesh = two_bodies();
+  mesh.faces.push_back({{2, 3}, 0, -1});
   expect_refused([&] { check(mesh); }, {"inside a body"});
 }
 
 TEST(MeshCheck, RefusesAnEdgeThatIsNoSideOfACell) {
-  MeshData mesh = two_bodies();
-  mesh.edges.push_back({{0, 2}, 0, -1});
+  MeshData<2> mesh = two_bodies();
+  mesh.faces.push_back({{0, 2}, 0, -1});
   expect_refused([&] { check(mesh); }, {"no side of a cell"});
 }
 
 TEST(MeshCheck, RefusesThreeCellsAtASide) {
-  MeshData mesh = two_bodies();
-  mesh.quads.push_back(mesh.quads[0]);
-  mesh.quads.push_back(mesh.quads[0]);
+  MeshData<2> mesh = two_bodies();
+  mesh.cells.push_back(mesh.cells[0]);
+  mesh.cells.push_back(mesh.cells[0]);
   expect_refused([&] { check(mesh); }, {"cells meet", "at most two"});
 }
 
 TEST(MeshCheck, RefusesAVertexOffTheCircleOfItsEdge) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.circles = {{{0., 0.}, 1.}};
-  mesh.edges[2].circle = 0;
+  mesh.faces[2].circle = 0;
   expect_refused([&] { check(mesh); }, {"off the circle"});
 }
 
 TEST(MeshCheck, RefusesIndicesThatPointNowhere) {
   const auto refuses = [](auto change, const std::string& word) {
-    MeshData mesh = two_bodies();
+    MeshData<2> mesh = two_bodies();
     change(mesh);
     expect_refused([&] { check(mesh); }, {word, "of"});
   };
-  refuses([](MeshData& mesh) { mesh.quads[0].body = 2; }, "body 2");
-  refuses([](MeshData& mesh) { mesh.edges[0].surface = 5; }, "surface 5");
-  refuses([](MeshData& mesh) { mesh.edges[0].circle = 0; }, "circle 0");
-  MeshData mesh = two_bodies();
-  mesh.quads[1].vertices[0] = 99;
+  refuses([](MeshData<2>& mesh) { mesh.cells[0].body = 2; }, "body 2");
+  refuses([](MeshData<2>& mesh) { mesh.faces[0].surface = 5; }, "surface 5");
+  refuses([](MeshData<2>& mesh) { mesh.faces[0].circle = 0; }, "circle 0");
+  MeshData<2> mesh = two_bodies();
+  mesh.cells[1].vertices[0] = 99;
   expect_refused([&] { check(mesh); }, {"cell 1", "beyond"});
 }
 
 TEST(MeshCheck, RefusesCoordinatesThatAreNotFinite) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.vertices[3][1] = std::numeric_limits<double>::quiet_NaN();
   expect_refused([&] { check(mesh); }, {"vertex 3", "finite"});
 }
 
 TEST(MeshCheck, RefusesSurfacesThatDoNotBeginWithTheNamelessOne) {
-  MeshData mesh = two_bodies();
+  MeshData<2> mesh = two_bodies();
   mesh.surfaces = {"base", "other"};
   expect_refused([&] { check(mesh); }, {"first surface"});
 }

@@ -16,17 +16,17 @@ inline double cross(const std::array<double, 2>& a, const std::array<double, 2>&
 }
 
 /// Area of a body: of its straight-sided cells, and between its boundary edges and their circles.
-inline double area(const MeshData& mesh, unsigned int body) {
+inline double area(const MeshData<2>& mesh, unsigned int body) {
   double sum = 0.;
   std::set<unsigned int> vertices;
-  for (const Quad& quad : mesh.quads) {
+  for (const Cell<2>& quad : mesh.cells) {
     if (quad.body != body) continue;
     for (std::size_t i = 0; i < 4; ++i) {
       vertices.insert(quad.vertices[i]);
       sum += cross(mesh.vertices[quad.vertices[i]], mesh.vertices[quad.vertices[(i + 1) % 4]]) / 2.;
     }
   }
-  for (const Edge& edge : mesh.edges) {
+  for (const Face<2>& edge : mesh.faces) {
     if (edge.circle < 0 || vertices.count(edge.vertices[0]) == 0) continue;
     const Circle& circle = mesh.circles[static_cast<std::size_t>(edge.circle)];
     const auto& p = mesh.vertices[edge.vertices[0]];
@@ -39,16 +39,16 @@ inline double area(const MeshData& mesh, unsigned int body) {
   return sum;
 }
 
-inline std::map<std::string, int> edges_by_surface(const MeshData& mesh) {
+inline std::map<std::string, int> edges_by_surface(const MeshData<2>& mesh) {
   std::map<std::string, int> edges;
-  for (const Edge& edge : mesh.edges) ++edges[mesh.surfaces[edge.surface]];
+  for (const Face<2>& edge : mesh.faces) ++edges[mesh.surfaces[edge.surface]];
   return edges;
 }
 
 /// Whether a body has a vertex at a place, to the last bit.
-inline bool has_vertex(const MeshData& mesh, unsigned int body,
+inline bool has_vertex(const MeshData<2>& mesh, unsigned int body,
                        const std::array<double, 2>& place) {
-  return std::any_of(mesh.quads.begin(), mesh.quads.end(), [&](const Quad& quad) {
+  return std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const Cell<2>& quad) {
     return quad.body == body &&
            std::any_of(quad.vertices.begin(), quad.vertices.end(),
                        [&](unsigned int v) { return mesh.vertices[v] == place; });

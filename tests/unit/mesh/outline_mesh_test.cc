@@ -25,8 +25,8 @@ Outline square(double side) {
 }
 
 TEST(OutlineMesh, OfASquareIsMadeOfSquares) {
-  const MeshData mesh = mesh_outlines({square(1.)}, {0.25, 0.25, {0., 0.}, 1.});
-  EXPECT_EQ(mesh.edges.size(), 16U);
+  const MeshData<2> mesh = mesh_outlines({square(1.)}, {0.25, 0.25, {0., 0.}, 1.});
+  EXPECT_EQ(mesh.faces.size(), 16U);
   EXPECT_NEAR(area(mesh, 0), 1., 1e-12);
   EXPECT_TRUE(mesh.circles.empty());
 }

@@ -62,12 +62,12 @@ struct Msh {
   }
 };
 
-MeshData read(const std::string& name, const std::string& content, double unit = 1.) {
+MeshData<2> read(const std::string& name, const std::string& content, double unit = 1.) {
   const CaseDirectory directory;
   return read_geometry(directory.write(name, content), unit);
 }
 
-MeshData read_geo(const std::string& content) { return read("geometry.geo", content); }
+MeshData<2> read_geo(const std::string& content) { return read("geometry.geo", content); }
 
 void expect_geo_refused(const std::string& content, std::initializer_list<std::string> parts) {
   const CaseDirectory directory;
@@ -83,16 +83,16 @@ void expect_msh_refused(const std::string& content, std::initializer_list<std::s
   expect_refused([&] { (void)read_geometry(file, 1.); }, parts);
 }
 
-std::size_t edges_of(const MeshData& mesh, const std::string& surface) {
+std::size_t edges_of(const MeshData<2>& mesh, const std::string& surface) {
   return static_cast<std::size_t>(
-      std::count_if(mesh.edges.begin(), mesh.edges.end(),
-                    [&](const Edge& edge) { return mesh.surfaces[edge.surface] == surface; }));
+      std::count_if(mesh.faces.begin(), mesh.faces.end(),
+                    [&](const Face<2>& edge) { return mesh.surfaces[edge.surface] == surface; }));
 }
 
-std::size_t cells_of(const MeshData& mesh, const std::string& body) {
+std::size_t cells_of(const MeshData<2>& mesh, const std::string& body) {
   return static_cast<std::size_t>(
-      std::count_if(mesh.quads.begin(), mesh.quads.end(),
-                    [&](const Quad& quad) { return mesh.bodies[quad.body] == body; }));
+      std::count_if(mesh.cells.begin(), mesh.cells.end(),
+                    [&](const Cell<2>& quad) { return mesh.bodies[quad.body] == body; }));
 }
 
 /// Meshes a geometry with Gmsh itself and writes it in a format of .msh.
@@ -116,7 +116,7 @@ std::string saved(const std::string& geo, double version, bool binary) {
 }
 
 TEST(GeoFile, OfTwoBlocksHasTheirCellsAndNamesInOrder) {
-  const MeshData mesh = read_geo(two_blocks);
+  const MeshData<2> mesh = read_geo(two_blocks);
   EXPECT_EQ(mesh.bodies, (std::vector<std::string>{"lower", "upper"}));
   EXPECT_EQ(mesh.surfaces, (std::vector<std::string>{"", "lower top", "upper base", "foot"}));
   EXPECT_EQ(cells_of(mesh, "lower"), 8U);
@@ -134,25 +134,25 @@ TEST(GeoFile, IsReadToItsLastStatementWithoutANewlineAtTheEnd) {
 }
 
 TEST(GeoFile, IsScaledToMetres) {
-  const MeshData mesh = read("geometry.geo", two_blocks, 0.0254);
+  const MeshData<2> mesh = read("geometry.geo", two_blocks, 0.0254);
   double right = 0.;
   for (const auto& vertex : mesh.vertices) right = std::max(right, vertex[0]);
   EXPECT_DOUBLE_EQ(right, 4. * 0.0254);
 }
 
 TEST(GeoFile, IsRecombinedAndKnowsItsCircle) {
-  const MeshData mesh = read("geometry.geo", "lc = 0.5;" + disc, 1e-3);
+  const MeshData<2> mesh = read("geometry.geo", "lc = 0.5;" + disc, 1e-3);
   ASSERT_EQ(mesh.circles.size(), 1U);
   EXPECT_NEAR(mesh.circles[0].centre[0], 3e-3, 1e-15);
   EXPECT_NEAR(mesh.circles[0].centre[1], 1e-3, 1e-15);
   EXPECT_NEAR(mesh.circles[0].radius, 2e-3, 1e-15);
-  for (const Edge& edge : mesh.edges)
+  for (const Face<2>& edge : mesh.faces)
     EXPECT_EQ(edge.circle, mesh.surfaces[edge.surface] == "round" ? 0 : -1);
   EXPECT_GT(edges_of(mesh, "round"), 16U);
 }
 
 TEST(GeoFile, OfTheOtherKernelWithBooleansKnowsItsCircles) {
-  const MeshData mesh = read_geo(R"(SetFactory("OpenCASCADE");
+  const MeshData<2> mesh = read_geo(R"(SetFactory("OpenCASCADE");
 Rectangle(1) = {0, 0, 0, 4, 4}; Disk(2) = {4, 2, 0, 1};
 BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
 MeshSize {:} = 0.5;
@@ -165,12 +165,12 @@ Physical Surface("plate") = {3}; Physical Curve("all") = {Boundary{Surface{3};}}
     const auto& [x, y] = mesh.vertices[vertex];
     return std::abs(std::hypot(x - 4., y - 2.) - 1.) < 1e-9;
   };
-  for (const Edge& edge : mesh.edges)
+  for (const Face<2>& edge : mesh.faces)
     EXPECT_EQ(edge.circle == 0, on_circle(edge.vertices[0]) && on_circle(edge.vertices[1]));
 }
 
 TEST(GeoFile, HasNoCircleOnAnEllipseOrASpline) {
-  const MeshData mesh = read_geo(R"(lc = 0.3;
+  const MeshData<2> mesh = read_geo(R"(lc = 0.3;
 Point(1) = {0, 0, 0, lc}; Point(2) = {2, 0, 0, lc}; Point(3) = {0, 1, 0, lc};
 Ellipse(1) = {2, 1, 2, 3}; Line(2) = {3, 1}; Line(3) = {1, 2};
 Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};
@@ -179,7 +179,7 @@ Physical Surface("quarter") = {1}; Physical Curve("edge") = {1};)");
 }
 
 TEST(GeoFile, RunsLoopsMacrosAndConditionsAsGmshDoes) {
-  const MeshData mesh = read_geo(R"(
+  const MeshData<2> mesh = read_geo(R"(
 Macro block
   p = newp; Point(p) = {x, 0, 0}; Point(p + 1) = {x + 1, 0, 0};
   Point(p + 2) = {x + 1, 1, 0}; Point(p + 3) = {x, 1, 0};
@@ -197,7 +197,7 @@ For i In {0:2}
   Call block;
 EndFor)");
   EXPECT_EQ(mesh.bodies, (std::vector<std::string>{"block 0", "block 1", "block 2"}));
-  EXPECT_EQ(mesh.quads.size(), 12U);
+  EXPECT_EQ(mesh.cells.size(), 12U);
   EXPECT_EQ(edges_of(mesh, "last"), 2U);
 }
 
@@ -260,7 +260,7 @@ TEST(GeoFile, CanBeReadAfterOneWithErrors) {
   expect_geo_refused("Point(1) = {0, 0};\nIf (1)\nx = {1, 2;\nEndIf", {});
   expect_geo_refused("Point(1) = 0, 0};", {"closes no bracket"});
   expect_geo_refused("Point(1) = ;\nPoint(2) = ;", {":1: syntax error", ":2: syntax error"});
-  EXPECT_EQ(read_geo(two_blocks).quads.size(), 17U);
+  EXPECT_EQ(read_geo(two_blocks).cells.size(), 17U);
 }
 
 TEST(GeoFile, WithUnknownEntitiesIsRefusedInTheWordsOfGmsh) {
@@ -312,7 +312,7 @@ TEST(GeoFile, WithANamedCurveThatBoundsNothingIsRefused) {
 TEST(GeoFile, WithBodiesThatShareVerticesIsRefused) {
   std::string alike = two_blocks;
   alike.replace(alike.find("{11, 13} = 4"), 12, "{11, 13} = 5");
-  EXPECT_EQ(read_geo(alike).quads.size(), 20U);
+  EXPECT_EQ(read_geo(alike).cells.size(), 20U);
   expect_geo_refused(alike + "Coherence;", {"lower", "upper", "share", "Coherence"});
 }
 
@@ -363,12 +363,12 @@ TEST(GeometryFile, WithAUnitOfLengthThatIsNotPositiveIsRefused) {
 }
 
 TEST(MshFile, OfTwoSquaresIsRead) {
-  const MeshData mesh = read("wheel.msh", Msh().text(), 0.001);
+  const MeshData<2> mesh = read("wheel.msh", Msh().text(), 0.001);
   EXPECT_EQ(mesh.bodies, (std::vector<std::string>{"left", "right"}));
   EXPECT_EQ(mesh.surfaces, (std::vector<std::string>{"", "base", "face"}));
   EXPECT_EQ(mesh.vertices.size(), 8U);
-  EXPECT_EQ(mesh.quads.size(), 2U);
-  EXPECT_EQ(mesh.edges.size(), 8U);
+  EXPECT_EQ(mesh.cells.size(), 2U);
+  EXPECT_EQ(mesh.faces.size(), 8U);
   EXPECT_EQ(edges_of(mesh, "base"), 1U);
   EXPECT_EQ(edges_of(mesh, "face"), 1U);
 }
@@ -382,11 +382,11 @@ TEST(MshFile, HasItsClockwiseCellsTurned) {
 
 TEST(MshFile, IsReadInAllFormatsAlike) {
   const std::string geo = "lc = 0.5;" + disc;
-  const MeshData direct = read_geo(geo);
+  const MeshData<2> direct = read_geo(geo);
   for (const double version : {2.2, 4.1})
     for (const bool binary : {false, true}) {
-      const MeshData mesh = read("wheel.msh", saved(geo, version, binary));
-      EXPECT_EQ(mesh.quads.size(), direct.quads.size());
+      const MeshData<2> mesh = read("wheel.msh", saved(geo, version, binary));
+      EXPECT_EQ(mesh.cells.size(), direct.cells.size());
       EXPECT_EQ(edges_of(mesh, "round"), edges_of(direct, "round"));
       ASSERT_EQ(mesh.circles.size(), 1U) << version << binary;
       EXPECT_NEAR(mesh.circles[0].centre[0], 3., 1e-12);
@@ -395,7 +395,7 @@ TEST(MshFile, IsReadInAllFormatsAlike) {
 }
 
 TEST(MshFile, HasNoCircleOnAnArcOfFewNodesOrAnEllipse) {
-  const MeshData coarse = read("wheel.msh", saved("lc = 2;" + disc, 4.1, false));
+  const MeshData<2> coarse = read("wheel.msh", saved("lc = 2;" + disc, 4.1, false));
   ASSERT_LT(edges_of(coarse, "round"), 16U);
   EXPECT_TRUE(coarse.circles.empty());
   const std::string ellipse = R"(lc = 0.2;
