@@ -90,7 +90,7 @@ struct MechanismCase {
 struct GeometryCase {
   std::filesystem::path file;  ///< .geo or .msh file in the case directory
   double length_unit;          ///< metres per unit of the file
-  fem::Problem problem;
+  fem::Problem<2> problem;
 };
 
 /// A path generator wanted, and the file in the case directory that holds its points.

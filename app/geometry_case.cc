@@ -86,9 +86,9 @@ double read_thickness(const CaseSection& section, fem::PlaneKind plane) {
   return *thickness;
 }
 
-fem::Body read_body(const CaseValues& values, const std::string& name) {
+fem::Body<2> read_body(const CaseValues& values, const std::string& name) {
   const CaseSection section(values, body_section(name));
-  fem::Body body;
+  fem::Body<2> body;
   body.name = name;
   body.material = {section.value("Young's modulus"), section.value("Poisson's ratio")};
   const std::vector<double> force = section.values("Body force");
@@ -99,8 +99,8 @@ fem::Body read_body(const CaseValues& values, const std::string& name) {
   return body;
 }
 
-std::vector<fem::Support> read_supports(const CaseSection& section) {
-  std::vector<fem::Support> supports;
+std::vector<fem::Support<2>> read_supports(const CaseSection& section) {
+  std::vector<fem::Support<2>> supports;
   if (!section.is_given("Supports")) return supports;
   std::set<std::string> seen;
   for (const std::string& part : split_list(section.text("Supports"))) {
@@ -115,7 +115,7 @@ std::vector<fem::Support> read_supports(const CaseSection& section) {
       section.refuse("Supports", fmt::format("the surface {} stands there twice; 'fixed' holds it "
                                              "in x and y",
                                              post::in_quotes(surface)));
-    fem::Support support{surface, {}};
+    fem::Support<2> support{surface, {}};
     if (kind != "y") support.displacement[0] = 0.;
     if (kind != "x") support.displacement[1] = 0.;
     supports.push_back(support);
@@ -176,15 +176,15 @@ std::array<double, 2> read_direction(const CaseSection& section, const std::stri
 }
 
 void require_free(const CaseSection& section, const std::string& surface,
-                  const fem::Problem& problem) {
-  for (const fem::Support& support : problem.supports)
+                  const fem::Problem<2>& problem) {
+  for (const fem::Support<2>& support : problem.supports)
     if (support.surface == surface)
       section.refuse("Type", fmt::format("the surface {} cannot be in 'Supports' too: this load "
                                          "holds it already",
                                          post::in_quotes(surface)));
 }
 
-void read_load(const CaseValues& values, const std::string& surface, fem::Problem& problem) {
+void read_load(const CaseValues& values, const std::string& surface, fem::Problem<2>& problem) {
   const CaseSection section(values, load_section(surface));
   const std::string type = section.text("Type");
   const double value = read_load_value(section, type);

@@ -17,9 +17,9 @@ namespace geneva::app {
 namespace {
 
 /// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.
-fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
-                               const mesh::MeshData<2>& mesh, const std::string& held_surface) {
-  fem::Problem problem;
+fem::Problem<2> mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
+                                  const mesh::MeshData<2>& mesh, const std::string& held_surface) {
+  fem::Problem<2> problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.sizes.thickness;
   const fem::Rotation rotation{state.train.wheel_inertia, state.load.wheel_speed,
@@ -27,10 +27,11 @@ fem::Problem mechanism_problem(const MechanismCase& mechanism, const MechanismSt
   for (const std::string& body : mesh.bodies) {
     const bool is_wheel = body == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
-    problem.bodies.push_back(
-        {body,
-         {material.youngs_modulus, material.poissons_ratio},
-         is_wheel && !mechanism.is_local ? fem::BodyForce{{0., 0.}, rotation} : fem::BodyForce{}});
+    problem.bodies.push_back({body,
+                              {material.youngs_modulus, material.poissons_ratio},
+                              is_wheel && !mechanism.is_local
+                                  ? fem::BodyForce<2>{{0., 0.}, rotation}
+                                  : fem::BodyForce<2>{}});
   }
   problem.supports.push_back({held_surface, {0., 0.}});
   problem.ties.push_back({"pin core", {0., 1.}, state.load.force});

@@ -16,7 +16,7 @@ namespace geneva::app {
 /// A case ready to be solved.
 struct Model {
   mesh::MeshData<2> mesh;
-  fem::Problem problem;
+  fem::Problem<2> problem;
   std::optional<MechanismState> mechanism;
   std::string held_surface;          ///< of the mechanism's wheel or block
   std::vector<std::string> notices;  ///< defaults that the user should know of

@@ -61,7 +61,7 @@ std::string heading(const Case& given, const Model& model) {
 std::vector<std::string> validity_notices(const fem::Solution& solution) {
   constexpr double small_strain = 0.1;
   double modulus = std::numeric_limits<double>::max();
-  for (const fem::Body& body : solution.problem.bodies)
+  for (const fem::Body<2>& body : solution.problem.bodies)
     modulus = std::min(modulus, body.material.youngs_modulus);
   const double ratio = solution.history.back().peak_pressure / modulus;
   if (ratio < small_strain) return {};

@@ -17,11 +17,12 @@ unsigned int index_of(const std::vector<std::string>& names, const std::string& 
 namespace {
 
 /// Nodes of one surface, in the order of the boundary's nodes.
-std::vector<BoundaryNode> nodes_of(const Boundary& boundary, const unsigned int surface) {
+template <int dim>
+std::vector<BoundaryNode<dim>> nodes_of(const Boundary<dim>& boundary, const unsigned int surface) {
   std::set<unsigned int> indices;
-  for (const BoundaryFace& face : boundary.faces)
+  for (const BoundaryFace<dim>& face : boundary.faces)
     if (face.surface == surface) indices.insert(face.nodes.begin(), face.nodes.end());
-  std::vector<BoundaryNode> nodes;
+  std::vector<BoundaryNode<dim>> nodes;
   nodes.reserve(indices.size());
   for (const unsigned int index : indices) nodes.push_back(boundary.nodes[index]);
   return nodes;
@@ -29,13 +30,14 @@ std::vector<BoundaryNode> nodes_of(const Boundary& boundary, const unsigned int 
 
 }  // namespace
 
-std::vector<ConstraintLine> support_lines(const Boundary& boundary,
-                                          const std::vector<Support>& supports,
+template <int dim>
+std::vector<ConstraintLine> support_lines(const Boundary<dim>& boundary,
+                                          const std::vector<Support<dim>>& supports,
                                           const std::vector<std::string>& surfaces) {
   std::map<global_dof_index, double> values;
-  for (const Support& support : supports)
-    for (const BoundaryNode& node : nodes_of(boundary, index_of(surfaces, support.surface)))
-      for (unsigned int component = 0; component < 2; ++component)
+  for (const Support<dim>& support : supports)
+    for (const BoundaryNode<dim>& node : nodes_of(boundary, index_of(surfaces, support.surface)))
+      for (unsigned int component = 0; component < dim; ++component)
         if (const auto value = support.displacement[component]) {
           const auto [entry, is_new] = values.emplace(node.dofs[component], *value);
           if (!is_new && entry->second != *value)
@@ -50,13 +52,17 @@ std::vector<ConstraintLine> support_lines(const Boundary& boundary,
   return lines;
 }
 
-TieLines tie_lines(const Boundary& boundary, const RigidTie& tie,
+template <int dim>
+TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
                    const std::vector<std::string>& surfaces) {
   const auto nodes = nodes_of(boundary, index_of(surfaces, tie.surface));
-  const unsigned int leading = std::abs(tie.direction[0]) > std::abs(tie.direction[1]) ? 0 : 1;
+  const auto leading = static_cast<std::size_t>(
+      std::max_element(tie.direction.begin(), tie.direction.end(),
+                       [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      tie.direction.begin());
   TieLines result{{}, nodes.front().dofs[leading], tie.force / tie.direction[leading]};
-  for (const BoundaryNode& node : nodes)
-    for (unsigned int component = 0; component < 2; ++component) {
+  for (const BoundaryNode<dim>& node : nodes)
+    for (unsigned int component = 0; component < dim; ++component) {
       if (node.dofs[component] == result.master) continue;
       const double ratio = tie.direction[component] / tie.direction[leading];
       ConstraintLine line{node.dofs[component], {}, 0.};
@@ -66,7 +72,8 @@ TieLines tie_lines(const Boundary& boundary, const RigidTie& tie,
   return result;
 }
 
-dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>& dof_handler,
+template <int dim>
+dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<dim>& dof_handler,
                                                    const dealii::IndexSet& ghosts,
                                                    const std::vector<ConstraintLine>& lines) {
   dealii::AffineConstraints<double> constraints(ghosts);
@@ -80,5 +87,22 @@ dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>& 
   constraints.close();
   return constraints;
 }
+
+template std::vector<ConstraintLine> support_lines(const Boundary<2>&,
+                                                   const std::vector<Support<2>>&,
+                                                   const std::vector<std::string>&);
+template TieLines tie_lines(const Boundary<2>&, const RigidTie<2>&,
+                            const std::vector<std::string>&);
+template dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>&,
+                                                            const dealii::IndexSet&,
+                                                            const std::vector<ConstraintLine>&);
+template std::vector<ConstraintLine> support_lines(const Boundary<3>&,
+                                                   const std::vector<Support<3>>&,
+                                                   const std::vector<std::string>&);
+template TieLines tie_lines(const Boundary<3>&, const RigidTie<3>&,
+                            const std::vector<std::string>&);
+template dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>&,
+                                                            const dealii::IndexSet&,
+                                                            const std::vector<ConstraintLine>&);
 
 }  // namespace geneva::fem

@@ -24,8 +24,9 @@ struct ConstraintLine {
 
 /// The supports as constraint lines, the same on all ranks.
 /// @throws std::invalid_argument if two supports prescribe different displacements at one node
-std::vector<ConstraintLine> support_lines(const Boundary& boundary,
-                                          const std::vector<Support>& supports,
+template <int dim>
+std::vector<ConstraintLine> support_lines(const Boundary<dim>& boundary,
+                                          const std::vector<Support<dim>>& supports,
                                           const std::vector<std::string>& surfaces);
 
 /// A rigid tie's lines, and the unknown that carries its motion and force.
@@ -36,7 +37,8 @@ struct TieLines {
                         ///< the master)
 };
 
-TieLines tie_lines(const Boundary& boundary, const RigidTie& tie,
+template <int dim>
+TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
                    const std::vector<std::string>& surfaces);
 
 /// Index of a name in a list. @throws std::out_of_range if it is not there (a bug: names are
@@ -46,7 +48,8 @@ unsigned int index_of(const std::vector<std::string>& names, const std::string& 
 /// Hanging-node lines of this rank and the given lines, closed.
 /// @param ghosts the dofs whose lines this rank may need: locally relevant dofs and all boundary
 /// dofs
-dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>& dof_handler,
+template <int dim>
+dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<dim>& dof_handler,
                                                    const dealii::IndexSet& ghosts,
                                                    const std::vector<ConstraintLine>& lines);
 

@@ -40,7 +40,7 @@ constexpr double grading_overhead = 1.3;
 class NestedIteration {
  public:
   NestedIteration(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                  const Problem& problem, const Settings& settings, const Progress& progress)
+                  const Problem<2>& problem, const Settings& settings, const Progress& progress)
       : communicator_(communicator),
         settings_(settings),
         grading_(grading_for(settings.accuracy)),
@@ -313,7 +313,7 @@ class NestedIteration {
   Settings settings_;
   double grading_;
   Progress progress_;
-  Problem scaled_problem_;
+  Problem<2> scaled_problem_;
   dealii::Timer timer_;
   Solution solution_;
   std::optional<SurfaceOrigins> origins_;
@@ -328,7 +328,8 @@ class NestedIteration {
 }  // namespace
 
 Solution solve_contact(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                       const Problem& problem, const Settings& settings, const Progress& progress) {
+                       const Problem<2>& problem, const Settings& settings,
+                       const Progress& progress) {
   check(problem, mesh);
   return NestedIteration(communicator, mesh, problem, settings, progress).run();
 }

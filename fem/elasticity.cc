@@ -35,38 +35,56 @@ PlaneStress stress(const Lame& lame, const PlaneKind plane,
   return result;
 }
 
-double out_of_plane_measure(const Problem& problem, const Point<2>& point) {
+template <int dim>
+double out_of_plane_measure(const Problem<dim>& problem, const Point<dim>& point) {
+  if (dim == 3) return 1.;
   return problem.plane == PlaneKind::axisymmetric ? 2. * dealii::numbers::PI * point[0]
                                                   : problem.thickness;
 }
 
 namespace {
 
+/// From the z axis to x.
+template <int dim>
+Tensor<1, dim> radius_vector(const Point<dim>& x) {
+  Tensor<1, dim> radius = x;
+  if (dim == 3) radius[dim - 1] = 0.;
+  return radius;
+}
+
 /// Force per volume at x of a body with the given density.
-Tensor<1, 2> body_force_at(const BodyForce& force, const double density, const Point<2>& x) {
-  const double centrifugal = density * force.rotation.speed * force.rotation.speed;
+template <int dim>
+Tensor<1, dim> body_force_at(const BodyForce<dim>& force, const double density,
+                             const Point<dim>& x) {
+  const Tensor<1, dim> radius = radius_vector(x);
+  Tensor<1, dim> result = density * force.rotation.speed * force.rotation.speed * radius;
   const double euler = density * force.rotation.acceleration;
-  return Tensor<1, 2>({force.uniform[0] + centrifugal * x[0] + euler * x[1],
-                       force.uniform[1] + centrifugal * x[1] - euler * x[0]});
+  result[0] += euler * radius[1];
+  result[1] -= euler * radius[0];
+  for (unsigned int component = 0; component < dim; ++component)
+    result[component] += force.uniform[component];
+  return result;
 }
 
 /// Densities that give every rotating body its moment of inertia on this mesh: J divided by the
 /// integral of r^2.
-std::vector<double> densities(const dealii::DoFHandler<2>& dof_handler, const Problem& problem) {
+template <int dim>
+std::vector<double> densities(const dealii::DoFHandler<dim>& dof_handler,
+                              const Problem<dim>& problem) {
   std::vector<double> densities(problem.bodies.size(), 0.);
   const bool has_rotation =
       std::any_of(problem.bodies.begin(), problem.bodies.end(),
-                  [](const Body& body) { return body.force.rotation.inertia > 0.; });
+                  [](const Body<dim>& body) { return body.force.rotation.inertia > 0.; });
   if (!has_rotation) return densities;
   std::vector<double> polar_moments(problem.bodies.size(), 0.);
-  dealii::FEValues<2> values(dof_handler.get_fe(), dealii::QGauss<2>(3),
-                             dealii::update_JxW_values | dealii::update_quadrature_points);
+  dealii::FEValues<dim> values(dof_handler.get_fe(), dealii::QGauss<dim>(3),
+                               dealii::update_JxW_values | dealii::update_quadrature_points);
   for (const auto& cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     values.reinit(cell);
     for (const unsigned int q : values.quadrature_point_indices())
       polar_moments[cell->material_id()] +=
-          values.JxW(q) * values.quadrature_point(q).norm_square() *
+          values.JxW(q) * radius_vector(values.quadrature_point(q)).norm_square() *
           out_of_plane_measure(problem, values.quadrature_point(q));
   }
   dealii::Utilities::MPI::sum(polar_moments, dof_handler.get_communicator(), polar_moments);
@@ -76,25 +94,27 @@ std::vector<double> densities(const dealii::DoFHandler<2>& dof_handler, const Pr
 }
 
 /// Integrates the cells of one mesh; holds the evaluation objects, which are expensive to make.
+template <int dim>
 class CellIntegrator {
  public:
-  CellIntegrator(const dealii::DoFHandler<2>& dof_handler, const Problem& problem,
+  CellIntegrator(const dealii::DoFHandler<dim>& dof_handler, const Problem<dim>& problem,
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
         densities_(densities(dof_handler, problem)),
-        cell_values_(dof_handler.get_fe(), dealii::QGauss<2>(dof_handler.get_fe().degree + 1),
+        cell_values_(dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
                          dealii::update_quadrature_points),
-        face_values_(dof_handler.get_fe(), dealii::QGauss<1>(dof_handler.get_fe().degree + 1),
+        face_values_(dof_handler.get_fe(), dealii::QGauss<dim - 1>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_JxW_values |
                          dealii::update_normal_vectors | dealii::update_quadrature_points) {
-    for (const Body& body : problem.bodies) lame_.push_back(lame(body.material, problem.plane));
-    for (const SurfaceLoad& load : problem.loads)
+    for (const Body<dim>& body : problem.bodies)
+      lame_.push_back(lame(body.material, problem.plane));
+    for (const SurfaceLoad<dim>& load : problem.loads)
       for (unsigned int id = 0; id < surfaces.size(); ++id)
         if (surfaces[id] == load.surface) surface_loads_.emplace(id, load);
   }
 
-  CellSystem integrate(const dealii::DoFHandler<2>::active_cell_iterator& cell) {
+  CellSystem integrate(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
     const unsigned int n_dofs = cell->get_fe().n_dofs_per_cell();
     CellSystem system{dealii::FullMatrix<double>(n_dofs), dealii::Vector<double>(n_dofs), {}};
     system.dofs.resize(n_dofs);
@@ -114,16 +134,16 @@ class CellIntegrator {
     const bool axisymmetric = problem_.plane == PlaneKind::axisymmetric;
     const Lame& constants = lame_[body];
     for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const Point<2>& x = cell_values_.quadrature_point(q);
+      const Point<dim>& x = cell_values_.quadrature_point(q);
       const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
       for (const unsigned int i : cell_values_.dof_indices()) {
         const unsigned int c = element.system_to_component_index(i).first;
-        const Tensor<1, 2> grad_i = cell_values_.shape_grad(i, q);
+        const Tensor<1, dim> grad_i = cell_values_.shape_grad(i, q);
         const double hoop_i = axisymmetric && c == 0 ? cell_values_.shape_value(i, q) / x[0] : 0.;
         const double dilatation_i = grad_i[c] + hoop_i;
         for (unsigned int j = 0; j <= i; ++j) {
           const unsigned int d = element.system_to_component_index(j).first;
-          const Tensor<1, 2> grad_j = cell_values_.shape_grad(j, q);
+          const Tensor<1, dim> grad_j = cell_values_.shape_grad(j, q);
           const double hoop_j = axisymmetric && d == 0 ? cell_values_.shape_value(j, q) / x[0] : 0.;
           const double shear = grad_i[d] * grad_j[c] + (c == d ? grad_i * grad_j : 0.);
           stiffness(i, j) +=
@@ -137,10 +157,10 @@ class CellIntegrator {
   }
 
   void add_body_force(const unsigned int body, dealii::Vector<double>& load) const {
-    const BodyForce& force = problem_.bodies[body].force;
+    const BodyForce<dim>& force = problem_.bodies[body].force;
     for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const Point<2>& x = cell_values_.quadrature_point(q);
-      const Tensor<1, 2> density = body_force_at(force, densities_[body], x);
+      const Point<dim>& x = cell_values_.quadrature_point(q);
+      const Tensor<1, dim> density = body_force_at(force, densities_[body], x);
       const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
       for (const unsigned int i : cell_values_.dof_indices())
         load[i] += weight * density[cell_values_.get_fe().system_to_component_index(i).first] *
@@ -157,10 +177,10 @@ class CellIntegrator {
       const double weight =
           face_values_.JxW(q) * out_of_plane_measure(problem_, face_values_.quadrature_point(q));
       for (auto entry = begin; entry != end; ++entry) {
-        const SurfaceLoad& surface_load = entry->second;
-        const Tensor<1, 2> traction =
-            Tensor<1, 2>({surface_load.traction[0], surface_load.traction[1]}) -
-            surface_load.pressure * face_values_.normal_vector(q);
+        const SurfaceLoad<dim>& surface_load = entry->second;
+        Tensor<1, dim> traction = -surface_load.pressure * face_values_.normal_vector(q);
+        for (unsigned int component = 0; component < dim; ++component)
+          traction[component] += surface_load.traction[component];
         for (const unsigned int i : face_values_.dof_indices())
           load[i] += weight * traction[face_values_.get_fe().system_to_component_index(i).first] *
                      face_values_.shape_value(i, q);
@@ -168,24 +188,32 @@ class CellIntegrator {
     }
   }
 
-  const Problem& problem_;
+  const Problem<dim>& problem_;
   std::vector<double> densities_;  ///< by body
-  dealii::FEValues<2> cell_values_;
-  dealii::FEFaceValues<2> face_values_;
+  dealii::FEValues<dim> cell_values_;
+  dealii::FEFaceValues<dim> face_values_;
   std::vector<Lame> lame_;
-  std::multimap<unsigned int, SurfaceLoad> surface_loads_;
+  std::multimap<unsigned int, SurfaceLoad<dim>> surface_loads_;
 };
 
 }  // namespace
 
-std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>& dof_handler,
-                                     const Problem& problem,
+template <int dim>
+std::vector<CellSystem> cell_systems(const dealii::DoFHandler<dim>& dof_handler,
+                                     const Problem<dim>& problem,
                                      const std::vector<std::string>& surfaces) {
-  CellIntegrator integrator(dof_handler, problem, surfaces);
+  CellIntegrator<dim> integrator(dof_handler, problem, surfaces);
   std::vector<CellSystem> systems;
   for (const auto& cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell));
   return systems;
 }
+
+template double out_of_plane_measure(const Problem<2>&, const Point<2>&);
+template std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>&, const Problem<2>&,
+                                              const std::vector<std::string>&);
+template double out_of_plane_measure(const Problem<3>&, const Point<3>&);
+template std::vector<CellSystem> cell_systems(const dealii::DoFHandler<3>&, const Problem<3>&,
+                                              const std::vector<std::string>&);
 
 }  // namespace geneva::fem

@@ -32,8 +32,9 @@ struct PlaneStress {
 PlaneStress stress(const Lame& lame, PlaneKind plane, const dealii::SymmetricTensor<2, 2>& strain,
                    double hoop_strain);
 
-/// Out-of-plane measure of a point: the thickness, or 2 pi r in an axisymmetric model.
-double out_of_plane_measure(const Problem& problem, const dealii::Point<2>& point);
+/// Out-of-plane measure of a point: the thickness, or 2 pi r in an axisymmetric model; 1 in space.
+template <int dim>
+double out_of_plane_measure(const Problem<dim>& problem, const dealii::Point<dim>& point);
 
 /// Stiffness matrix and load vector of one cell, before any constraint.
 struct CellSystem {
@@ -46,8 +47,9 @@ struct CellSystem {
 /// the principle of virtual work, with body forces and surface loads.
 /// @param problem in the units of the triangulation
 /// @param surfaces boundary names by boundary id
-std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>& dof_handler,
-                                     const Problem& problem,
+template <int dim>
+std::vector<CellSystem> cell_systems(const dealii::DoFHandler<dim>& dof_handler,
+                                     const Problem<dim>& problem,
                                      const std::vector<std::string>& surfaces);
 
 }  // namespace geneva::fem

@@ -17,11 +17,11 @@ namespace {
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<2>& dof_handler,
-                                       const Boundary& boundary) {
+                                       const Boundary<2>& boundary) {
   dealii::IndexSet ghosts;
   dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, ghosts);
   std::vector<global_dof_index> dofs;
-  for (const BoundaryNode& node : boundary.nodes)
+  for (const BoundaryNode<2>& node : boundary.nodes)
     dofs.insert(dofs.end(), node.dofs.begin(), node.dofs.end());
   std::sort(dofs.begin(), dofs.end());
   ghosts.add_indices(dofs.begin(), dofs.end());
@@ -46,8 +46,8 @@ dealii::Point<2> remotest_node(const Surface& surface, const Surface& other) {
   return remotest;
 }
 
-SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData<2>& mesh,
-                              const Problem& problem) {
+SurfaceOrigins choose_origins(const Boundary<2>& boundary, const mesh::MeshData<2>& mesh,
+                              const Problem<2>& problem) {
   SurfaceOrigins origins;
   for (const ContactPair& pair : problem.pairs) {
     const Surface source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
@@ -59,7 +59,7 @@ SurfaceOrigins choose_origins(const Boundary& boundary, const mesh::MeshData<2>&
 }
 
 /// Compliance of a body's surface up to a common factor: (1 - nu^2)/E, or 1/E in plane stress.
-double compliance(const mesh::MeshData<2>& mesh, const Problem& problem,
+double compliance(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
                   const std::string& surface) {
   const Material& material =
       problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()].material;
@@ -67,14 +67,15 @@ double compliance(const mesh::MeshData<2>& mesh, const Problem& problem,
   return (1. - nu * nu) / material.youngs_modulus;
 }
 
-double source_share(const mesh::MeshData<2>& mesh, const Problem& problem,
+double source_share(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
                     const ContactPair& pair) {
   const double source = compliance(mesh, problem, pair.source);
   return source / (source + compliance(mesh, problem, pair.target));
 }
 
-std::vector<ContactInterface> make_interfaces(const Boundary& boundary,
-                                              const mesh::MeshData<2>& mesh, const Problem& problem,
+std::vector<ContactInterface> make_interfaces(const Boundary<2>& boundary,
+                                              const mesh::MeshData<2>& mesh,
+                                              const Problem<2>& problem,
                                               const SurfaceOrigins& origins) {
   std::vector<ContactInterface> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
@@ -93,9 +94,9 @@ std::vector<ContactInterface> make_interfaces(const Boundary& boundary,
   return interfaces;
 }
 
-void add_held_lines(Level& level, const mesh::MeshData<2>& mesh, const Problem& problem) {
+void add_held_lines(Level& level, const mesh::MeshData<2>& mesh, const Problem<2>& problem) {
   level.held_lines = support_lines(level.boundary, problem.supports, mesh.surfaces);
-  for (const RigidTie& tie : problem.ties) {
+  for (const RigidTie<2>& tie : problem.ties) {
     const TieLines lines = tie_lines(level.boundary, tie, mesh.surfaces);
     level.held_lines.insert(level.held_lines.end(), lines.lines.begin(), lines.lines.end());
     level.tie_forces.push_back({lines.master, lines.master_force});
@@ -162,7 +163,7 @@ bool advance(Level& level, const std::vector<ContactState>& states,
 }  // namespace
 
 Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
-                 const Problem& scaled_problem, const Scales& scales,
+                 const Problem<2>& scaled_problem, const Scales& scales,
                  std::optional<SurfaceOrigins>& origins) {
   Level level;
   level.owned = dof_handler.locally_owned_dofs();

@@ -22,7 +22,7 @@ struct SurfaceOrigins {
 struct Level {
   dealii::IndexSet owned;
   dealii::IndexSet ghosts;  ///< locally relevant dofs and all boundary dofs
-  Boundary boundary;
+  Boundary<2> boundary;
   std::vector<ContactInterface> interfaces;
   std::vector<CellSystem> cells;
   std::vector<ConstraintLine> held_lines;  ///< supports and ties
@@ -35,7 +35,7 @@ struct Level {
 /// Builds the level on the dof handler's mesh.
 /// @param origins chosen on the first mesh if empty, kept on the others
 Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
-                 const Problem& scaled_problem, const Scales& scales,
+                 const Problem<2>& scaled_problem, const Scales& scales,
                  std::optional<SurfaceOrigins>& origins);
 
 /// Converged state on one level.

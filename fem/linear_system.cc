@@ -23,7 +23,9 @@ void assemble(const dealii::AffineConstraints<double>& constraints,
 
 }  // namespace
 
-LinearSystem::LinearSystem(const dealii::DoFHandler<2>& dof_handler, const dealii::IndexSet& ghosts,
+template <int dim>
+LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
+                           const dealii::IndexSet& ghosts,
                            const dealii::AffineConstraints<double>& constraints,
                            const std::vector<CellSystem>& cells,
                            const std::vector<NodalForce>& nodal_forces, const LinearSystem* similar)
@@ -54,6 +56,15 @@ LinearSystem::LinearSystem(const dealii::DoFHandler<2>& dof_handler, const deali
   multigrid_ = std::make_shared<dealii::TrilinosWrappers::PreconditionAMG>();
   multigrid_->initialize(*multigrid_matrix_, options);
 }
+
+template LinearSystem::LinearSystem(const dealii::DoFHandler<2>&, const dealii::IndexSet&,
+                                    const dealii::AffineConstraints<double>&,
+                                    const std::vector<CellSystem>&, const std::vector<NodalForce>&,
+                                    const LinearSystem*);
+template LinearSystem::LinearSystem(const dealii::DoFHandler<3>&, const dealii::IndexSet&,
+                                    const dealii::AffineConstraints<double>&,
+                                    const std::vector<CellSystem>&, const std::vector<NodalForce>&,
+                                    const LinearSystem*);
 
 unsigned int LinearSystem::solve(Vector& displacement, const double tolerance) const {
   Vector load(displacement);

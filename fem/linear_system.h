@@ -28,7 +28,8 @@ class LinearSystem {
   /// differs by a few constraints.
   /// @param similar the system whose multigrid is taken over; none: a new one is set up
   /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
-  LinearSystem(const dealii::DoFHandler<2>& dof_handler, const dealii::IndexSet& ghosts,
+  template <int dim>
+  LinearSystem(const dealii::DoFHandler<dim>& dof_handler, const dealii::IndexSet& ghosts,
                const dealii::AffineConstraints<double>& constraints,
                const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces,
                const LinearSystem* similar);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,13 +15,18 @@ enum class PlaneKind {
   axisymmetric   ///< x is the radius, y the axis of revolution
 };
 
+/// Components of a vector.
+template <int dim>
+using Components = std::array<double, static_cast<std::size_t>(dim)>;
+
 /// Linear elastic isotropic material.
 struct Material {
   double youngs_modulus;  ///< E [Pa], > 0
   double poissons_ratio;  ///< nu, -1 < nu < 0.5
 };
 
-/// Rotation of a body about the origin, whose inertia loads it: rho (omega^2 r - alpha x r).
+/// Rotation of a body about the origin, in space about the z axis, whose inertia loads it:
+/// rho (omega^2 r - alpha x r).
 ///
 /// The density is not given: on every mesh it is set so that the body's moment of inertia is the
 /// given one.
@@ -30,35 +36,40 @@ struct Rotation {
   double acceleration = 0.;  ///< alpha [rad/s^2], counter-clockwise
 };
 
+template <int dim>
 struct BodyForce {
-  std::array<double, 2> uniform{0., 0.};  ///< force per volume [N/m^3]
+  Components<dim> uniform{};  ///< force per volume [N/m^3]
   Rotation rotation;
 };
 
+template <int dim>
 struct Body {
   std::string name;
   Material material;
-  BodyForce force;
+  BodyForce<dim> force;
 };
 
 /// Prescribed displacement [m] of a surface, by component; a component without a value is free.
+template <int dim>
 struct Support {
   std::string surface;
-  std::array<std::optional<double>, 2> displacement;
+  std::array<std::optional<double>, static_cast<std::size_t>(dim)> displacement;
 };
 
 /// Force per area on a surface: traction - pressure * outward normal [Pa].
+template <int dim>
 struct SurfaceLoad {
   std::string surface;
   double pressure = 0.;
-  std::array<double, 2> traction{0., 0.};
+  Components<dim> traction{};
 };
 
 /// A surface held rigidly that moves along one direction only, under a total force along it.
+template <int dim>
 struct RigidTie {
   std::string surface;
-  std::array<double, 2> direction;  ///< unit vector
-  double force;                     ///< [N], in the direction
+  Components<dim> direction;  ///< unit vector
+  double force;               ///< [N], in the direction
 };
 
 /// Frictionless contact of two surfaces; the source carries the pressure unknowns.
@@ -67,14 +78,15 @@ struct ContactPair {
   std::string target;
 };
 
-/// A plane elastic contact problem, all by name, SI units.
+/// An elastic contact problem in the plane or in space, all by name, SI units.
+template <int dim>
 struct Problem {
-  PlaneKind plane = PlaneKind::plane_strain;
-  double thickness = 1.;  ///< [m], > 0; not used in an axisymmetric model
-  std::vector<Body> bodies;
-  std::vector<Support> supports;
-  std::vector<SurfaceLoad> loads;
-  std::vector<RigidTie> ties;
+  PlaneKind plane = PlaneKind::plane_strain;  ///< not used in space
+  double thickness = 1.;  ///< [m], > 0; not used in an axisymmetric model and in space
+  std::vector<Body<dim>> bodies;
+  std::vector<Support<dim>> supports;
+  std::vector<SurfaceLoad<dim>> loads;
+  std::vector<RigidTie<dim>> ties;
   std::vector<ContactPair> pairs;
 };
 

@@ -22,13 +22,13 @@ void require_name(const std::vector<std::string>& names, const std::string& name
       fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
 }
 
-void check_names(const Problem& problem, const mesh::MeshData<2>& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
-  for (const Support& support : problem.supports)
+void check_names(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
+  for (const Body<2>& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
+  for (const Support<2>& support : problem.supports)
     require_name(mesh.surfaces, support.surface, "'Supports': surface");
-  for (const SurfaceLoad& load : problem.loads)
+  for (const SurfaceLoad<2>& load : problem.loads)
     require_name(mesh.surfaces, load.surface, "'Loads': surface");
-  for (const RigidTie& tie : problem.ties)
+  for (const RigidTie<2>& tie : problem.ties)
     require_name(mesh.surfaces, tie.surface, "'Loads': surface");
   for (const ContactPair& pair : problem.pairs) {
     require_name(mesh.surfaces, pair.source, "'Contact pairs': surface");
@@ -49,7 +49,7 @@ unsigned int contact_body(const mesh::MeshData<2>& mesh, const std::string& surf
   return *bodies.begin();
 }
 
-void check_pairs(const Problem& problem, const mesh::MeshData<2>& mesh) {
+void check_pairs(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
   if (problem.pairs.empty())
     throw std::invalid_argument("'Contact pairs': there is none; at least one is needed");
   std::set<std::string> sources;
@@ -76,14 +76,14 @@ void check_pairs(const Problem& problem, const mesh::MeshData<2>& mesh) {
 }
 
 /// A body that nothing holds and nothing touches can float away.
-void check_held(const Problem& problem, const mesh::MeshData<2>& mesh) {
+void check_held(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
   std::set<unsigned int> held;
   const auto add = [&](const std::string& surface) {
     const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
     held.insert(bodies.begin(), bodies.end());
   };
-  for (const Support& support : problem.supports) add(support.surface);
-  for (const RigidTie& tie : problem.ties) add(tie.surface);
+  for (const Support<2>& support : problem.supports) add(support.surface);
+  for (const RigidTie<2>& tie : problem.ties) add(tie.surface);
   for (const ContactPair& pair : problem.pairs) {
     add(pair.source);
     add(pair.target);
@@ -97,12 +97,13 @@ void check_held(const Problem& problem, const mesh::MeshData<2>& mesh) {
 
 }  // namespace
 
-void order_bodies(Problem& problem, const mesh::MeshData<2>& mesh) {
-  for (const Body& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
-  std::vector<Body> ordered;
+void order_bodies(Problem<2>& problem, const mesh::MeshData<2>& mesh) {
+  for (const Body<2>& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
+  std::vector<Body<2>> ordered;
   for (const std::string& name : mesh.bodies) {
-    const auto body = std::find_if(problem.bodies.begin(), problem.bodies.end(),
-                                   [&](const Body& candidate) { return candidate.name == name; });
+    const auto body =
+        std::find_if(problem.bodies.begin(), problem.bodies.end(),
+                     [&](const Body<2>& candidate) { return candidate.name == name; });
     if (body == problem.bodies.end())
       throw std::invalid_argument(
           fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
@@ -111,7 +112,7 @@ void order_bodies(Problem& problem, const mesh::MeshData<2>& mesh) {
   problem.bodies = ordered;
 }
 
-void check(const Problem& problem, const mesh::MeshData<2>& mesh) {
+void check(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
   check_names(problem, mesh);
   check_pairs(problem, mesh);
   check_held(problem, mesh);

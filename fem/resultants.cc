@@ -18,20 +18,21 @@ struct Holder {
 std::vector<Reaction> reactions(const Solution& solution, const Level& level,
                                 const dealii::TrilinosWrappers::MPI::Vector& residual) {
   std::vector<Holder> holders;
-  for (const Support& support : solution.problem.supports)
+  for (const Support<2>& support : solution.problem.supports)
     holders.push_back({support.surface,
                        {support.displacement[0].has_value(), support.displacement[1].has_value()}});
-  for (const RigidTie& tie : solution.problem.ties) holders.push_back({tie.surface, {true, true}});
+  for (const RigidTie<2>& tie : solution.problem.ties)
+    holders.push_back({tie.surface, {true, true}});
   std::vector<Reaction> result;
   std::set<global_dof_index> counted;
   for (const Holder& holder : holders) {
     Reaction reaction{holder.surface, {}, 0.};
     const unsigned int surface = index_of(solution.mesh.surfaces, holder.surface);
-    for (const BoundaryFace& face : level.boundary.faces) {
+    for (const BoundaryFace<2>& face : level.boundary.faces) {
       if (face.surface != surface) continue;
       for (const unsigned int index : face.nodes)
         for (unsigned int component = 0; component < 2; ++component) {
-          const BoundaryNode& node = level.boundary.nodes[index];
+          const BoundaryNode<2>& node = level.boundary.nodes[index];
           const global_dof_index dof = node.dofs[component];
           if (!holder.holds[component] || !counted.insert(dof).second) continue;
           const double force = residual(dof) * solution.scales.force();

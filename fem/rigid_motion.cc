@@ -16,7 +16,7 @@ constexpr double free_motion = 1e-12;
 
 /// A displacement component of a boundary node.
 struct Component {
-  const BoundaryNode* node;
+  const BoundaryNode<2>* node;
   unsigned int direction;
 };
 
@@ -24,10 +24,10 @@ struct Component {
 /// each; in an axisymmetric model the translation along y alone.
 class RigidMotions {
  public:
-  RigidMotions(const Level& level, const Problem& problem)
+  RigidMotions(const Level& level, const Problem<2>& problem)
       : per_body_(problem.plane == PlaneKind::axisymmetric ? 1 : 3),
         size_(static_cast<Eigen::Index>(problem.bodies.size()) * per_body_) {
-    for (const BoundaryNode& node : level.boundary.nodes)
+    for (const BoundaryNode<2>& node : level.boundary.nodes)
       for (unsigned int direction = 0; direction < 2; ++direction)
         components_.emplace(node.dofs[direction], Component{&node, direction});
   }
@@ -48,7 +48,8 @@ class RigidMotions {
   }
 
   /// "body 'pin' can rotate", for the motion's largest part.
-  [[nodiscard]] std::string describe(const Eigen::VectorXd& motion, const Problem& problem) const {
+  [[nodiscard]] std::string describe(const Eigen::VectorXd& motion,
+                                     const Problem<2>& problem) const {
     Eigen::Index largest = 0;
     motion.cwiseAbs().maxCoeff(&largest);
     const std::string& body = problem.bodies[static_cast<std::size_t>(largest / per_body_)].name;
@@ -90,7 +91,7 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level& level, const RigidMoti
 
 }  // namespace
 
-void check_rigid_motions(const Level& level, const Problem& problem) {
+void check_rigid_motions(const Level& level, const Problem<2>& problem) {
   const RigidMotions motions(level, problem);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
   for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();

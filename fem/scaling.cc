@@ -5,9 +5,10 @@
 
 namespace geneva::fem {
 
-Scales scales_of(const Problem& problem, const mesh::MeshData<2>& mesh) {
+template <int dim>
+Scales scales_of(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   double extent = 0.;
-  for (const std::size_t component : {0U, 1U}) {
+  for (std::size_t component = 0; component < dim; ++component) {
     double lowest = std::numeric_limits<double>::max();
     double highest = std::numeric_limits<double>::lowest();
     for (const auto& vertex : mesh.vertices) {
@@ -17,27 +18,34 @@ Scales scales_of(const Problem& problem, const mesh::MeshData<2>& mesh) {
     extent = std::max(extent, highest - lowest);
   }
   double modulus = 0.;
-  for (const Body& body : problem.bodies) modulus = std::max(modulus, body.material.youngs_modulus);
+  for (const Body<dim>& body : problem.bodies)
+    modulus = std::max(modulus, body.material.youngs_modulus);
   return {extent, modulus};
 }
 
-Problem scaled(const Problem& problem, const Scales& scales) {
-  Problem result = problem;
+template <int dim>
+Problem<dim> scaled(const Problem<dim>& problem, const Scales& scales) {
+  Problem<dim> result = problem;
   result.thickness /= scales.length;
-  for (Body& body : result.bodies) {
+  for (Body<dim>& body : result.bodies) {
     body.material.youngs_modulus /= scales.stress;
     for (double& component : body.force.uniform) component *= scales.length / scales.stress;
     body.force.rotation.inertia /= scales.force() * scales.length;
   }
-  for (Support& support : result.supports)
+  for (Support<dim>& support : result.supports)
     for (auto& component : support.displacement)
       if (component) *component /= scales.length;
-  for (SurfaceLoad& load : result.loads) {
+  for (SurfaceLoad<dim>& load : result.loads) {
     load.pressure /= scales.stress;
     for (double& component : load.traction) component /= scales.stress;
   }
-  for (RigidTie& tie : result.ties) tie.force /= scales.force();
+  for (RigidTie<dim>& tie : result.ties) tie.force /= scales.force();
   return result;
 }
+
+template Scales scales_of(const Problem<2>&, const mesh::MeshData<2>&);
+template Problem<2> scaled(const Problem<2>&, const Scales&);
+template Scales scales_of(const Problem<3>&, const mesh::MeshData<3>&);
+template Problem<3> scaled(const Problem<3>&, const Scales&);
 
 }  // namespace geneva::fem

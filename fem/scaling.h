@@ -14,9 +14,11 @@ struct Scales {
   [[nodiscard]] double force() const { return stress * length * length; }
 };
 
-Scales scales_of(const Problem& problem, const mesh::MeshData<2>& mesh);
+template <int dim>
+Scales scales_of(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh);
 
 /// The same problem in those units.
-Problem scaled(const Problem& problem, const Scales& scales);
+template <int dim>
+Problem<dim> scaled(const Problem<dim>& problem, const Scales& scales);
 
 }  // namespace geneva::fem

@@ -91,7 +91,7 @@ enum class Outcome {
 
 /// The converged elastic state; the mesh and the displacement are in the units of `scales`.
 struct Solution {
-  Problem problem;  ///< SI units
+  Problem<2> problem;  ///< SI units
   Scales scales{};
   mesh::MeshData<2> mesh;  ///< coarse, SI units
   std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> triangulation;

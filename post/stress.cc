@@ -29,7 +29,7 @@ class StressEvaluator {
                     dealii::update_quadrature_points | dealii::update_JxW_values),
         strains_(points.size()),
         displacements_(points.size()) {
-    for (const fem::Body& body : solution.problem.bodies)
+    for (const fem::Body<2>& body : solution.problem.bodies)
       lame_.push_back(fem::lame(body.material, solution.problem.plane));
   }
 

@@ -16,18 +16,18 @@ namespace {
 Point<2> centre_of(const mesh::Circle& circle) { return {circle.centre[0], circle.centre[1]}; }
 
 /// Faces of the surface by the boundary node they start from.
-std::map<unsigned int, BoundaryFace> faces_by_start(const Boundary& boundary,
-                                                    const unsigned int surface_id) {
-  std::map<unsigned int, BoundaryFace> faces;
-  for (const BoundaryFace& face : boundary.faces)
+std::map<unsigned int, BoundaryFace<2>> faces_by_start(const Boundary<2>& boundary,
+                                                       const unsigned int surface_id) {
+  std::map<unsigned int, BoundaryFace<2>> faces;
+  for (const BoundaryFace<2>& face : boundary.faces)
     if (face.surface == surface_id) faces.emplace(face.nodes[0], face);
   return faces;
 }
 
 /// Where to begin: the starts of open chains first, then any remaining (closed) chain, each nearest
 /// to the origin.
-unsigned int chain_start(const Boundary& boundary,
-                         const std::map<unsigned int, BoundaryFace>& faces,
+unsigned int chain_start(const Boundary<2>& boundary,
+                         const std::map<unsigned int, BoundaryFace<2>>& faces,
                          const Point<2>& origin) {
   std::set<unsigned int> ends;
   for (const auto& [start, face] : faces) ends.insert(face.nodes[1]);
@@ -97,7 +97,7 @@ Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face) {
   return Tensor<1, 2>({tangent[1], -tangent[0]}) / tangent.norm();
 }
 
-Surface make_surface(const Boundary& boundary, const unsigned int surface_id,
+Surface make_surface(const Boundary<2>& boundary, const unsigned int surface_id,
                      const Point<2>& origin) {
   Surface surface;
   surface.circles = boundary.circles;
@@ -114,7 +114,7 @@ Surface make_surface(const Boundary& boundary, const unsigned int surface_id,
   while (!faces.empty()) {
     auto next = faces.find(chain_start(boundary, faces, origin));
     while (next != faces.end()) {
-      const BoundaryFace& face = next->second;
+      const BoundaryFace<2>& face = next->second;
       const unsigned int start = add_node(face.nodes[0], surface.length);
       const unsigned int end_node = face.nodes[1];
       surface.closed = local_node.count(end_node) > 0;

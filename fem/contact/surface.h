@@ -37,7 +37,7 @@ struct Surface {
 
 /// Takes one named surface out of the boundary.
 /// @param origin point whose nearest end (open surface) or node (closed surface) has arc length 0
-Surface make_surface(const Boundary& boundary, unsigned int surface_id,
+Surface make_surface(const Boundary<2>& boundary, unsigned int surface_id,
                      const dealii::Point<2>& origin);
 
 /// Point of the chord at xi in [0, 1].

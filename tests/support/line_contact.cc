@@ -46,8 +46,8 @@ mesh::MeshData<2> mesh_of(const LineContact& contact) {
   return mesh;
 }
 
-fem::Problem problem_of(const LineContact& contact) {
-  fem::Problem problem;
+fem::Problem<2> problem_of(const LineContact& contact) {
+  fem::Problem<2> problem;
   problem.plane = contact.plane;
   problem.thickness = contact.thickness;
   problem.bodies = {{"cylinder", contact.cylinder, {}}, {"block", contact.block, {}}};

@@ -26,7 +26,7 @@ struct LineContact {
 /// Surfaces: "cylinder" and "core" of the cylinder, "top" and "bottom" of the block.
 mesh::MeshData<2> mesh_of(const LineContact& contact);
 
-fem::Problem problem_of(const LineContact& contact);
+fem::Problem<2> problem_of(const LineContact& contact);
 
 /// Hertz's solution of it.
 loads::HertzLine hertz(const LineContact& contact);

@@ -21,7 +21,7 @@ inline fem::Settings with_accuracy(const double accuracy) {
   return settings;
 }
 
-inline fem::Solution solve(const mesh::MeshData<2>& mesh, const fem::Problem& problem,
+inline fem::Solution solve(const mesh::MeshData<2>& mesh, const fem::Problem<2>& problem,
                            const fem::Settings& settings = {}) {
   return fem::solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
 }

@@ -217,9 +217,9 @@ TEST(Symmetry, UnitsDoNotMatter) {
   for (const UnitSystem& unit : {UnitSystem{"millimetres, newtons", 1e-3, 1.},
                                  UnitSystem{"inches, pounds-force", 0.0254, 4.4482216152605}}) {
     const double stress = unit.force / (unit.length * unit.length);
-    fem::Problem problem = problem_of(contact);
+    fem::Problem<2> problem = problem_of(contact);
     problem.thickness /= unit.length;
-    for (fem::Body& body : problem.bodies) body.material.youngs_modulus /= stress;
+    for (fem::Body<2>& body : problem.bodies) body.material.youngs_modulus /= stress;
     problem.ties[0].force /= unit.force;
     const fem::Solution solution =
         solve(enlarged(mesh_of(contact), 1. / unit.length), problem, settings);

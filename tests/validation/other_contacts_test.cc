@@ -32,7 +32,7 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
             "axis"});
   add_rectangle(mesh, "block", equal_steps(0., 4. * R, 9), equal_steps(-4. * R, 0., 9),
                 {"bottom", "", "top", "axis"});
-  fem::Problem problem;
+  fem::Problem<2> problem;
   problem.plane = fem::PlaneKind::axisymmetric;
   problem.bodies = {{"sphere", steel, {}}, {"block", steel, {}}};
   problem.supports = {{"axis", {0., std::nullopt}}, {"bottom", {0., 0.}}};
@@ -75,7 +75,7 @@ TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
   }
   add_rectangle(mesh, "block", equal_steps(-6. * R, 6. * R, 24), equal_steps(0., 4. * R, 8),
                 {"under", "", "lid", ""});
-  fem::Problem problem;
+  fem::Problem<2> problem;
   problem.thickness = one.thickness;
   problem.bodies = {{"left", steel, {}}, {"right", steel, {}}, {"block", steel, {}}};
   problem.supports = {{"left core", {0., 0.}}, {"right core", {0., 0.}}};
@@ -107,9 +107,9 @@ mesh::MeshData<2> three_blocks(const std::vector<double>& middle_columns) {
 }
 
 /// Blocks under a pressure on their lid, between frictionless planes.
-fem::Problem three_blocks_problem(const double pressure, const double middle_stiffness,
-                                  const bool upper_is_source) {
-  fem::Problem problem;
+fem::Problem<2> three_blocks_problem(const double pressure, const double middle_stiffness,
+                                     const bool upper_is_source) {
+  fem::Problem<2> problem;
   problem.thickness = 0.2;
   problem.bodies = {
       {"low", steel, {}}, {"middle", {middle_stiffness * 2e11, 0.3}, {}}, {"high", steel, {}}};
@@ -242,7 +242,7 @@ TEST(JohnsonContactMechanics, Sec51PressureAtASharpEdgeIsCalledUnbounded) {
                 {"face", "", "lid", ""});
   add_rectangle(mesh, "block", equal_steps(-5., 5., 21), equal_steps(-5., 0., 10),
                 {"bottom", "", "top", ""});
-  fem::Problem problem;
+  fem::Problem<2> problem;
   problem.bodies = {{"punch", steel, {}}, {"block", steel, {}}};
   problem.supports = {{"bottom", {0., 0.}}};
   problem.ties = {{"lid", {0., -1.}, 1e6}};

@@ -82,7 +82,7 @@ Case read_with_geometry(const std::string& text) {
   return directory.read();
 }
 
-void expect_same(const fem::Problem& value, const fem::Problem& expected) {
+void expect_same(const fem::Problem<2>& value, const fem::Problem<2>& expected) {
   EXPECT_EQ(value.plane, expected.plane);
   EXPECT_EQ(value.thickness, expected.thickness);
   ASSERT_EQ(value.bodies.size(), expected.bodies.size());
@@ -117,7 +117,7 @@ void expect_same(const fem::Problem& value, const fem::Problem& expected) {
 }
 
 TEST(GeometryCase, BodiesKeepTheirNamesAndTakeTheirMaterials) {
-  const fem::Problem problem = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> problem = read_with_geometry(full_text).geometry->problem;
   ASSERT_EQ(problem.bodies.size(), 2U);
   EXPECT_EQ(problem.bodies[0].name, "upper roll");
   EXPECT_EQ(problem.bodies[1].name, "lower: block");
@@ -128,7 +128,7 @@ TEST(GeometryCase, BodiesKeepTheirNamesAndTakeTheirMaterials) {
 }
 
 TEST(GeometryCase, GravityTimesDensityIsAddedToTheBodyForce) {
-  const fem::Problem problem = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> problem = read_with_geometry(full_text).geometry->problem;
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[0], 8000.);
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[1], -85000.);
   EXPECT_EQ(problem.bodies[0].force.rotation.inertia, 0.);
@@ -194,7 +194,7 @@ TEST(GeometryCase, ContactPairsKeepTheirSides) {
 }
 
 TEST(GeometryCase, PlaneKindsAndThicknessArrive) {
-  const fem::Problem stress = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> stress = read_with_geometry(full_text).geometry->problem;
   EXPECT_EQ(stress.plane, fem::PlaneKind::plane_stress);
   EXPECT_DOUBLE_EQ(stress.thickness, 0.02);
   EXPECT_EQ(read_with_geometry(geometry_text()).geometry->problem.plane,

@@ -27,8 +27,8 @@ mesh::MeshData<2> square() {
 /// Boundary of a square with 16 edges.
 struct Square {
   mesh::MeshData<2> mesh = square();
-  Discretisation grid{mesh};
-  Boundary boundary = gather_boundary(*grid.dof_handler, mesh.circles, 1.);
+  Discretisation<2> grid{mesh};
+  Boundary<2> boundary = gather_boundary(*grid.dof_handler, mesh.circles, 1.);
 };
 
 std::map<global_dof_index, ConstraintLine> by_dof(const std::vector<ConstraintLine>& lines) {
@@ -48,7 +48,7 @@ TEST(Supports, HoldTheComponentsThatHaveAValue) {
       support_lines(square.boundary, {{"bottom", {std::nullopt, 0.25}}}, square.mesh.surfaces);
   ASSERT_EQ(lines.size(), 5U);
   const auto map = by_dof(lines);
-  for (const BoundaryNode& node : square.boundary.nodes) {
+  for (const BoundaryNode<2>& node : square.boundary.nodes) {
     EXPECT_EQ(map.count(node.dofs[0]), 0U);
     EXPECT_EQ(map.count(node.dofs[1]), node.position[1] == 0. ? 1U : 0U);
   }
@@ -93,13 +93,13 @@ TEST(RigidTie, MovesAsOneAlongItsDirectionOnly) {
   const Square square;
   for (const std::array<double, 2>& direction :
        {std::array{0., -1.}, std::array{1., 0.}, std::array{0.6, 0.8}, std::array{-0.8, 0.6}}) {
-    const RigidTie tie{"top", direction, 7.};
+    const RigidTie<2> tie{"top", direction, 7.};
     const TieLines lines = tie_lines(square.boundary, tie, square.mesh.surfaces);
     EXPECT_EQ(lines.lines.size(), 2U * 5U - 1U);
     const auto values = tied(lines, 0.3);
     const unsigned int leading = std::abs(direction[0]) > std::abs(direction[1]) ? 0 : 1;
     const double way = 0.3 / direction[leading];
-    for (const BoundaryNode& node : square.boundary.nodes)
+    for (const BoundaryNode<2>& node : square.boundary.nodes)
       for (unsigned int c = 0; c < 2; ++c) {
         const auto value = values.find(node.dofs[c]);
         ASSERT_EQ(value != values.end(), node.position[1] == 1.);
@@ -113,7 +113,7 @@ TEST(RigidTie, MovesAsOneAlongItsDirectionOnly) {
 
 TEST(Constraints, HangingNodesAreTheMeansOfTheirNeighbours) {
   mesh::MeshData<2> mesh = square();
-  Discretisation grid(mesh);
+  Discretisation<2> grid(mesh);
   for (const auto& cell : grid.triangulation->active_cell_iterators())
     if (cell->is_locally_owned() && cell->center()[0] < 0.5) cell->set_refine_flag();
   grid.triangulation->execute_coarsening_and_refinement();

@@ -16,26 +16,28 @@
 
 namespace geneva::fem::test {
 
-/// Bilinear elements on a small mesh, refined evenly; lengths as in the mesh.
+/// Elements of degree one on a small mesh, refined evenly; lengths as in the mesh.
+template <int dim>
 struct Discretisation {
-  explicit Discretisation(const mesh::MeshData<2>& mesh, const unsigned int refinements = 0)
+  explicit Discretisation(const mesh::MeshData<dim>& mesh, const unsigned int refinements = 0)
       : triangulation(mesh::make_triangulation(MPI_COMM_WORLD, mesh, 1.)),
-        element(dealii::FE_Q<2>(1), 2) {
+        element(dealii::FE_Q<dim>(1), dim) {
     triangulation->refine_global(refinements);
-    dof_handler = std::make_unique<dealii::DoFHandler<2>>(*triangulation);
+    dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*triangulation);
     dof_handler->distribute_dofs(element);
   }
 
-  std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> triangulation;
-  dealii::FESystem<2> element;
-  std::unique_ptr<dealii::DoFHandler<2>> dof_handler;
+  std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation;
+  dealii::FESystem<dim> element;
+  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
 };
 
-using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2>&)>;
+template <int dim>
+using Field = std::function<dealii::Tensor<1, dim>(const dealii::Point<dim>&)>;
 
 /// Values of a displacement field at a cell's degrees of freedom.
-inline dealii::Vector<double> values_on(const dealii::DoFHandler<2>::active_cell_iterator& cell,
-                                        const Field& field) {
+template <typename Cell, int dim = Cell::AccessorType::dimension>
+dealii::Vector<double> values_on(const Cell& cell, const Field<dim>& field) {
   dealii::Vector<double> values(cell->get_fe().n_dofs_per_cell());
   for (unsigned int i = 0; i < values.size(); ++i) {
     const auto [component, vertex] = cell->get_fe().system_to_component_index(i);

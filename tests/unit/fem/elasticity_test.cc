@@ -51,8 +51,9 @@ mesh::MeshData<2> ring_and_rectangle() {
   return mesh;
 }
 
-Problem problem_on(const mesh::MeshData<2>& mesh, const PlaneKind plane = PlaneKind::plane_strain) {
-  Problem problem;
+Problem<2> problem_on(const mesh::MeshData<2>& mesh,
+                      const PlaneKind plane = PlaneKind::plane_strain) {
+  Problem<2> problem;
   problem.plane = plane;
   problem.thickness = 0.7;
   for (const std::string& body : mesh.bodies) problem.bodies.push_back({body, steel, {}});
@@ -64,8 +65,8 @@ double size_of(const dealii::FullMatrix<double>& matrix) { return matrix.linfty_
 
 /// The greatest force K u on any cell relative to K's size: 0 for motions without strain.
 double greatest_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
-                           const Field& motion) {
-  const Discretisation grid(mesh);
+                           const Field<2>& motion) {
+  const Discretisation<2> grid(mesh);
   const auto systems = cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
   auto system = systems.begin();
   double greatest = 0.;
@@ -81,8 +82,8 @@ double greatest_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
 }
 
 /// K u - f at every unknown, on every rank.
-std::vector<double> residual(const Discretisation& grid, const std::vector<CellSystem>& systems,
-                             const Field& displacement) {
+std::vector<double> residual(const Discretisation<2>& grid, const std::vector<CellSystem>& systems,
+                             const Field<2>& displacement) {
   std::vector<double> sum(grid.dof_handler->n_dofs(), 0.);
   auto system = systems.begin();
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
@@ -103,9 +104,9 @@ struct Resultant {
   double moment = 0.;
 };
 
-Resultant resultant(const mesh::MeshData<2>& mesh, const Problem& problem,
+Resultant resultant(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
                     const unsigned int refinements = 0) {
-  const Discretisation grid(mesh, refinements);
+  const Discretisation<2> grid(mesh, refinements);
   const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
   auto system = systems.begin();
   Resultant sum;
@@ -196,7 +197,7 @@ TEST(Stiffness, KnowsNoForceFromAnAxialTranslationOfABodyOfRevolution) {
 TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
   for (const PlaneKind plane : all_kinds) {
     const mesh::MeshData<2> mesh = patch(0.1);
-    const Discretisation grid(mesh);
+    const Discretisation<2> grid(mesh);
     for (const CellSystem& system :
          cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces)) {
       Eigen::MatrixXd matrix(8, 8);
@@ -219,7 +220,7 @@ TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
 /// K u - f vanishes at every node of a distorted mesh.
 void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, const double x0) {
   const mesh::MeshData<2> mesh = patch(x0);
-  Problem problem = problem_on(mesh, plane);
+  Problem<2> problem = problem_on(mesh, plane);
   const bool axisymmetric = plane == PlaneKind::axisymmetric;
   const PlaneStress constant = stress(lame(steel, plane), plane, dealii::symmetrize(gradient),
                                       axisymmetric ? gradient[0][0] : 0.);
@@ -229,7 +230,7 @@ void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, co
     const Tensor<1, 2> traction = constant.in_plane * normals[side];
     problem.loads.push_back({mesh.surfaces[1 + side], 0., {traction[0], traction[1]}});
   }
-  const Discretisation grid(mesh);
+  const Discretisation<2> grid(mesh);
   const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
   const auto defects =
       residual(grid, systems, [&](const Point<2>& x) { return gradient * Tensor<1, 2>(x); });
@@ -250,7 +251,7 @@ TEST(PatchTest, ConstantStrainsOfABodyOfRevolutionAreExact) {
 
 TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   problem.bodies[1].force.uniform = {3., -2.};
   const Resultant sum = resultant(mesh, problem);
   const double volume = 1.5 * 1.5 * 0.7;
@@ -261,7 +262,7 @@ TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
 
 TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
   const mesh::MeshData<2> mesh = patch(0.1);
-  Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+  Problem<2> problem = problem_on(mesh, PlaneKind::axisymmetric);
   problem.bodies[0].force.uniform = {0., -2.};
   const double volume = pi * (0.34 * 0.34 - 0.1 * 0.1) * 0.12;
   EXPECT_NEAR(resultant(mesh, problem).force[1], -2. * volume, round_off);
@@ -270,7 +271,7 @@ TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
 /// The inertia's moment is the given one on any mesh, so that the reaction torque is too.
 TEST(BodyForce, MomentOfTheInertiaIsMinusJAlphaOnAnyMesh) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   problem.bodies[0].force.rotation = {0.37, 5., 11.};
   for (const unsigned int refinements : {0U, 1U, 3U})
     EXPECT_NEAR(resultant(mesh, problem, refinements).moment, -0.37 * 11., 20. * round_off);
@@ -279,7 +280,7 @@ TEST(BodyForce, MomentOfTheInertiaIsMinusJAlphaOnAnyMesh) {
 TEST(BodyForce, OfASteadyRotationIsCentrifugal) {
   // A rectangle from (2, -1) to (3.5, 0.5): density J/(t integral r^2), force m omega^2 x_centre.
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   const double inertia = 0.4;
   problem.bodies[1].force.rotation = {inertia, 5., 0.};
   const double square_radius =
@@ -293,7 +294,7 @@ TEST(BodyForce, OfASteadyRotationIsCentrifugal) {
 
 TEST(BodyForce, OfAnAcceleratedRotationLagsBehind) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   problem.bodies[1].force.rotation = {0.4, 0., 3.};
   const double mass = 0.4 / (2.75 * 2.75 + 0.25 * 0.25 + 2. * 1.5 * 1.5 / 12.);
   const Resultant sum = resultant(mesh, problem);
@@ -304,7 +305,7 @@ TEST(BodyForce, OfAnAcceleratedRotationLagsBehind) {
 
 TEST(SurfaceLoad, PressurePushesAgainstTheOutwardNormal) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   problem.loads = {{"top", 4., {0., 0.}}};
   const Resultant sum = resultant(mesh, problem, 1);
   EXPECT_NEAR(sum.force[0], 0., round_off);
@@ -316,7 +317,7 @@ TEST(SurfaceLoad, PressureAllAroundABodyOrAHoleHasNoResultant) {
   for (const auto& closed :
        std::vector<std::vector<std::string>>{{"rim"}, {"bore"}, {"bottom", "right", "top", "left"}})
     for (const unsigned int refinements : {0U, 2U}) {
-      Problem problem = problem_on(mesh);
+      Problem<2> problem = problem_on(mesh);
       for (const std::string& surface : closed) problem.loads.push_back({surface, 4., {0., 0.}});
       const Resultant sum = resultant(mesh, problem, refinements);
       EXPECT_LT(sum.force.norm(), 10. * round_off);
@@ -327,7 +328,7 @@ TEST(SurfaceLoad, PressureAllAroundABodyOrAHoleHasNoResultant) {
 TEST(SurfaceLoad, PressureAllAroundABodyOfRevolutionHasNoAxialResultant) {
   for (const double inner_radius : {0., 0.1}) {
     const mesh::MeshData<2> mesh = patch(inner_radius);
-    Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+    Problem<2> problem = problem_on(mesh, PlaneKind::axisymmetric);
     for (const char* side : {"bottom", "right", "top", "left"})
       problem.loads.push_back({side, 4., {0., 0.}});
     EXPECT_NEAR(resultant(mesh, problem).force[1], 0., round_off);
@@ -336,14 +337,14 @@ TEST(SurfaceLoad, PressureAllAroundABodyOfRevolutionHasNoAxialResultant) {
 
 TEST(SurfaceLoad, TractionOnABodyOfRevolutionActsOnTheWholeRing) {
   const mesh::MeshData<2> mesh = patch(0.1);
-  Problem problem = problem_on(mesh, PlaneKind::axisymmetric);
+  Problem<2> problem = problem_on(mesh, PlaneKind::axisymmetric);
   problem.loads = {{"top", 0., {0., 5.}}};
   EXPECT_NEAR(resultant(mesh, problem).force[1], 5. * pi * (0.34 * 0.34 - 0.1 * 0.1), round_off);
 }
 
 TEST(SurfaceLoad, LoadsOnOneSurfaceAddUp) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
-  Problem problem = problem_on(mesh);
+  Problem<2> problem = problem_on(mesh);
   problem.loads = {{"top", 4., {1., 0.}}, {"top", -1., {0., 2.}}};
   const Resultant sum = resultant(mesh, problem);
   EXPECT_NEAR(sum.force[0], 1. * 1.5 * 0.7, round_off);

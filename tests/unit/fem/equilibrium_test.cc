@@ -40,9 +40,9 @@ struct CoarseSolution {
   }
 
   mesh::MeshData<2> mesh;
-  Problem problem;
+  Problem<2> problem;
   Scales scales;
-  Discretisation grid;
+  Discretisation<2> grid;
   std::optional<SurfaceOrigins> origins;
   Level level;
   std::optional<LevelState> state;
@@ -113,7 +113,7 @@ TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
 }
 
 /// Runs the nested iteration for a few levels.
-Solution solved(const LineContact& contact, const Problem& problem) {
+Solution solved(const LineContact& contact, const Problem<2>& problem) {
   Settings settings;
   settings.max_levels = 2;
   settings.linear_tolerance = 1e-13;
@@ -143,7 +143,7 @@ TEST(Reactions, OfSupportAndTieAreTheLoad) {
 
 TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
   const LineContact contact = heavy(false);
-  Problem problem = problem_of(contact);
+  Problem<2> problem = problem_of(contact);
   problem.bodies[1].force.uniform = {1e9, -2e9};
   problem.bodies[1].force.rotation = {0.5, 0., 200.};
   problem.loads = {{"core", 1e8, {0., 0.}}, {"top", 0., {3e7, 0.}}};
@@ -187,7 +187,7 @@ TEST(Reactions, OfAPlaneOfSymmetryHaveNoForceAlongIt) {
                               geneva::test::equal_steps(-4. * R, 0., 20),
                               {"bottom", "", "top", "plane"});
   LineContact contact = heavy(false);
-  Problem problem = problem_of(contact);
+  Problem<2> problem = problem_of(contact);
   problem.supports = {{"plane", {0., std::nullopt}}, {"bottom", {std::nullopt, 0.}}};
   Settings settings;
   settings.max_levels = 1;

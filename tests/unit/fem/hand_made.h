@@ -13,9 +13,9 @@ inline const double pi = std::acos(-1.);
 
 /// An open boundary curve through the points, in the order that is counter-clockwise around the
 /// body: the body is to the left. Dofs of node i are 2 i and 2 i + 1, starting from first_dof.
-inline Boundary curve(const std::vector<dealii::Point<2>>& points, const int circle = -1,
-                      const unsigned int first_dof = 0) {
-  Boundary boundary;
+inline Boundary<2> curve(const std::vector<dealii::Point<2>>& points, const int circle = -1,
+                         const unsigned int first_dof = 0) {
+  Boundary<2> boundary;
   for (unsigned int i = 0; i < points.size(); ++i)
     boundary.nodes.push_back({points[i], {first_dof + 2 * i, first_dof + 2 * i + 1}, 0});
   for (unsigned int i = 0; i + 1 < points.size(); ++i)
@@ -49,14 +49,14 @@ inline Surface arc(const mesh::Circle& circle, const std::vector<double>& angles
   for (const double angle : angles)
     points.emplace_back(circle.centre[0] + circle.radius * std::cos(angle),
                         circle.centre[1] + circle.radius * std::sin(angle));
-  Boundary boundary = curve(points, 0, 1000);
+  Boundary<2> boundary = curve(points, 0, 1000);
   boundary.circles = {circle};
   return make_surface(boundary, 1, points.front());
 }
 
 /// A whole circle with n equal edges, around a body inside it.
 inline Surface full_circle(const mesh::Circle& circle, const unsigned int n) {
-  Boundary boundary;
+  Boundary<2> boundary;
   boundary.circles = {circle};
   for (unsigned int i = 0; i < n; ++i) {
     const double angle = 2. * pi * i / n;

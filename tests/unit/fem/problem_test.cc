@@ -20,11 +20,11 @@ const mesh::MeshData<2>& mesh() {
   return data;
 }
 
-Problem problem() { return problem_of(LineContact()); }
+Problem<2> problem() { return problem_of(LineContact()); }
 
 /// Every field has another value, so that a forgotten one shows.
-Problem full_problem() {
-  Problem full = problem();
+Problem<2> full_problem() {
+  Problem<2> full = problem();
   full.thickness = 0.02;
   full.bodies[0].force.uniform = {3e4, -7e4};
   full.bodies[0].force.rotation = {2e-3, 10., 300.};
@@ -34,7 +34,7 @@ Problem full_problem() {
   return full;
 }
 
-void expect_same(const Problem& a, const Problem& b) {
+void expect_same(const Problem<2>& a, const Problem<2>& b) {
   // Two roundings: a division and the multiplication that undoes it.
   const auto same = [](const double x, const double y) { EXPECT_NEAR(x, y, 1e-15 * std::abs(y)); };
   same(a.thickness, b.thickness);
@@ -63,7 +63,7 @@ void expect_same(const Problem& a, const Problem& b) {
 }
 
 TEST(Scaling, UnitsAreTheGreatestExtentAndModulus) {
-  Problem other = problem();
+  Problem<2> other = problem();
   other.bodies[1].material.youngs_modulus = 3e11;
   const Scales scales = scales_of(other, mesh());
   EXPECT_DOUBLE_EQ(scales.length, 0.08) << "the block's width, 8 R";
@@ -79,8 +79,8 @@ TEST(Scaling, BackAndForthChangesNothing) {
 
 TEST(Scaling, DividesByTheUnitOfEveryQuantity) {
   const Scales scales{2., 10.};
-  const Problem full = full_problem();
-  const Problem small = scaled(full, scales);
+  const Problem<2> full = full_problem();
+  const Problem<2> small = scaled(full, scales);
   EXPECT_DOUBLE_EQ(small.thickness, full.thickness / 2.);
   EXPECT_DOUBLE_EQ(small.bodies[0].material.youngs_modulus, 2e10);
   EXPECT_DOUBLE_EQ(small.bodies[0].force.uniform[0], 3e4 * 2. / 10.) << "force per volume";
@@ -92,7 +92,7 @@ TEST(Scaling, DividesByTheUnitOfEveryQuantity) {
 }
 
 TEST(OrderBodies, PutsThemInTheMeshsOrder) {
-  Problem reversed = problem();
+  Problem<2> reversed = problem();
   std::swap(reversed.bodies[0], reversed.bodies[1]);
   order_bodies(reversed, mesh());
   EXPECT_EQ(reversed.bodies[0].name, "cylinder");
@@ -100,13 +100,13 @@ TEST(OrderBodies, PutsThemInTheMeshsOrder) {
 }
 
 TEST(OrderBodies, RefusesABodyWithoutMaterial) {
-  Problem incomplete = problem();
+  Problem<2> incomplete = problem();
   incomplete.bodies.pop_back();
   expect_refused([&] { order_bodies(incomplete, mesh()); }, {"'block'", "no material"});
 }
 
 TEST(OrderBodies, RefusesAMaterialWithoutBody) {
-  Problem misspelt = problem();
+  Problem<2> misspelt = problem();
   misspelt.bodies[0].name = "cylnder";
   expect_refused([&] { order_bodies(misspelt, mesh()); },
                  {"body 'cylnder' is not in the mesh", "'cylinder', 'block'"});
@@ -117,39 +117,40 @@ TEST(Check, AcceptsAGoodProblem) { EXPECT_NO_THROW(check(problem(), mesh())); }
 /// Expects check() to refuse the problem after a change, with the parts in the message.
 template <typename Change>
 void expect_check_refuses(const Change& change, std::initializer_list<std::string> parts) {
-  Problem changed = problem();
+  Problem<2> changed = problem();
   change(changed);
   expect_refused([&] { check(changed, mesh()); }, parts);
 }
 
 TEST(Check, RefusesNamesThatAreNotInTheMeshAndTellsWhatThereIs) {
   const auto known = "'core', 'cylinder', 'bottom', 'top'";
-  expect_check_refuses([](Problem& p) { p.supports[0].surface = "botom"; },
+  expect_check_refuses([](Problem<2>& p) { p.supports[0].surface = "botom"; },
                        {"surface 'botom'", "not in the mesh", known});
-  expect_check_refuses([](Problem& p) { p.ties[0].surface = "kore"; }, {"surface 'kore'", known});
+  expect_check_refuses([](Problem<2>& p) { p.ties[0].surface = "kore"; },
+                       {"surface 'kore'", known});
   expect_check_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.loads = {{"lid", 1., {0., 0.}}};
       },
       {"surface 'lid'", known});
-  expect_check_refuses([](Problem& p) { p.pairs[0].source = "rim"; }, {"surface 'rim'", known});
-  expect_check_refuses([](Problem& p) { p.pairs[0].target = "ground"; },
+  expect_check_refuses([](Problem<2>& p) { p.pairs[0].source = "rim"; }, {"surface 'rim'", known});
+  expect_check_refuses([](Problem<2>& p) { p.pairs[0].target = "ground"; },
                        {"surface 'ground'", known});
-  expect_check_refuses([](Problem& p) { p.bodies[0].name = "pin"; },
+  expect_check_refuses([](Problem<2>& p) { p.bodies[0].name = "pin"; },
                        {"body 'pin'", "'cylinder', 'block'"});
 }
 
 TEST(Check, RefusesTheSurfaceWithoutAName) {
-  expect_check_refuses([](Problem& p) { p.supports[0].surface = ""; }, {"surface ''"});
+  expect_check_refuses([](Problem<2>& p) { p.supports[0].surface = ""; }, {"surface ''"});
 }
 
 TEST(Check, RefusesAProblemWithoutContact) {
-  expect_check_refuses([](Problem& p) { p.pairs.clear(); }, {"'Contact pairs'", "at least one"});
+  expect_check_refuses([](Problem<2>& p) { p.pairs.clear(); }, {"'Contact pairs'", "at least one"});
 }
 
 TEST(Check, RefusesASurfaceThatTouchesItself) {
   expect_check_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.pairs[0] = {"top", "top"};
       },
       {"'top'", "cannot touch itself"});
@@ -157,7 +158,7 @@ TEST(Check, RefusesASurfaceThatTouchesItself) {
 
 TEST(Check, RefusesContactWithinABody) {
   expect_check_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.pairs[0] = {"top", "bottom"};
       },
       {"'top' and 'bottom'", "same body"});
@@ -165,7 +166,7 @@ TEST(Check, RefusesContactWithinABody) {
 
 TEST(Check, RefusesASurfaceThatIsTheSourceTwice) {
   expect_check_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.pairs.push_back({"cylinder", "bottom"});
       },
       {"'cylinder'", "source of two pairs", "target of one"});
@@ -173,7 +174,7 @@ TEST(Check, RefusesASurfaceThatIsTheSourceTwice) {
 
 TEST(Check, RefusesASurfaceThatIsSourceAndTarget) {
   expect_check_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.pairs.push_back({"bottom", "cylinder"});
       },
       {"'cylinder'", "source of one pair and the target of another"});
@@ -185,7 +186,7 @@ TEST(Check, RefusesAContactSurfaceOfTwoBodies) {
     geneva::test::add_rectangle(two, left == 0. ? "a" : "b", {left, left + 1.}, {0., 1.},
                                 {"", "", "lids", ""});
   geneva::test::add_rectangle(two, "c", {0., 3.}, {1., 2.}, {"under", "", "", ""});
-  Problem changed = problem();
+  Problem<2> changed = problem();
   changed.bodies = {{"a", {1., 0.3}, {}}, {"b", {1., 0.3}, {}}, {"c", {1., 0.3}, {}}};
   changed.supports.clear();
   changed.ties.clear();
@@ -196,7 +197,7 @@ TEST(Check, RefusesAContactSurfaceOfTwoBodies) {
 TEST(Check, RefusesABodyThatNothingHolds) {
   mesh::MeshData<2> three = mesh();
   geneva::test::add_rectangle(three, "stray", {1., 2.}, {0., 1.}, {"", "", "", ""});
-  Problem changed = problem();
+  Problem<2> changed = problem();
   changed.bodies.push_back({"stray", {1., 0.3}, {}});
   expect_refused([&] { check(changed, three); }, {"'stray'", "nothing holds it"});
 }
@@ -204,30 +205,31 @@ TEST(Check, RefusesABodyThatNothingHolds) {
 /// Expects solve_contact() to refuse a problem whose bodies can still move.
 template <typename Change>
 void expect_solver_refuses(const Change& change, std::initializer_list<std::string> parts) {
-  Problem changed = problem();
+  Problem<2> changed = problem();
   change(changed);
   expect_refused([&] { solve_contact(MPI_COMM_WORLD, mesh(), changed, {}, {}); }, parts);
 }
 
 TEST(SolveContact, RefusesWhatCheckRefuses) {
-  expect_solver_refuses([](Problem& p) { p.pairs.clear(); }, {"'Contact pairs'", "at least one"});
+  expect_solver_refuses([](Problem<2>& p) { p.pairs.clear(); },
+                        {"'Contact pairs'", "at least one"});
 }
 
 TEST(SolveContact, RefusesABodyThatCanMoveAlongX) {
   expect_solver_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.supports = {{"bottom", {std::nullopt, 0.}}};
       },
       {"body '", "can move along x freely"});
 }
 
 TEST(SolveContact, RefusesACylinderThatCanRollAway) {
-  expect_solver_refuses([](Problem& p) { p.ties.clear(); }, {"body 'cylinder' can"});
+  expect_solver_refuses([](Problem<2>& p) { p.ties.clear(); }, {"body 'cylinder' can"});
 }
 
 TEST(SolveContact, RefusesSupportsThatContradictEachOther) {
   expect_solver_refuses(
-      [](Problem& p) {
+      [](Problem<2>& p) {
         p.supports.push_back({"bottom", {std::nullopt, 1e-6}});
       },
       {"'bottom'", "different displacement"});

@@ -21,7 +21,7 @@ constexpr double round_off = 1e-14;
 
 TEST(Surface, PutsTheEdgesOfAnOpenCurveInOrderFromTheEndNearestToTheOrigin) {
   const std::vector<Point<2>> points{{0., 0.}, {1., 0.}, {1., 2.}, {4., 6.}};
-  Boundary boundary = curve(points);
+  Boundary<2> boundary = curve(points);
   std::reverse(boundary.faces.begin(), boundary.faces.end());
   std::swap(boundary.faces[0], boundary.faces[1]);
   const Surface surface = make_surface(boundary, 1, Point<2>(0.1, 0.));
@@ -38,7 +38,7 @@ TEST(Surface, PutsTheEdgesOfAnOpenCurveInOrderFromTheEndNearestToTheOrigin) {
 }
 
 TEST(Surface, LeavesOtherSurfacesOut) {
-  Boundary boundary = curve({{0., 0.}, {1., 0.}, {2., 0.}, {3., 0.}});
+  Boundary<2> boundary = curve({{0., 0.}, {1., 0.}, {2., 0.}, {3., 0.}});
   boundary.faces[2].surface = 7;
   EXPECT_EQ(make_surface(boundary, 1, Point<2>()).nodes.size(), 3U);
   EXPECT_EQ(make_surface(boundary, 7, Point<2>()).nodes.size(), 2U);
@@ -46,7 +46,7 @@ TEST(Surface, LeavesOtherSurfacesOut) {
 
 TEST(Surface, CountsTheArcLengthOfAClosedCurveFromTheNodeNearestToTheOrigin) {
   const mesh::Circle circle{{1., 2.}, 3.};
-  Boundary boundary;
+  Boundary<2> boundary;
   boundary.circles = {circle};
   for (unsigned int i = 0; i < 8; ++i) {
     boundary.nodes.push_back(
@@ -233,8 +233,8 @@ TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
   geneva::test::add_ring(
       mesh, "ring",
       {{0.2, 0.1}, {0.5, 1.}, geneva::test::equal_steps(0., 2. * pi, 8), "bore", "rim", "", ""});
-  Discretisation coarse(mesh);
-  Discretisation fine(mesh, 3);
+  Discretisation<2> coarse(mesh);
+  Discretisation<2> fine(mesh, 3);
   for (const char* name : {"bore", "rim"}) {
     const unsigned int id = geneva::test::surface_id(mesh, name);
     const double radius = id == geneva::test::surface_id(mesh, "rim") ? 1. : 0.5;
