@@ -114,7 +114,7 @@ class NestedIteration {
 
   [[nodiscard]] unsigned int n_active_nodes() const {
     std::ptrdiff_t count = 0;
-    for (const ContactInterface& interface : level_.interfaces)
+    for (const ContactInterface<2>& interface : level_.interfaces)
       count += std::count(interface.active.begin(), interface.active.end(), true);
     return static_cast<unsigned int>(count);
   }

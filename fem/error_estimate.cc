@@ -16,7 +16,7 @@ constexpr double grading_coefficient = 0.04;
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
 /// edge: a coefficient over the square of the number of active nodes. Measured on unsymmetric
 /// meshes with 7 to 35 nodes: 0.9 to 1.2.
-double end_uncertainty(const ContactInterface& interface) {
+double end_uncertainty(const ContactInterface<2>& interface) {
   constexpr double coefficient = 1.2;
   double uncertainty = 0.;
   const auto& active = interface.active;
@@ -41,10 +41,10 @@ double grading_for(const double accuracy) {
 }
 
 double error_estimate(const double change, const double previous_error, const double grading,
-                      const std::vector<ContactInterface>& interfaces) {
+                      const std::vector<ContactInterface<2>>& interfaces) {
   std::ptrdiff_t active_nodes = 0;
   double ends = 0.;
-  for (const ContactInterface& interface : interfaces) {
+  for (const ContactInterface<2>& interface : interfaces) {
     active_nodes += std::count(interface.active.begin(), interface.active.end(), true);
     ends = std::max(ends, end_uncertainty(interface));
   }

@@ -20,7 +20,7 @@ double grading_for(double accuracy);
 /// @param previous_error error of this mesh by the change one mesh earlier
 /// @return between 0 and 1; 1 where the contact has too few nodes to say anything
 double error_estimate(double change, double previous_error, double grading,
-                      const std::vector<ContactInterface>& interfaces);
+                      const std::vector<ContactInterface<2>>& interfaces);
 
 /// Whether the peak pressures of successive meshes grow without bound, as they do where a contact
 /// reaches a sharp edge.

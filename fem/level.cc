@@ -31,12 +31,12 @@ dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<2>& dof_handler,
 
 /// The node of a surface that is farthest from the other surface: a closed surface is cut open
 /// there.
-dealii::Point<2> remotest_node(const Surface& surface, const Surface& other) {
+dealii::Point<2> remotest_node(const Surface<2>& surface, const Surface<2>& other) {
   dealii::Point<2> remotest;
   double greatest = -1.;
-  for (const SurfaceNode& node : surface.nodes) {
+  for (const SurfaceNode<2>& node : surface.nodes) {
     double nearest = std::numeric_limits<double>::max();
-    for (const SurfaceNode& other_node : other.nodes)
+    for (const SurfaceNode<2>& other_node : other.nodes)
       nearest = std::min(nearest, node.position.distance_square(other_node.position));
     if (nearest > greatest * (1. + 1e-9)) {
       greatest = nearest;
@@ -50,8 +50,8 @@ SurfaceOrigins choose_origins(const Boundary<2>& boundary, const mesh::MeshData<
                               const Problem<2>& problem) {
   SurfaceOrigins origins;
   for (const ContactPair& pair : problem.pairs) {
-    const Surface source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
-    const Surface target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
+    const Surface<2> source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
+    const Surface<2> target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
     origins.source.push_back(remotest_node(source, target));
     origins.target.push_back(remotest_node(target, source));
   }
@@ -73,13 +73,13 @@ double source_share(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
   return source / (source + compliance(mesh, problem, pair.target));
 }
 
-std::vector<ContactInterface> make_interfaces(const Boundary<2>& boundary,
-                                              const mesh::MeshData<2>& mesh,
-                                              const Problem<2>& problem,
-                                              const SurfaceOrigins& origins) {
-  std::vector<ContactInterface> interfaces;
+std::vector<ContactInterface<2>> make_interfaces(const Boundary<2>& boundary,
+                                                 const mesh::MeshData<2>& mesh,
+                                                 const Problem<2>& problem,
+                                                 const SurfaceOrigins& origins) {
+  std::vector<ContactInterface<2>> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
-    ContactInterface interface;
+    ContactInterface<2> interface;
     interface.source =
         make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
     interface.target =
@@ -128,7 +128,7 @@ Vector residual_of(const Level& level, const MPI_Comm communicator, const Vector
 std::vector<ConstraintLine> all_lines(const Level& level) {
   std::vector<ConstraintLine> lines = level.held_lines;
   std::set<global_dof_index> held = level.held;
-  for (const ContactInterface& interface : level.interfaces) {
+  for (const ContactInterface<2>& interface : level.interfaces) {
     const auto contact = contact_lines(interface, held);
     lines.insert(lines.end(), contact.begin(), contact.end());
   }
@@ -137,7 +137,7 @@ std::vector<ConstraintLine> all_lines(const Level& level) {
 
 std::vector<std::vector<bool>> active_sets(const Level& level) {
   std::vector<std::vector<bool>> sets;
-  for (const ContactInterface& interface : level.interfaces) sets.push_back(interface.active);
+  for (const ContactInterface<2>& interface : level.interfaces) sets.push_back(interface.active);
   return sets;
 }
 
@@ -148,7 +148,7 @@ bool advance(Level& level, const std::vector<ContactState>& states,
   const auto before = active_sets(level);
   seen.insert(before);
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-    ContactInterface& interface = level.interfaces[i];
+    ContactInterface<2>& interface = level.interfaces[i];
     std::vector<bool> next = updated(interface, states[i]);
     if (only_closing)
       for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
@@ -201,7 +201,7 @@ std::optional<LevelState> solve_level(
 
     state.residual = residual_of(level, communicator, state.displacement);
     state.contacts.clear();
-    for (const ContactInterface& interface : level.interfaces)
+    for (const ContactInterface<2>& interface : level.interfaces)
       state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
     report(step, state.linear_iterations.back());
     const bool changed = advance(level, state.contacts, seen, only_closing);

@@ -23,7 +23,7 @@ struct Level {
   dealii::IndexSet owned;
   dealii::IndexSet ghosts;  ///< locally relevant dofs and all boundary dofs
   Boundary<2> boundary;
-  std::vector<ContactInterface> interfaces;
+  std::vector<ContactInterface<2>> interfaces;
   std::vector<CellSystem> cells;
   std::vector<ConstraintLine> held_lines;  ///< supports and ties
   std::set<global_dof_index> held;         ///< dofs of those lines

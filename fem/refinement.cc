@@ -27,28 +27,28 @@ struct ZoneEdge {
   double length;
 };
 
-double edge_length(const Surface& surface, const SurfaceFace& face) {
+double edge_length(const Surface<2>& surface, const SurfaceFace<2>& face) {
   return surface.nodes[face.nodes[0]].position.distance(surface.nodes[face.nodes[1]].position);
 }
 
 /// Edges of a surface within the margin of an interval of arc length.
-void add_zone_edges(const Surface& surface, const std::pair<double, double>& interval,
+void add_zone_edges(const Surface<2>& surface, const std::pair<double, double>& interval,
                     std::vector<ZoneEdge>& edges) {
   const auto [begin, end] = interval;
-  const auto span = [&](const SurfaceFace& face) {
+  const auto span = [&](const SurfaceFace<2>& face) {
     const double from = surface.nodes[face.nodes[0]].arc_length;
     return std::pair{from, from + edge_length(surface, face)};
   };
   double longest = 0.;
   const double slack = 1e-9 * surface.length;
-  for (const SurfaceFace& face : surface.faces) {
+  for (const SurfaceFace<2>& face : surface.faces) {
     const auto [from, to] = span(face);
     if (from <= end + slack && to >= begin - slack) longest = std::max(longest, to - from);
   }
   // A little more than the margin: on even meshes a node may stand exactly at its end, and
   // round-off must not decide.
   const double margin = std::max(zone_margin * (end - begin), 0.5 * longest) + 1e-3 * longest;
-  for (const SurfaceFace& face : surface.faces) {
+  for (const SurfaceFace<2>& face : surface.faces) {
     const auto [from, to] = span(face);
     if (from < end + margin && to > begin - margin)
       edges.push_back({surface.nodes[face.nodes[0]].dofs[0], to - from});
@@ -56,7 +56,7 @@ void add_zone_edges(const Surface& surface, const std::pair<double, double>& int
 }
 
 /// Arc-length intervals of the target over the active source nodes.
-std::vector<std::pair<double, double>> target_intervals(const ContactInterface& interface) {
+std::vector<std::pair<double, double>> target_intervals(const ContactInterface<2>& interface) {
   std::vector<std::pair<double, double>> intervals;
   bool open = false;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
@@ -100,7 +100,7 @@ struct ZoneSides {
   std::vector<ZoneEdge> target;
 };
 
-ZoneSides zone_sides(const ContactInterface& interface) {
+ZoneSides zone_sides(const ContactInterface<2>& interface) {
   ZoneSides sides;
   for (const auto& interval : active_intervals(interface))
     add_zone_edges(interface.source, interval, sides.source);
@@ -110,7 +110,7 @@ ZoneSides zone_sides(const ContactInterface& interface) {
 }
 
 /// @param only_uneven only edges that are long for their zone
-Zone zone_edges(const std::vector<ContactInterface>& interfaces,
+Zone zone_edges(const std::vector<ContactInterface<2>>& interfaces,
                 const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                 const bool only_uneven) {
   Zone zone;
@@ -147,15 +147,15 @@ struct ZoneOutline {
   double next_size;                     ///< edge length in the zone after this refinement
 };
 
-std::vector<ZoneOutline> zone_outlines(const std::vector<ContactInterface>& interfaces) {
+std::vector<ZoneOutline> zone_outlines(const std::vector<ContactInterface<2>>& interfaces) {
   std::vector<ZoneOutline> zones;
-  for (const ContactInterface& interface : interfaces) {
+  for (const ContactInterface<2>& interface : interfaces) {
     ZoneOutline zone{{}, 0.};
     std::set<unsigned int> active;
     for (std::size_t i = 0; i < interface.rows.size(); ++i)
       if (interface.active[i]) active.insert(interface.rows[i].node);
     double shortest = std::numeric_limits<double>::max();
-    for (const SurfaceFace& face : interface.source.faces)
+    for (const SurfaceFace<2>& face : interface.source.faces)
       if (active.count(face.nodes[0]) + active.count(face.nodes[1]) > 0)
         shortest = std::min(shortest, edge_length(interface.source, face));
     for (const unsigned int node : active)
@@ -180,7 +180,7 @@ double wanted_size(const std::vector<ZoneOutline>& zones, const double grading,
 }
 
 unsigned int flag_surroundings(dealii::DoFHandler<2>& dof_handler,
-                               const std::vector<ContactInterface>& interfaces,
+                               const std::vector<ContactInterface<2>>& interfaces,
                                const double grading) {
   constexpr double slack = 1.1;  // cells are not quite square
   const std::vector<ZoneOutline> zones = zone_outlines(interfaces);
@@ -215,7 +215,7 @@ unsigned int flag_energy(dealii::DoFHandler<2>& dof_handler,
 
 unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
-                        const std::vector<ContactInterface>& interfaces,
+                        const std::vector<ContactInterface<2>>& interfaces,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                         const std::optional<double> grading) {
   unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids, false));
@@ -226,9 +226,9 @@ unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
 
-double unevenness(const std::vector<ContactInterface>& interfaces) {
+double unevenness(const std::vector<ContactInterface<2>>& interfaces) {
   double greatest = 1.;
-  for (const ContactInterface& interface : interfaces) {
+  for (const ContactInterface<2>& interface : interfaces) {
     const ZoneSides sides = zone_sides(interface);
     greatest = std::max(greatest, std::max(longest(sides.source), longest(sides.target)) /
                                       std::min(shortest(sides.source), shortest(sides.target)));
@@ -237,7 +237,7 @@ double unevenness(const std::vector<ContactInterface>& interfaces) {
 }
 
 unsigned int flag_uneven_edges(
-    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface>& interfaces,
+    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface<2>>& interfaces,
     const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids) {
   const unsigned int flagged = flag_zone(dof_handler, zone_edges(interfaces, surface_ids, true));
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());

@@ -21,19 +21,19 @@ namespace geneva::fem {
 /// @return number of flagged cells on all ranks
 unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
-                        const std::vector<ContactInterface>& interfaces,
+                        const std::vector<ContactInterface<2>>& interfaces,
                         const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
                         std::optional<double> grading);
 
 /// The longest edge of a contact zone over its shortest one, on both sides together; the greatest
 /// of all zones.
-double unevenness(const std::vector<ContactInterface>& interfaces);
+double unevenness(const std::vector<ContactInterface<2>>& interfaces);
 
 /// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
 /// the contact pressure ripples where edges change their length.
 /// @return number of flagged cells on all ranks
 unsigned int flag_uneven_edges(
-    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface>& interfaces,
+    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface<2>>& interfaces,
     const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids);
 
 }  // namespace geneva::fem

@@ -74,8 +74,8 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level& level, const RigidMoti
     for (const auto& [dof, coefficient] : line.entries) motions.add(dof, -coefficient, row);
     rows.push_back(row);
   }
-  for (const ContactInterface& interface : level.interfaces)
-    for (const MortarRow& contact : interface.rows) {
+  for (const ContactInterface<2>& interface : level.interfaces)
+    for (const MortarRow<2>& contact : interface.rows) {
       Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
       for (unsigned int direction = 0; direction < 2; ++direction) {
         motions.add(interface.source.nodes[contact.node].dofs[direction], contact.normal[direction],

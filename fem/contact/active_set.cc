@@ -12,13 +12,17 @@ namespace {
 /// are round-off, not a reason to change the active set.
 constexpr double round_off = 1e-9;
 
-double initial_gap(const MortarRow& row) { return row.initial_gap / row.weight; }
+template <int dim>
+double initial_gap(const MortarRow<dim>& row) {
+  return row.initial_gap / row.weight;
+}
 
 /// The component to solve a row for; none if all are held.
-int pivot_component(const MortarRow& row, const SurfaceNode& node,
+template <int dim>
+int pivot_component(const MortarRow<dim>& row, const SurfaceNode<dim>& node,
                     const std::set<global_dof_index>& held) {
   int pivot = -1;
-  for (unsigned int component = 0; component < 2; ++component) {
+  for (unsigned int component = 0; component < dim; ++component) {
     const double share = std::abs(row.normal[component]);
     if (held.count(node.dofs[component]) == 0 && share > 1e-6 &&
         (pivot < 0 || share > std::abs(row.normal[static_cast<unsigned int>(pivot)])))
@@ -27,27 +31,29 @@ int pivot_component(const MortarRow& row, const SurfaceNode& node,
   return pivot;
 }
 
-ConstraintLine contact_line(const ContactInterface& interface, const MortarRow& row,
+template <int dim>
+ConstraintLine contact_line(const ContactInterface<dim>& interface, const MortarRow<dim>& row,
                             const unsigned int pivot) {
-  const SurfaceNode& node = interface.source.nodes[row.node];
+  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
   const double diagonal = row.weight * row.normal[pivot];
   ConstraintLine line{node.dofs[pivot], {}, -row.initial_gap / diagonal};
-  const unsigned int other = 1 - pivot;
-  if (row.normal[other] != 0.)
-    line.entries.emplace_back(node.dofs[other], -row.normal[other] / row.normal[pivot]);
+  for (unsigned int other = 0; other < dim; ++other)
+    if (other != pivot && row.normal[other] != 0.)
+      line.entries.emplace_back(node.dofs[other], -row.normal[other] / row.normal[pivot]);
   for (const auto& [target_node, coupling] : row.coupling)
-    for (unsigned int component = 0; component < 2; ++component)
+    for (unsigned int component = 0; component < dim; ++component)
       if (coupling[component] != 0.)
         line.entries.emplace_back(interface.target.nodes[target_node].dofs[component],
                                   coupling[component] / diagonal);
   return line;
 }
 
-double gap_of(const ContactInterface& interface, const MortarRow& row,
+template <int dim>
+double gap_of(const ContactInterface<dim>& interface, const MortarRow<dim>& row,
               const dealii::TrilinosWrappers::MPI::Vector& displacement) {
-  const SurfaceNode& node = interface.source.nodes[row.node];
+  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
   double gap = row.initial_gap;
-  for (unsigned int component = 0; component < 2; ++component) {
+  for (unsigned int component = 0; component < dim; ++component) {
     gap += row.weight * row.normal[component] * displacement(node.dofs[component]);
     for (const auto& [target_node, coupling] : row.coupling)
       gap -=
@@ -56,12 +62,13 @@ double gap_of(const ContactInterface& interface, const MortarRow& row,
   return gap / row.weight;
 }
 
-double pressure_of(const SurfaceNode& node, const MortarRow& row,
+template <int dim>
+double pressure_of(const SurfaceNode<dim>& node, const MortarRow<dim>& row,
                    const dealii::TrilinosWrappers::MPI::Vector& residual,
                    const std::set<global_dof_index>& held) {
   double force = 0.;
   double normal_square = 0.;
-  for (unsigned int component = 0; component < 2; ++component) {
+  for (unsigned int component = 0; component < dim; ++component) {
     if (held.count(node.dofs[component]) > 0) continue;
     force += residual(node.dofs[component]) * row.normal[component];
     normal_square += row.normal[component] * row.normal[component];
@@ -71,21 +78,23 @@ double pressure_of(const SurfaceNode& node, const MortarRow& row,
 
 }  // namespace
 
-std::vector<bool> first_touch(const std::vector<MortarRow>& rows, const double length) {
+template <int dim>
+std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, const double length) {
   double smallest = std::numeric_limits<double>::max();
-  for (const MortarRow& row : rows) smallest = std::min(smallest, initial_gap(row));
+  for (const MortarRow<dim>& row : rows) smallest = std::min(smallest, initial_gap(row));
   std::vector<bool> active;
   active.reserve(rows.size());
-  for (const MortarRow& row : rows) active.push_back(initial_gap(row) <= smallest + 1e-9 * length);
+  for (const MortarRow<dim>& row : rows)
+    active.push_back(initial_gap(row) <= smallest + 1e-9 * length);
   return active;
 }
 
-std::vector<bool> inherited(const ContactInterface& interface,
+std::vector<bool> inherited(const ContactInterface<2>& interface,
                             const std::vector<ContactInterval>& intervals, const double length) {
   const double slack = 1e-9 * interface.source.length;
   std::vector<bool> active;
   active.reserve(interface.rows.size());
-  for (const MortarRow& row : interface.rows) {
+  for (const MortarRow<2>& row : interface.rows) {
     const double at = interface.source.nodes[row.node].arc_length;
     active.push_back(
         std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& interval) {
@@ -97,7 +106,7 @@ std::vector<bool> inherited(const ContactInterface& interface,
   return active;
 }
 
-std::vector<std::pair<double, double>> active_intervals(const ContactInterface& interface) {
+std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface) {
   std::vector<bool> node_active(interface.source.nodes.size(), false);
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
     if (interface.active[i]) node_active[interface.rows[i].node] = true;
@@ -112,12 +121,13 @@ std::vector<std::pair<double, double>> active_intervals(const ContactInterface& 
   return intervals;
 }
 
-std::vector<ConstraintLine> contact_lines(const ContactInterface& interface,
+template <int dim>
+std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
                                           std::set<global_dof_index>& held) {
   std::vector<ConstraintLine> lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     if (!interface.active[i]) continue;
-    const MortarRow& row = interface.rows[i];
+    const MortarRow<dim>& row = interface.rows[i];
     const int pivot = pivot_component(row, interface.source.nodes[row.node], held);
     if (pivot < 0) continue;
     lines.push_back(contact_line(interface, row, static_cast<unsigned int>(pivot)));
@@ -126,12 +136,13 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface& interface,
   return lines;
 }
 
-ContactState evaluate(const ContactInterface& interface,
+template <int dim>
+ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
                       const dealii::TrilinosWrappers::MPI::Vector& residual,
                       const std::set<global_dof_index>& held) {
   ContactState state;
-  for (const MortarRow& row : interface.rows) {
+  for (const MortarRow<dim>& row : interface.rows) {
     state.gap.push_back(gap_of(interface, row, displacement));
     state.approach = std::max(state.approach, std::abs(state.gap.back() - initial_gap(row)));
     state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, residual, held));
@@ -141,7 +152,8 @@ ContactState evaluate(const ContactInterface& interface,
   return state;
 }
 
-std::vector<bool> updated(const ContactInterface& interface, const ContactState& state) {
+template <int dim>
+std::vector<bool> updated(const ContactInterface<dim>& interface, const ContactState& state) {
   double greatest_pressure = 0.;
   for (const double pressure : state.pressure)
     greatest_pressure = std::max(greatest_pressure, std::abs(pressure));
@@ -152,5 +164,22 @@ std::vector<bool> updated(const ContactInterface& interface, const ContactState&
                                          : state.gap[i] < -round_off * state.approach);
   return active;
 }
+
+template std::vector<bool> first_touch(const std::vector<MortarRow<2>>&, double);
+template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
+                                                   std::set<global_dof_index>&);
+template ContactState evaluate(const ContactInterface<2>&,
+                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const std::set<global_dof_index>&);
+template std::vector<bool> updated(const ContactInterface<2>&, const ContactState&);
+template std::vector<bool> first_touch(const std::vector<MortarRow<3>>&, double);
+template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
+                                                   std::set<global_dof_index>&);
+template ContactState evaluate(const ContactInterface<3>&,
+                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const std::set<global_dof_index>&);
+template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
 
 }  // namespace geneva::fem

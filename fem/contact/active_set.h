@@ -12,10 +12,11 @@
 namespace geneva::fem {
 
 /// One contact pair on one mesh, the same on every rank.
+template <int dim>
 struct ContactInterface {
-  Surface source;
-  Surface target;
-  std::vector<MortarRow> rows;
+  Surface<dim> source;
+  Surface<dim> target;
+  std::vector<MortarRow<dim>> rows;
   std::vector<bool> active;  ///< by row
 };
 
@@ -27,35 +28,39 @@ struct ContactState {
 };
 
 /// The rows that touch first: those whose initial gap is the smallest.
-std::vector<bool> first_touch(const std::vector<MortarRow>& rows, double length);
+template <int dim>
+std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, double length);
 
 /// The rows within the contact that the coarser mesh found, or first_touch if there is none.
 /// @param intervals of the coarser mesh's contact [m]
 /// @param length unit of length of the triangulation [m]
-std::vector<bool> inherited(const ContactInterface& interface,
+std::vector<bool> inherited(const ContactInterface<2>& interface,
                             const std::vector<ContactInterval>& intervals, double length);
 
 /// Arc-length intervals of the source surface covered by active nodes.
-std::vector<std::pair<double, double>> active_intervals(const ContactInterface& interface);
+std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface);
 
 /// The active rows as constraint lines: gap_j(u) = 0, solved for the displacement component with
 /// the greatest share of the normal that no support holds. Rows whose components are all held are
 /// left out.
 /// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
 /// are added
-std::vector<ConstraintLine> contact_lines(const ContactInterface& interface,
+template <int dim>
+std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
                                           std::set<global_dof_index>& held);
 
 /// Gap from the displacement; pressure from the residual K u - f, divided by D (no
 /// differentiation).
 /// @param held dofs whose residual holds reactions of supports
-ContactState evaluate(const ContactInterface& interface,
+template <int dim>
+ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
                       const dealii::TrilinosWrappers::MPI::Vector& residual,
                       const std::set<global_dof_index>& held);
 
 /// The primal-dual active set step (Hintermueller, Ito and Kunisch 2003): active nodes under
 /// tension open, open nodes that overlap close.
-std::vector<bool> updated(const ContactInterface& interface, const ContactState& state);
+template <int dim>
+std::vector<bool> updated(const ContactInterface<dim>& interface, const ContactState& state);
 
 }  // namespace geneva::fem

@@ -1,141 +1,87 @@
 #include "fem/contact/mortar.h"
 
-#include <deal.II/base/quadrature_lib.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <Eigen/Dense>
 #include <map>
 #include <optional>
 
-#include "fem/contact/projection.h"
-
 namespace geneva::fem {
 
-using dealii::Point;
 using dealii::Tensor;
 
 namespace {
 
-/// Shares of a source node's edges that must be covered by the target for the node to take part in
+/// Shares of a source node's faces that must be covered by the target for the node to take part in
 /// the contact.
 constexpr double least_coverage = 1e-6;
+/// Below this reciprocal condition the covered sliver of a face is too thin for a basis of its own.
+constexpr double least_condition = 1e-14;
 
-/// A quadrature point on the overlap of a source and a target edge.
-struct OverlapPoint {
-  std::array<double, 2> source_shapes;
-  std::array<double, 2> target_shapes;
-  std::array<unsigned int, 2> target_nodes;
-  Tensor<1, 2> normal;  ///< of the target
-  double gap;
-  double weight;
-};
-
-/// xi (1 - xi) h^2/2: how far a parabola of unit curvature is from its chord.
-double bubble(const Surface& surface, const SurfaceFace& face, const double xi) {
-  const double length_square =
-      surface.nodes[face.nodes[0]].position.distance_square(surface.nodes[face.nodes[1]].position);
-  return 0.5 * xi * (1. - xi) * length_square;
-}
-
-OverlapPoint overlap_point(const Surface& source, const SurfaceFace& source_face, const double xi,
-                           const Surface& target, const SurfaceFace& target_face,
-                           const double weight, const double source_share) {
-  const Point<2> source_point =
-      true_point(source, source_face, chord_point(source, source_face, xi));
-  const double eta = project_on_face(target, target_face, source_point);
-  const Point<2> target_point =
-      true_point(target, target_face, chord_point(target, target_face, eta));
-  const Tensor<1, 2> normal = face_normal(target, target_face, eta);
-  const double relative_curvature = curvature(source, source_face) + curvature(target, target_face);
-  const double missed = source_share * bubble(source, source_face, xi) +
-                        (1. - source_share) * bubble(target, target_face, eta);
-  return {{1. - xi, xi},
-          {1. - eta, eta},
-          target_face.nodes,
-          normal,
-          (source_point - target_point) * normal + relative_curvature * missed,
-          weight};
-}
-
-/// Gauss points on all overlaps of one source edge with the target.
-std::vector<OverlapPoint> overlap_points(const Surface& source, const SurfaceFace& source_face,
-                                         const Surface& target, const MortarData& data) {
-  static const dealii::QGauss<1> rule(4);
-  const double length = source.nodes[source_face.nodes[0]].position.distance(
-      source.nodes[source_face.nodes[1]].position);
-  std::vector<OverlapPoint> points;
-  for (const Overlap& overlap : overlaps(source, source_face, target))
-    for (unsigned int q = 0; q < rule.size(); ++q) {
-      const double xi = overlap.begin + rule.point(q)[0] * (overlap.end - overlap.begin);
-      const double weight = rule.weight(q) * (overlap.end - overlap.begin) * length *
-                            data.measure(chord_point(source, source_face, xi));
-      points.push_back(overlap_point(source, source_face, xi, target,
-                                     target.faces[overlap.target_face], weight, data.source_share));
-    }
-  return points;
-}
+template <int dim>
+using FaceMatrix = Eigen::Matrix<double, n_face_nodes<dim>, n_face_nodes<dim>>;
 
 /// Coefficients A = D_e M_e^-1 of the dual basis psi_i = sum_k A_ik N_k on the covered part of one
-/// edge.
-using DualBasis = std::array<std::array<double, 2>, 2>;
-
-std::optional<DualBasis> dual_basis(const std::vector<OverlapPoint>& points) {
-  double m00 = 0., m01 = 0., m11 = 0.;
-  for (const OverlapPoint& p : points) {
-    m00 += p.weight * p.source_shapes[0] * p.source_shapes[0];
-    m01 += p.weight * p.source_shapes[0] * p.source_shapes[1];
-    m11 += p.weight * p.source_shapes[1] * p.source_shapes[1];
+/// face.
+template <int dim>
+std::optional<FaceMatrix<dim>> dual_basis(const std::vector<OverlapPoint<dim>>& points) {
+  if (points.empty()) return std::nullopt;
+  FaceMatrix<dim> mass = FaceMatrix<dim>::Zero();
+  for (const OverlapPoint<dim>& p : points) {
+    const Eigen::Map<const Eigen::Matrix<double, n_face_nodes<dim>, 1>> shapes(
+        p.source_shapes.data());
+    mass += p.weight * shapes * shapes.transpose();
   }
-  const double determinant = m00 * m11 - m01 * m01;
-  if (determinant <= 1e-14 * (m00 + m11) * (m00 + m11)) return std::nullopt;
-  const double d0 = m00 + m01;
-  const double d1 = m01 + m11;
-  return DualBasis{{{d0 * m11 / determinant, -d0 * m01 / determinant},
-                    {-d1 * m01 / determinant, d1 * m00 / determinant}}};
+  const Eigen::FullPivLU<FaceMatrix<dim>> factors(mass);
+  if (factors.rcond() <= least_condition) return std::nullopt;
+  // the shape functions sum to 1, so that the rows of M sum to D
+  return FaceMatrix<dim>(mass.rowwise().sum().asDiagonal() * factors.inverse());
 }
 
 /// A row under construction.
+template <int dim>
 struct RowSum {
   double weight = 0.;
   double full_weight = 0.;
-  Tensor<1, 2> normal;
+  Tensor<1, dim> normal;
   double gap = 0.;
-  std::map<unsigned int, Tensor<1, 2>> coupling;
+  std::map<unsigned int, Tensor<1, dim>> coupling;
 };
 
-void add_face(const Surface& source, const SurfaceFace& face, const Surface& target,
-              const MortarData& data, std::vector<RowSum>& rows) {
-  const double length =
-      source.nodes[face.nodes[0]].position.distance(source.nodes[face.nodes[1]].position);
-  for (const unsigned int node : face.nodes)
-    rows[node].full_weight += 0.5 * length * data.measure(chord_point(source, face, 0.5));
+template <int dim>
+void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face, const Surface<dim>& target,
+              const MortarData<dim>& data, std::vector<RowSum<dim>>& rows) {
+  constexpr std::size_t n = n_face_nodes<dim>;
+  const double share = face_weight(source, face, data) / n;
+  for (const unsigned int node : face.nodes) rows[node].full_weight += share;
 
   const auto points = overlap_points(source, face, target, data);
-  const auto basis = dual_basis(points);
+  const auto basis = dual_basis<dim>(points);
   if (!basis) return;
-  for (const OverlapPoint& p : points)
-    for (const unsigned int i : {0U, 1U}) {
-      const double psi = (*basis)[i][0] * p.source_shapes[0] + (*basis)[i][1] * p.source_shapes[1];
-      RowSum& row = rows[face.nodes[i]];
+  for (const OverlapPoint<dim>& p : points)
+    for (std::size_t i = 0; i < n; ++i) {
+      double psi = 0.;
+      for (std::size_t k = 0; k < n; ++k)
+        psi += (*basis)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) *
+               p.source_shapes[k];
+      RowSum<dim>& row = rows[face.nodes[i]];
       row.weight += p.weight * p.source_shapes[i];
       row.normal += p.weight * psi * p.normal;
       row.gap += p.weight * psi * p.gap;
-      for (const unsigned int k : {0U, 1U})
+      for (std::size_t k = 0; k < n; ++k)
         row.coupling[p.target_nodes[k]] += p.weight * psi * p.target_shapes[k] * p.normal;
     }
 }
 
 }  // namespace
 
-std::vector<MortarRow> mortar_rows(const Surface& source, const Surface& target,
-                                   const MortarData& data) {
-  std::vector<RowSum> sums(source.nodes.size());
-  for (const SurfaceFace& face : source.faces) add_face(source, face, target, data, sums);
+template <int dim>
+std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
+                                        const MortarData<dim>& data) {
+  std::vector<RowSum<dim>> sums(source.nodes.size());
+  for (const SurfaceFace<dim>& face : source.faces) add_face(source, face, target, data, sums);
 
-  std::vector<MortarRow> rows;
+  std::vector<MortarRow<dim>> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {
-    const RowSum& sum = sums[node];
+    const RowSum<dim>& sum = sums[node];
     if (sum.weight <= least_coverage * sum.full_weight) continue;
     rows.push_back({node,
                     sum.weight,
@@ -145,5 +91,10 @@ std::vector<MortarRow> mortar_rows(const Surface& source, const Surface& target,
   }
   return rows;
 }
+
+template std::vector<MortarRow<2>> mortar_rows(const Surface<2>&, const Surface<2>&,
+                                               const MortarData<2>&);
+template std::vector<MortarRow<3>> mortar_rows(const Surface<3>&, const Surface<3>&,
+                                               const MortarData<3>&);
 
 }  // namespace geneva::fem

@@ -23,8 +23,8 @@ struct NodeProjection {
   double gap;
 };
 
-std::optional<NodeProjection> project_node(const Surface& source, const SurfaceFace& face,
-                                           const SurfaceNode& target_node) {
+std::optional<NodeProjection> project_node(const Surface<2>& source, const SurfaceFace<2>& face,
+                                           const SurfaceNode<2>& target_node) {
   const Point<2>& start = source.nodes[face.nodes[0]].position;
   const Tensor<1, 2> chord = source.nodes[face.nodes[1]].position - start;
   // Minus the cosine between the outward normals, times the edge's length: where it changes its
@@ -37,9 +37,9 @@ std::optional<NodeProjection> project_node(const Surface& source, const SurfaceF
 }
 
 /// The share of the source edge over one target edge, or nothing.
-std::optional<Overlap> overlap_with(const Surface& source, const SurfaceFace& face,
-                                    const Surface& target, const unsigned int target_face) {
-  const SurfaceFace& other = target.faces[target_face];
+std::optional<Overlap> overlap_with(const Surface<2>& source, const SurfaceFace<2>& face,
+                                    const Surface<2>& target, const unsigned int target_face) {
+  const SurfaceFace<2>& other = target.faces[target_face];
   if (chord_normal(source, face) * chord_normal(target, other) > opposed) return std::nullopt;
   const auto first = project_node(source, face, target.nodes[other.nodes[0]]);
   const auto second = project_node(source, face, target.nodes[other.nodes[1]]);
@@ -58,15 +58,16 @@ std::optional<Overlap> overlap_with(const Surface& source, const SurfaceFace& fa
 
 }  // namespace
 
-Tensor<1, 2> face_normal(const Surface& surface, const SurfaceFace& face, const double eta) {
+Tensor<1, 2> face_normal(const Surface<2>& surface, const SurfaceFace<2>& face, const double eta) {
   const Tensor<1, 2> normal =
       (1. - eta) * surface.nodes[face.nodes[0]].normal + eta * surface.nodes[face.nodes[1]].normal;
   return normal / normal.norm();
 }
 
-double project_on_face(const Surface& surface, const SurfaceFace& face, const Point<2>& point) {
-  const SurfaceNode& start = surface.nodes[face.nodes[0]];
-  const SurfaceNode& end = surface.nodes[face.nodes[1]];
+double project_on_face(const Surface<2>& surface, const SurfaceFace<2>& face,
+                       const Point<2>& point) {
+  const SurfaceNode<2>& start = surface.nodes[face.nodes[0]];
+  const SurfaceNode<2>& end = surface.nodes[face.nodes[1]];
   const Tensor<1, 2> chord = end.position - start.position;
   const Tensor<1, 2> normal_change = end.normal - start.normal;
   const Tensor<1, 2> to_point = point - start.position;
@@ -84,8 +85,8 @@ double project_on_face(const Surface& surface, const SurfaceFace& face, const Po
   return eta;
 }
 
-std::vector<Overlap> overlaps(const Surface& source, const SurfaceFace& source_face,
-                              const Surface& target) {
+std::vector<Overlap> overlaps(const Surface<2>& source, const SurfaceFace<2>& source_face,
+                              const Surface<2>& target) {
   std::vector<Overlap> result;
   for (unsigned int face = 0; face < target.faces.size(); ++face)
     if (const auto overlap = overlap_with(source, source_face, target, face))

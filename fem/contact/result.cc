@@ -79,10 +79,10 @@ std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode>& no
 }
 
 /// Circle of a surface near a point, and whether it bulges outwards.
-std::pair<int, bool> shape_at(const Surface& surface, const dealii::Point<2>& point) {
-  const SurfaceFace* nearest = nullptr;
+std::pair<int, bool> shape_at(const Surface<2>& surface, const dealii::Point<2>& point) {
+  const SurfaceFace<2>* nearest = nullptr;
   double distance = std::numeric_limits<double>::max();
-  for (const SurfaceFace& face : surface.faces) {
+  for (const SurfaceFace<2>& face : surface.faces) {
     const double to_face = point.distance(chord_point(surface, face, 0.5));
     if (to_face < distance) {
       distance = to_face;
@@ -96,10 +96,10 @@ std::pair<int, bool> shape_at(const Surface& surface, const dealii::Point<2>& po
   return {nearest->circle, radial * chord_normal(surface, *nearest) > 0.};
 }
 
-ContactNode contact_node(const ContactInterface& interface, const std::size_t row_index,
+ContactNode contact_node(const ContactInterface<2>& interface, const std::size_t row_index,
                          const ContactState& state, const Scales& scales) {
-  const MortarRow& row = interface.rows[row_index];
-  const SurfaceNode& node = interface.source.nodes[row.node];
+  const MortarRow<2>& row = interface.rows[row_index];
+  const SurfaceNode<2>& node = interface.source.nodes[row.node];
   return {node.arc_length * scales.length,
           {node.position[0] * scales.length, node.position[1] * scales.length},
           {row.normal[0], row.normal[1]},
@@ -112,7 +112,7 @@ ContactNode contact_node(const ContactInterface& interface, const std::size_t ro
 
 }  // namespace
 
-ContactResult contact_result(const ContactPair& pair, const ContactInterface& interface,
+ContactResult contact_result(const ContactPair& pair, const ContactInterface<2>& interface,
                              const ContactState& state, const Scales& scales) {
   ContactResult result{};
   result.source = pair.source;

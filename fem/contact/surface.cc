@@ -46,7 +46,7 @@ unsigned int chain_start(const Boundary<2>& boundary,
   return best;
 }
 
-double arc_length(const Surface& surface, const SurfaceFace& face) {
+double arc_length(const Surface<2>& surface, const SurfaceFace<2>& face) {
   const double chord =
       surface.nodes[face.nodes[0]].position.distance(surface.nodes[face.nodes[1]].position);
   if (face.circle < 0) return chord;
@@ -55,7 +55,8 @@ double arc_length(const Surface& surface, const SurfaceFace& face) {
 }
 
 /// Normal of the true surface at a node of the face.
-Tensor<1, 2> true_normal(const Surface& surface, const SurfaceFace& face, const Point<2>& node) {
+Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
+                         const Point<2>& node) {
   const Tensor<1, 2> of_chord = chord_normal(surface, face);
   if (face.circle < 0) return of_chord;
   const Tensor<1, 2> radial =
@@ -63,43 +64,44 @@ Tensor<1, 2> true_normal(const Surface& surface, const SurfaceFace& face, const 
   return radial / radial.norm() * (radial * of_chord > 0. ? 1. : -1.);
 }
 
-void set_normals(Surface& surface) {
-  for (const SurfaceFace& face : surface.faces)
+void set_normals(Surface<2>& surface) {
+  for (const SurfaceFace<2>& face : surface.faces)
     for (const unsigned int node : face.nodes)
       surface.nodes[node].normal += true_normal(surface, face, surface.nodes[node].position);
-  for (SurfaceNode& node : surface.nodes) node.normal /= node.normal.norm();
+  for (SurfaceNode<2>& node : surface.nodes) node.normal /= node.normal.norm();
 }
 
 }  // namespace
 
-Point<2> chord_point(const Surface& surface, const SurfaceFace& face, const double xi) {
+Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, const double xi) {
   const Point<2>& start = surface.nodes[face.nodes[0]].position;
   return start + xi * (surface.nodes[face.nodes[1]].position - start);
 }
 
-Point<2> true_point(const Surface& surface, const SurfaceFace& face, const Point<2>& on_chord) {
+Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& face,
+                    const Point<2>& on_chord) {
   if (face.circle < 0) return on_chord;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Tensor<1, 2> radial = on_chord - centre_of(circle);
   return centre_of(circle) + circle.radius / radial.norm() * radial;
 }
 
-double curvature(const Surface& surface, const SurfaceFace& face) {
+double curvature(const Surface<2>& surface, const SurfaceFace<2>& face) {
   if (face.circle < 0) return 0.;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Tensor<1, 2> radial = chord_point(surface, face, 0.5) - centre_of(circle);
   return (radial * chord_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
 }
 
-Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face) {
+Tensor<1, 2> chord_normal(const Surface<2>& surface, const SurfaceFace<2>& face) {
   const Tensor<1, 2> tangent =
       surface.nodes[face.nodes[1]].position - surface.nodes[face.nodes[0]].position;
   return Tensor<1, 2>({tangent[1], -tangent[0]}) / tangent.norm();
 }
 
-Surface make_surface(const Boundary<2>& boundary, const unsigned int surface_id,
-                     const Point<2>& origin) {
-  Surface surface;
+Surface<2> make_surface(const Boundary<2>& boundary, const unsigned int surface_id,
+                        const Point<2>& origin) {
+  Surface<2> surface;
   surface.circles = boundary.circles;
   auto faces = faces_by_start(boundary, surface_id);
   std::map<unsigned int, unsigned int> local_node;

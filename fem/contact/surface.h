@@ -4,6 +4,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,45 +13,49 @@
 namespace geneva::fem {
 
 /// A node of a contact surface.
+template <int dim>
 struct SurfaceNode {
-  dealii::Point<2> position;
-  dealii::Tensor<1, 2> normal;  ///< outward unit normal: the circle's where the surface is one
-  std::array<dealii::types::global_dof_index, 2> dofs;
-  double arc_length;  ///< along the true surface, counter-clockwise around the body
+  dealii::Point<dim> position;
+  dealii::Tensor<1, dim> normal;  ///< outward unit normal: the circle's where the surface is one
+  std::array<dealii::types::global_dof_index, static_cast<std::size_t>(dim)> dofs;
+  double arc_length;  ///< in the plane, along the true surface, counter-clockwise around the body
 };
 
-/// An edge of a contact surface, from nodes[0] to nodes[1] counter-clockwise around the body.
+/// A face of a contact surface: in the plane an edge, counter-clockwise around the body; in space a
+/// quadrilateral, its nodes counter-clockwise as seen from outside.
+template <int dim>
 struct SurfaceFace {
-  std::array<unsigned int, 2> nodes;
+  std::array<unsigned int, 1U << (dim - 1)> nodes;
   int circle;  ///< index into Surface::circles; -1: straight
 };
 
-/// One side of a contact pair: nodes and edges in the order of the arc length, the same on every
-/// rank.
+/// One side of a contact pair, the same on every rank; in the plane its nodes and edges are in the
+/// order of the arc length.
+template <int dim>
 struct Surface {
-  std::vector<SurfaceNode> nodes;
-  std::vector<SurfaceFace> faces;
-  std::vector<mesh::Circle> circles;
-  bool closed = false;  ///< the last node is joined to the first
-  double length = 0.;   ///< total arc length
+  std::vector<SurfaceNode<dim>> nodes;
+  std::vector<SurfaceFace<dim>> faces;
+  std::vector<mesh::Circle> circles;  ///< in space the cylinders over them, along z
+  bool closed = false;                ///< in the plane: the last node is joined to the first
+  double length = 0.;  ///< total arc length; in space the diagonal of the box around it
 };
 
 /// Takes one named surface out of the boundary.
 /// @param origin point whose nearest end (open surface) or node (closed surface) has arc length 0
-Surface make_surface(const Boundary<2>& boundary, unsigned int surface_id,
-                     const dealii::Point<2>& origin);
+Surface<2> make_surface(const Boundary<2>& boundary, unsigned int surface_id,
+                        const dealii::Point<2>& origin);
 
 /// Point of the chord at xi in [0, 1].
-dealii::Point<2> chord_point(const Surface& surface, const SurfaceFace& face, double xi);
+dealii::Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, double xi);
 
 /// The point of the true surface nearest to a point of the chord.
-dealii::Point<2> true_point(const Surface& surface, const SurfaceFace& face,
+dealii::Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& face,
                             const dealii::Point<2>& on_chord);
 
 /// 1/R of the true surface: positive where the body bulges, 0 where it is straight.
-double curvature(const Surface& surface, const SurfaceFace& face);
+double curvature(const Surface<2>& surface, const SurfaceFace<2>& face);
 
 /// Outward unit normal of the chord.
-dealii::Tensor<1, 2> chord_normal(const Surface& surface, const SurfaceFace& face);
+dealii::Tensor<1, 2> chord_normal(const Surface<2>& surface, const SurfaceFace<2>& face);
 
 }  // namespace geneva::fem

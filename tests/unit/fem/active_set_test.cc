@@ -12,10 +12,10 @@ namespace geneva::fem::test {
 namespace {
 
 /// A flat source on a flat target with nodes every 1/n.
-ContactInterface flat_pair(const unsigned int n, const double gap = 0.) {
+ContactInterface<2> flat_pair(const unsigned int n, const double gap = 0.) {
   std::vector<double> x;
   for (unsigned int i = 0; i <= n; ++i) x.push_back(static_cast<double>(i) / n);
-  ContactInterface interface;
+  ContactInterface<2> interface;
   interface.source = underside(x, gap);
   interface.target = upper_side(x);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
@@ -23,16 +23,16 @@ ContactInterface flat_pair(const unsigned int n, const double gap = 0.) {
   return interface;
 }
 
-ContactInterface with_active(const std::vector<bool>& active) {
-  ContactInterface interface = flat_pair(static_cast<unsigned int>(active.size()) - 1);
+ContactInterface<2> with_active(const std::vector<bool>& active) {
+  ContactInterface<2> interface = flat_pair(static_cast<unsigned int>(active.size()) - 1);
   interface.active = active;
   return interface;
 }
 
 TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
-  ContactInterface interface = flat_pair(4);
+  ContactInterface<2> interface = flat_pair(4);
   for (const double lift : {0., 0.3, -2.}) {
-    for (MortarRow& row : interface.rows)
+    for (MortarRow<2>& row : interface.rows)
       row.initial_gap = row.weight * (lift + (row.node == 2 || row.node == 3 ? 0. : 0.1));
     EXPECT_EQ(first_touch(interface.rows, 1.),
               (std::vector<bool>{false, false, true, true, false}));
@@ -54,19 +54,19 @@ TEST(ActiveSet, IsInheritedByTheNodesWithinTheContactOfTheCoarserMesh) {
 }
 
 TEST(ActiveSet, IsFirstTouchWhereNothingIsInherited) {
-  ContactInterface interface = flat_pair(4);
+  ContactInterface<2> interface = flat_pair(4);
   interface.rows[1].initial_gap = -0.1;
   EXPECT_EQ(inherited(interface, {}, 1.), (std::vector<bool>{false, true, false, false, false}));
 }
 
 TEST(ActiveSet, OpensUnderTensionAndClosesWhereBodiesOverlap) {
-  const ContactInterface interface = with_active({true, true, true, false, false});
+  const ContactInterface<2> interface = with_active({true, true, true, false, false});
   const ContactState state{{1., 0., -1e-3, 0., 0.}, {0., 0., 0., -1e-3, 1e-3}, 1.};
   EXPECT_EQ(updated(interface, state), (std::vector<bool>{true, true, false, true, false}));
 }
 
 TEST(ActiveSet, TakesRoundOffForNoReasonToChange) {
-  const ContactInterface interface = with_active({true, true, false, false});
+  const ContactInterface<2> interface = with_active({true, true, false, false});
   const ContactState state{{1., -1e-12, 0., 0.}, {0., 0., -1e-12, 1.}, 1.};
   EXPECT_EQ(updated(interface, state), interface.active);
 }
@@ -74,7 +74,7 @@ TEST(ActiveSet, TakesRoundOffForNoReasonToChange) {
 /// gap_j(u) = 0 solved for the component with the greatest share of the normal.
 TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
   const double slope = 0.3;
-  ContactInterface interface;
+  ContactInterface<2> interface;
   interface.source = underside({0., 1., 2.5}, 1.);
   interface.target = upper_side({-1., 0.4, 3.}, slope);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
@@ -86,8 +86,8 @@ TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
   // Any displacement that satisfies the line has no gap at its row.
   const auto displacement = [](const global_dof_index dof) { return std::sin(double(dof)); };
   for (std::size_t i = 0; i < 2; ++i) {
-    const MortarRow& row = interface.rows[2 * i];
-    const SurfaceNode& node = interface.source.nodes[row.node];
+    const MortarRow<2>& row = interface.rows[2 * i];
+    const SurfaceNode<2>& node = interface.source.nodes[row.node];
     ASSERT_EQ(lines[i].dof, node.dofs[1]) << "the normal points along y more than along x";
     double solved = lines[i].inhomogeneity;
     for (const auto& [dof, coefficient] : lines[i].entries)
@@ -102,7 +102,7 @@ TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
 }
 
 TEST(ContactLines, LeaveHeldComponentsAlone) {
-  ContactInterface interface;
+  ContactInterface<2> interface;
   interface.source = underside({0., 1.}, 1.);
   interface.target = upper_side({-1., 2.}, 0.3);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
@@ -116,7 +116,7 @@ TEST(ContactLines, LeaveHeldComponentsAlone) {
 }
 
 /// Hertz's pressure at the nodes of a flat pair, contact from 0.5 + offset - b to 0.5 + offset + b.
-ContactState hertz_state(ContactInterface& interface, const double centre,
+ContactState hertz_state(ContactInterface<2>& interface, const double centre,
                          const double half_width) {
   ContactState state;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
@@ -132,7 +132,7 @@ ContactState hertz_state(ContactInterface& interface, const double centre,
 TEST(ContactResult, HalfWidthOfHertzPressureIsExactWhereverTheEndsLieBetweenNodes) {
   for (const double centre : {0.5, 0.503, 0.5077})
     for (const double half_width : {0.2, 0.243, 0.2499}) {
-      ContactInterface interface = flat_pair(40);
+      ContactInterface<2> interface = flat_pair(40);
       const ContactState state = hertz_state(interface, centre, half_width);
       const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
       // The squared pressure is a parabola: the fit is exact up to its conditioning.
@@ -142,7 +142,7 @@ TEST(ContactResult, HalfWidthOfHertzPressureIsExactWhereverTheEndsLieBetweenNode
 }
 
 TEST(ContactResult, HalfWidthOfHalfAModelReachesFromThePlaneOfSymmetry) {
-  ContactInterface interface = flat_pair(40);
+  ContactInterface<2> interface = flat_pair(40);
   const ContactState state = hertz_state(interface, 0., 0.333);
   const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
   EXPECT_TRUE(result.symmetric);
@@ -150,7 +150,7 @@ TEST(ContactResult, HalfWidthOfHalfAModelReachesFromThePlaneOfSymmetry) {
 }
 
 TEST(ContactResult, IsInTheUnitsOfTheScales) {
-  ContactInterface interface = flat_pair(40, 0.01);
+  ContactInterface<2> interface = flat_pair(40, 0.01);
   const ContactState state = hertz_state(interface, 0.5, 0.2);
   const Scales scales{2., 3.};
   const ContactResult plain = contact_result({"a", "b"}, interface, state, {1., 1.});
@@ -169,7 +169,7 @@ TEST(ContactResult, IsInTheUnitsOfTheScales) {
 }
 
 TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
-  ContactInterface interface = flat_pair(4);
+  ContactInterface<2> interface = flat_pair(4);
   interface.active.assign(5, true);
   const ContactState state{{1., 2., 3., 4., 5.}, {0., 0., 0., 0., 0.}, 1.};
   const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
@@ -182,7 +182,7 @@ TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
 }
 
 TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
-  ContactInterface interface = flat_pair(3);
+  ContactInterface<2> interface = flat_pair(3);
   interface.active = {true, false, false, false};
   const ContactState state{{1., 0., 0., 0.}, {-0.5, -0.1, -0.2, 0.3}, 1.};
   EXPECT_EQ(contact_result({"a", "b"}, interface, state, {1., 1.}).max_penetration, 0.2);
@@ -196,7 +196,7 @@ TEST(ErrorEstimate, SaysNothingBelowSixNodes) {
 TEST(ErrorEstimate, IsNeverSmallerThanTheLastChangeOrWhatTheOneBeforeLeaves) {
   std::vector<bool> active(1001, true);
   active.front() = false;
-  const std::vector<ContactInterface> interfaces{with_active(active)};
+  const std::vector<ContactInterface<2>> interfaces{with_active(active)};
   EXPECT_GE(error_estimate(0.01, 0., 0., interfaces), 0.01);
   EXPECT_GE(error_estimate(0., 0.01, 0., interfaces), 0.01);
   EXPECT_GE(error_estimate(0., 0., 0.1, interfaces), 0.0003) << "3 % of the grading's square";

@@ -49,9 +49,9 @@ struct CoarseSolution {
 };
 
 /// Sum of the residual at the nodes of a surface: the force that acts on it beside the known loads.
-Tensor<1, 2> force_on(const CoarseSolution& solution, const Surface& surface) {
+Tensor<1, 2> force_on(const CoarseSolution& solution, const Surface<2>& surface) {
   Tensor<1, 2> sum;
-  for (const SurfaceNode& node : surface.nodes)
+  for (const SurfaceNode<2>& node : surface.nodes)
     for (unsigned int c = 0; c < 2; ++c) sum[c] += solution.state->residual(node.dofs[c]);
   return sum * solution.scales.force();
 }
@@ -64,7 +64,7 @@ TEST(ContactForces, OfBothSidesCancelAndCarryTheLoad) {
     const LineContact contact = heavy(block_is_source);
     const CoarseSolution solution(contact);
     ASSERT_TRUE(solution.state.has_value());
-    const ContactInterface& interface = solution.level.interfaces.front();
+    const ContactInterface<2>& interface = solution.level.interfaces.front();
     ASSERT_GE(active_intervals(interface).size(), 1U);
     const Tensor<1, 2> on_source = force_on(solution, interface.source);
     const Tensor<1, 2> on_target = force_on(solution, interface.target);
@@ -85,7 +85,7 @@ TEST(ContactForces, ActiveNodesAreClosedAndPressedInactiveOnesOpenAndFree) {
   for (const bool block_is_source : {false, true}) {
     const CoarseSolution solution(heavy(block_is_source));
     ASSERT_TRUE(solution.state.has_value());
-    const ContactInterface& interface = solution.level.interfaces.front();
+    const ContactInterface<2>& interface = solution.level.interfaces.front();
     const ContactState& contact = solution.state->contacts.front();
     for (std::size_t i = 0; i < interface.rows.size(); ++i) {
       if (interface.active[i]) {
@@ -103,9 +103,9 @@ TEST(ContactForces, ActiveNodesAreClosedAndPressedInactiveOnesOpenAndFree) {
 TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
   const CoarseSolution solution(heavy(true));
   ASSERT_TRUE(solution.state.has_value());
-  const ContactInterface& interface = solution.level.interfaces.front();
-  for (const MortarRow& row : interface.rows) {
-    const SurfaceNode& node = interface.source.nodes[row.node];
+  const ContactInterface<2>& interface = solution.level.interfaces.front();
+  for (const MortarRow<2>& row : interface.rows) {
+    const SurfaceNode<2>& node = interface.source.nodes[row.node];
     const double along = -row.normal[1] * solution.state->residual(node.dofs[0]) +
                          row.normal[0] * solution.state->residual(node.dofs[1]);
     EXPECT_NEAR(along * solution.scales.force(), 0., solver_tolerance * 2e6);

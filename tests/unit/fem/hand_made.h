@@ -23,20 +23,20 @@ inline Boundary<2> curve(const std::vector<dealii::Point<2>>& points, const int 
   return boundary;
 }
 
-inline Surface straight_surface(const std::vector<dealii::Point<2>>& points,
-                                const unsigned int first_dof = 0) {
+inline Surface<2> straight_surface(const std::vector<dealii::Point<2>>& points,
+                                   const unsigned int first_dof = 0) {
   return make_surface(curve(points, -1, first_dof), 1, points.front());
 }
 
 /// The underside of a body at the height given, with nodes at the given x (increasing).
-inline Surface underside(const std::vector<double>& x, const double height) {
+inline Surface<2> underside(const std::vector<double>& x, const double height) {
   std::vector<dealii::Point<2>> points;
   for (const double at : x) points.emplace_back(at, height);
   return straight_surface(points, 1000);
 }
 
 /// The upper side of a body along y = slope x, with nodes at the given x (increasing).
-inline Surface upper_side(const std::vector<double>& x, const double slope = 0.) {
+inline Surface<2> upper_side(const std::vector<double>& x, const double slope = 0.) {
   std::vector<dealii::Point<2>> points;
   for (auto at = x.rbegin(); at != x.rend(); ++at) points.emplace_back(*at, slope * *at);
   return straight_surface(points);
@@ -44,7 +44,7 @@ inline Surface upper_side(const std::vector<double>& x, const double slope = 0.)
 
 /// An arc through nodes at the given angles: increasing around a body inside the circle, decreasing
 /// around a hole.
-inline Surface arc(const mesh::Circle& circle, const std::vector<double>& angles) {
+inline Surface<2> arc(const mesh::Circle& circle, const std::vector<double>& angles) {
   std::vector<dealii::Point<2>> points;
   for (const double angle : angles)
     points.emplace_back(circle.centre[0] + circle.radius * std::cos(angle),
@@ -55,7 +55,7 @@ inline Surface arc(const mesh::Circle& circle, const std::vector<double>& angles
 }
 
 /// A whole circle with n equal edges, around a body inside it.
-inline Surface full_circle(const mesh::Circle& circle, const unsigned int n) {
+inline Surface<2> full_circle(const mesh::Circle& circle, const unsigned int n) {
   Boundary<2> boundary;
   boundary.circles = {circle};
   for (unsigned int i = 0; i < n; ++i) {
@@ -70,11 +70,11 @@ inline Surface full_circle(const mesh::Circle& circle, const unsigned int n) {
 }
 
 /// A measure of 1 everywhere and bodies of the same compliance, unless said otherwise.
-inline MortarData plane_data(const double thickness = 1., const double source_share = 0.5) {
+inline MortarData<2> plane_data(const double thickness = 1., const double source_share = 0.5) {
   return {[thickness](const dealii::Point<2>&) { return thickness; }, source_share};
 }
 
-inline MortarData axisymmetric_data(const double axis = 0.) {
+inline MortarData<2> axisymmetric_data(const double axis = 0.) {
   return {[axis](const dealii::Point<2>& point) { return 2. * pi * (point[0] - axis); }, 0.5};
 }
 

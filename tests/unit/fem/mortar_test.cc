@@ -21,8 +21,8 @@ constexpr double round_off = 1e-13;
 /// A source and a target surface, and what the pair is called in a failure.
 struct Pair {
   std::string name;
-  Surface source;
-  Surface target;
+  Surface<2> source;
+  Surface<2> target;
 };
 
 const std::vector<double> coarse{-2., -0.9, 0.3, 1.1, 2.};
@@ -45,25 +45,25 @@ std::vector<Pair> all_pairs() {
   };
 }
 
-double sum_of_weights(const std::vector<MortarRow>& rows) {
+double sum_of_weights(const std::vector<MortarRow<2>>& rows) {
   double sum = 0.;
-  for (const MortarRow& row : rows) sum += row.weight;
+  for (const MortarRow<2>& row : rows) sum += row.weight;
   return sum;
 }
 
-const MortarRow& row_of(const std::vector<MortarRow>& rows, const unsigned int node) {
+const MortarRow<2>& row_of(const std::vector<MortarRow<2>>& rows, const unsigned int node) {
   return *std::find_if(rows.begin(), rows.end(),
-                       [&](const MortarRow& row) { return row.node == node; });
+                       [&](const MortarRow<2>& row) { return row.node == node; });
 }
 
 /// D 1 = M 1 as vectors: what a row takes from the source node it gives to the target nodes.
 /// Together with p = residual/D it makes the forces of both sides cancel.
 TEST(Mortar, CouplingsOfARowAddUpToItsWeightTimesItsNormal) {
   for (const Pair& pair : all_pairs())
-    for (const MortarData& data : {plane_data(0.3), axisymmetric_data(-3.)}) {
+    for (const MortarData<2>& data : {plane_data(0.3), axisymmetric_data(-3.)}) {
       const auto rows = mortar_rows(pair.source, pair.target, data);
       ASSERT_FALSE(rows.empty()) << pair.name;
-      for (const MortarRow& row : rows) {
+      for (const MortarRow<2>& row : rows) {
         Tensor<1, 2> sum;
         for (const auto& [node, coupling] : row.coupling) sum += coupling;
         EXPECT_LT((sum - row.weight * row.normal).norm(), round_off) << pair.name;
@@ -76,7 +76,7 @@ TEST(Mortar, CouplingsOfARowAddUpToItsWeightTimesItsNormal) {
 TEST(Mortar, RowsNameEveryNodeOnceAndOnlyNodesThatExist) {
   for (const Pair& pair : all_pairs()) {
     std::map<unsigned int, int> seen;
-    for (const MortarRow& row : mortar_rows(pair.source, pair.target, plane_data())) {
+    for (const MortarRow<2>& row : mortar_rows(pair.source, pair.target, plane_data())) {
       EXPECT_LT(row.node, pair.source.nodes.size()) << pair.name;
       EXPECT_EQ(++seen[row.node], 1) << pair.name;
       std::map<unsigned int, int> targets;
@@ -91,7 +91,7 @@ TEST(Mortar, RowsNameEveryNodeOnceAndOnlyNodesThatExist) {
 TEST(Mortar, MatchingStraightMeshesCoupleNodeToNode) {
   const auto rows = mortar_rows(underside(coarse, 0.), upper_side(coarse), plane_data());
   ASSERT_EQ(rows.size(), coarse.size());
-  for (const MortarRow& row : rows)
+  for (const MortarRow<2>& row : rows)
     for (const auto& [node, coupling] : row.coupling) {
       const bool faces_the_source = node == coarse.size() - 1 - row.node;
       EXPECT_NEAR(coupling[1], faces_the_source ? row.weight : 0., round_off);
@@ -112,7 +112,7 @@ TEST(Mortar, WeightsAddUpToTheCoveredAreaOfThePlaneModel) {
 }
 
 TEST(Mortar, WeightsAddUpToTheCoveredAreaOfTheAxisymmetricModel) {
-  const Surface source = underside({0., 0.4, 1., 1.5}, 0.1);
+  const Surface<2> source = underside({0., 0.4, 1., 1.5}, 0.1);
   const auto whole = mortar_rows(source, upper_side({0., 0.7, 2.}), axisymmetric_data());
   EXPECT_NEAR(sum_of_weights(whole), pi * 1.5 * 1.5, 10. * round_off);
   const auto part = mortar_rows(source, upper_side({0.2, 0.7, 1.2}), axisymmetric_data());
@@ -130,7 +130,7 @@ TEST(Mortar, UniformGapIsTheSameAtEveryNode) {
   for (const auto& target : {coarse, fine})
     for (const auto& source : {coarse, fine})
       for (const double gap : {-0.02, 0., 0.1})
-        for (const MortarRow& row :
+        for (const MortarRow<2>& row :
              mortar_rows(underside(source, gap), upper_side(target), plane_data(0.3)))
           EXPECT_NEAR(row.initial_gap, gap * row.weight, round_off);
 }
@@ -140,7 +140,7 @@ TEST(Mortar, LinearGapIsThatAtTheNodeEvenWhereTheTargetEnds) {
   const double cosine = 1. / std::hypot(1., slope);
   for (const auto& target : {coarse, fine})
     for (const auto& source : {coarse, fine})
-      for (const MortarRow& row :
+      for (const MortarRow<2>& row :
            mortar_rows(underside(source, 0.6), upper_side(target, slope), plane_data())) {
         const double gap = (0.6 - slope * source[row.node]) * cosine;
         // The dual basis of an edge that is covered by a share f has entries of size 1/f: f > 0.2.
@@ -168,9 +168,9 @@ TEST(Mortar, RotationOfBothBodiesTogetherOpensNoFlatGap) {
     return Tensor<1, 2>({-(point[1] - centre[1]), point[0] - centre[0]});
   };
   for (const double gap : {0., 0.1}) {
-    const Surface source = underside(coarse, gap);
-    const Surface target = upper_side(fine);
-    for (const MortarRow& row : mortar_rows(source, target, plane_data())) {
+    const Surface<2> source = underside(coarse, gap);
+    const Surface<2> target = upper_side(fine);
+    for (const MortarRow<2>& row : mortar_rows(source, target, plane_data())) {
       double change = row.weight * row.normal * rotated(source.nodes[row.node].position);
       for (const auto& [node, coupling] : row.coupling)
         change -= coupling * rotated(target.nodes[node].position);
@@ -181,7 +181,7 @@ TEST(Mortar, RotationOfBothBodiesTogetherOpensNoFlatGap) {
 
 TEST(Mortar, PushingTheSourceIntoTheTargetClosesTheGap) {
   const auto rows = mortar_rows(underside(coarse, 0.1), upper_side(fine), plane_data());
-  for (const MortarRow& row : rows) {
+  for (const MortarRow<2>& row : rows) {
     EXPECT_GT(row.initial_gap, 0.);
     EXPECT_LT(-row.normal[1], 0.) << "the rate of the gap along (0, -1)";
   }
@@ -198,16 +198,16 @@ TEST(Mortar, GapOfACylinderOnAFlatIsThatOfItsNodes) {
   const double height = 0.001;
   std::vector<double> angles;
   for (int i = -3; i <= 3; ++i) angles.push_back(-pi / 2. + 0.1 * i);
-  const Surface cylinder = arc({{0., radius + height}, radius}, angles);
+  const Surface<2> cylinder = arc({{0., radius + height}, radius}, angles);
   const double h = 2. * radius * std::sin(0.05);
   std::vector<double> below;
   for (const double angle : angles) below.push_back(radius * std::cos(angle));
   const struct {
-    Surface flat;
+    Surface<2> flat;
     double source_share;
   } cases[] = {{upper_side(fine), 1.}, {upper_side(below), 0.}, {upper_side(below), 0.4}};
   for (const auto& [flat, source_share] : cases)
-    for (const MortarRow& row : mortar_rows(cylinder, flat, plane_data(1., source_share))) {
+    for (const MortarRow<2>& row : mortar_rows(cylinder, flat, plane_data(1., source_share))) {
       const double at_node = cylinder.nodes[row.node].position[1];
       const double theta = 0.1 * std::abs(static_cast<int>(row.node) - 3) + 0.1;
       // A target edge is shorter than the chord above it by cos(theta): its bubble is smaller.
@@ -225,11 +225,11 @@ TEST(Mortar, GapOfAPinInAConcentricHoleIsTheClearanceAtItsNodes) {
   const double clearance = 0.01;
   const double pin_radius = 1.;
   const double hole_radius = pin_radius + clearance;
-  const Surface pin = arc({{0., 0.}, pin_radius}, angles);
-  const Surface hole = arc({{0., 0.}, hole_radius}, {angles.rbegin(), angles.rend()});
+  const Surface<2> pin = arc({{0., 0.}, pin_radius}, angles);
+  const Surface<2> hole = arc({{0., 0.}, hole_radius}, {angles.rbegin(), angles.rend()});
   const double h = 2. * std::sin(0.05);
   const double bubble = (1. / pin_radius - 1. / hole_radius) * h * h / 12.;
-  for (const MortarRow& row : mortar_rows(pin, hole, plane_data(1., 1.)))
+  for (const MortarRow<2>& row : mortar_rows(pin, hole, plane_data(1., 1.)))
     EXPECT_NEAR(row.initial_gap / row.weight, clearance + bubble, round_off);
 }
 

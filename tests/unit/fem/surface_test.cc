@@ -24,7 +24,7 @@ TEST(Surface, PutsTheEdgesOfAnOpenCurveInOrderFromTheEndNearestToTheOrigin) {
   Boundary<2> boundary = curve(points);
   std::reverse(boundary.faces.begin(), boundary.faces.end());
   std::swap(boundary.faces[0], boundary.faces[1]);
-  const Surface surface = make_surface(boundary, 1, Point<2>(0.1, 0.));
+  const Surface<2> surface = make_surface(boundary, 1, Point<2>(0.1, 0.));
   ASSERT_EQ(surface.nodes.size(), 4U);
   const std::array<double, 4> arc_lengths{0., 1., 3., 8.};
   for (unsigned int i = 0; i < 4; ++i) {
@@ -55,7 +55,7 @@ TEST(Surface, CountsTheArcLengthOfAClosedCurveFromTheNodeNearestToTheOrigin) {
          0});
     boundary.faces.push_back({{i, (i + 1) % 8}, 1, 0});
   }
-  const Surface surface = make_surface(boundary, 1, Point<2>(1., 6.));
+  const Surface<2> surface = make_surface(boundary, 1, Point<2>(1., 6.));
   EXPECT_TRUE(surface.closed);
   EXPECT_EQ(surface.nodes.front().position, boundary.nodes[2].position);
   for (unsigned int i = 0; i < 8; ++i)
@@ -65,7 +65,7 @@ TEST(Surface, CountsTheArcLengthOfAClosedCurveFromTheNodeNearestToTheOrigin) {
 
 TEST(Surface, OfACircleIsTwoPiRLongOnAnyMesh) {
   for (const unsigned int n : {3U, 4U, 7U, 24U, 1000U}) {
-    const Surface surface = full_circle({{0.3, -0.2}, 0.7}, n);
+    const Surface<2> surface = full_circle({{0.3, -0.2}, 0.7}, n);
     // n arcs, each with a few roundings of numbers of size 1 (asin is steep by 2 for n = 3).
     EXPECT_NEAR(surface.length, 2. * pi * 0.7, n * round_off) << n << " edges";
   }
@@ -75,37 +75,37 @@ TEST(Surface, NormalsOfACircleAreRadialAndPointOutOfTheBody) {
   const mesh::Circle circle{{0.3, -0.2}, 0.7};
   for (const bool is_hole : {false, true}) {
     const std::vector<double> angles{0.1, 0.4, 0.5, 1.2};
-    const Surface surface =
+    const Surface<2> surface =
         arc(circle, is_hole ? std::vector<double>(angles.rbegin(), angles.rend()) : angles);
-    for (const SurfaceNode& node : surface.nodes) {
+    for (const SurfaceNode<2>& node : surface.nodes) {
       const Tensor<1, 2> radial = (node.position - Point<2>(0.3, -0.2)) / 0.7;
       EXPECT_LT((node.normal - (is_hole ? -1. : 1.) * radial).norm(), round_off);
     }
-    for (const SurfaceFace& face : surface.faces)
+    for (const SurfaceFace<2>& face : surface.faces)
       EXPECT_DOUBLE_EQ(curvature(surface, face), (is_hole ? -1. : 1.) / 0.7);
   }
 }
 
 TEST(Surface, NormalOfAStraightEdgeIsToTheRightOfItsDirection) {
-  const Surface surface = upper_side({0., 1., 3.});
-  for (const SurfaceNode& node : surface.nodes) EXPECT_EQ(node.normal, (Tensor<1, 2>({0., 1.})));
-  for (const SurfaceFace& face : surface.faces) {
+  const Surface<2> surface = upper_side({0., 1., 3.});
+  for (const SurfaceNode<2>& node : surface.nodes) EXPECT_EQ(node.normal, (Tensor<1, 2>({0., 1.})));
+  for (const SurfaceFace<2>& face : surface.faces) {
     EXPECT_EQ(chord_normal(surface, face), (Tensor<1, 2>({0., 1.})));
     EXPECT_EQ(curvature(surface, face), 0.);
   }
 }
 
 TEST(Surface, TruePointIsTheOneOfTheCircleNearestToTheChord) {
-  const Surface surface = arc({{0., 0.}, 2.}, {0., pi / 3.});
-  const SurfaceFace& face = surface.faces.front();
+  const Surface<2> surface = arc({{0., 0.}, 2.}, {0., pi / 3.});
+  const SurfaceFace<2>& face = surface.faces.front();
   const Point<2> middle = true_point(surface, face, chord_point(surface, face, 0.5));
   EXPECT_LT(middle.distance(Point<2>(2. * std::cos(pi / 6.), 2. * std::sin(pi / 6.))),
             round_off * 2.);
 }
 
 TEST(Projection, OnAStraightEdgeIsTheFootOfThePerpendicular) {
-  const Surface surface = upper_side({-1., 3.}, 0.5);
-  const SurfaceFace& face = surface.faces.front();
+  const Surface<2> surface = upper_side({-1., 3.}, 0.5);
+  const SurfaceFace<2>& face = surface.faces.front();
   for (const double eta : {-0.5, 0., 0.25, 0.7, 1., 2.})
     for (const double distance : {-0.3, 0., 1e-6, 5.}) {
       const Point<2> point =
@@ -118,8 +118,8 @@ TEST(Projection, OnACircleFollowsTheRadius) {
   const double begin = 0.3;
   const double end = 0.8;
   const mesh::Circle circle{{0.5, 0.}, 2.};
-  const Surface surface = arc(circle, {begin, end});
-  const SurfaceFace& face = surface.faces.front();
+  const Surface<2> surface = arc(circle, {begin, end});
+  const SurfaceFace<2>& face = surface.faces.front();
   for (const double angle : {0.3, 0.35, 0.5, 0.79, 0.8})
     for (const double radius : {1.5, 2., 2.001, 9.}) {
       const Point<2> point(0.5 + radius * std::cos(angle), radius * std::sin(angle));
@@ -144,8 +144,8 @@ void expect_tiles(const std::vector<Overlap>& tiles, const double begin, const d
 }
 
 TEST(Overlaps, TileAnEdgeThatTheTargetCovers) {
-  const Surface source = underside({0., 1., 1.7, 4.}, 0.2);
-  const Surface target = upper_side({-1., 0.3, 0.9, 1., 1.4, 5.});
+  const Surface<2> source = underside({0., 1., 1.7, 4.}, 0.2);
+  const Surface<2> target = upper_side({-1., 0.3, 0.9, 1., 1.4, 5.});
   const std::array<std::size_t, 3> expected{3, 2, 1};
   for (unsigned int face = 0; face < 3; ++face) {
     const auto tiles = overlaps(source, source.faces[face], target);
@@ -168,10 +168,10 @@ TEST(Overlaps, EndWhereTheTargetEnds) {
 }
 
 TEST(Overlaps, OfACircleOnAFlatTileTheEdgesAtTheBottom) {
-  const Surface circle = full_circle({{0., 1.}, 1.}, 24);
-  const Surface flat = upper_side({-3., -1.1, -0.95, -0.3, 0.05, 0.4, 0.95, 1.1, 3.});
+  const Surface<2> circle = full_circle({{0., 1.}, 1.}, 24);
+  const Surface<2> flat = upper_side({-3., -1.1, -0.95, -0.3, 0.05, 0.4, 0.95, 1.1, 3.});
   unsigned int covered = 0;
-  for (const SurfaceFace& face : circle.faces) {
+  for (const SurfaceFace<2>& face : circle.faces) {
     const auto tiles = overlaps(circle, face, flat);
     const double height = chord_normal(circle, face)[1];
     if (tiles.empty()) {
@@ -187,33 +187,33 @@ TEST(Overlaps, OfACircleOnAFlatTileTheEdgesAtTheBottom) {
 
 /// What the target does far beyond the ends of a source edge says nothing about the edge.
 TEST(Overlaps, ReachAcrossAnEdgeThatIsInclinedToAMuchLongerTarget) {
-  const Surface source = straight_surface({{8., 0.1}, {9., 0.7}});
-  const Surface target = upper_side({0., 10.});
+  const Surface<2> source = straight_surface({{8., 0.1}, {9., 0.7}});
+  const Surface<2> target = upper_side({0., 10.});
   expect_tiles(overlaps(source, source.faces[0], target), 0., 1.);
 }
 
 TEST(Overlaps, OfAFlatUnderACircleTileTheEdges) {
-  const Surface flat = upper_side({-0.9, -0.3, 0.05, 0.4, 0.8});
-  const Surface circle = full_circle({{0., 1.}, 1.}, 24);
-  for (const SurfaceFace& face : flat.faces) expect_tiles(overlaps(flat, face, circle), 0., 1.);
+  const Surface<2> flat = upper_side({-0.9, -0.3, 0.05, 0.4, 0.8});
+  const Surface<2> circle = full_circle({{0., 1.}, 1.}, 24);
+  for (const SurfaceFace<2>& face : flat.faces) expect_tiles(overlaps(flat, face, circle), 0., 1.);
 }
 
 TEST(Overlaps, OfAPinInAHoleTileTheEdges) {
-  const Surface pin = full_circle({{0., 0.}, 1.}, 24);
+  const Surface<2> pin = full_circle({{0., 0.}, 1.}, 24);
   std::vector<double> angles;
   for (int i = 0; i <= 31; ++i) angles.push_back(0.1 - 2. * pi * i / 31.);
-  const Surface hole = arc({{0., 0.}, 1.01}, angles);
-  for (const SurfaceFace& face : pin.faces) expect_tiles(overlaps(pin, face, hole), 0., 1.);
+  const Surface<2> hole = arc({{0., 0.}, 1.01}, angles);
+  for (const SurfaceFace<2>& face : pin.faces) expect_tiles(overlaps(pin, face, hole), 0., 1.);
 }
 
 /// The lines along the normals at the ends of a wide target edge can pass a short source edge on
 /// either side without the one looking at the other: a quarter of the way around.
 TEST(Overlaps, OfAShortEdgeAreOnlyWithTheTargetEdgesThatItLooksAt) {
-  const Surface pin = full_circle({{0., 0.}, 1.}, 30);
+  const Surface<2> pin = full_circle({{0., 0.}, 1.}, 30);
   std::vector<double> angles;
   for (int i = 0; i <= 700; ++i) angles.push_back(0.1 - 2. * pi * i / 700.);
-  const Surface hole = arc({{0., 0.}, 1.5}, angles);
-  for (const SurfaceFace& face : hole.faces)
+  const Surface<2> hole = arc({{0., 0.}, 1.5}, angles);
+  for (const SurfaceFace<2>& face : hole.faces)
     for (const Overlap& overlap : overlaps(hole, face, pin)) {
       const double cosine =
           chord_normal(hole, face) * chord_normal(pin, pin.faces[overlap.target_face]);
@@ -224,7 +224,7 @@ TEST(Overlaps, OfAShortEdgeAreOnlyWithTheTargetEdgesThatItLooksAt) {
 }
 
 TEST(Overlaps, AreNoneBetweenSurfacesThatLookTheSameWay) {
-  const Surface source = upper_side({0., 1.});
+  const Surface<2> source = upper_side({0., 1.});
   EXPECT_TRUE(overlaps(source, source.faces[0], upper_side({-1., 2.})).empty());
 }
 
@@ -238,9 +238,9 @@ TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
   for (const char* name : {"bore", "rim"}) {
     const unsigned int id = geneva::test::surface_id(mesh, name);
     const double radius = id == geneva::test::surface_id(mesh, "rim") ? 1. : 0.5;
-    const Surface before =
+    const Surface<2> before =
         make_surface(gather_boundary(*coarse.dof_handler, mesh.circles, 1.), id, Point<2>(2., 0.1));
-    const Surface after =
+    const Surface<2> after =
         make_surface(gather_boundary(*fine.dof_handler, mesh.circles, 1.), id, Point<2>(2., 0.1));
     ASSERT_EQ(before.nodes.size(), 8U);
     ASSERT_EQ(after.nodes.size(), 64U);
@@ -248,7 +248,7 @@ TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
     EXPECT_NEAR(after.length, 2. * pi * radius, 64. * round_off);
     for (unsigned int i = 0; i < 8; ++i)
       EXPECT_NEAR(before.nodes[i].arc_length, after.nodes[8 * i].arc_length, 64. * round_off);
-    for (const SurfaceNode& node : after.nodes) {
+    for (const SurfaceNode<2>& node : after.nodes) {
       const Tensor<1, 2> radial = (node.position - Point<2>(0.2, 0.1)) / radius;
       EXPECT_LT((node.normal - (radius < 1. ? -1. : 1.) * radial).norm(), 10. * round_off);
     }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "fem/contact/surface.h"
+
+namespace geneva::fem {
+
+/// What the integrals along a contact pair need beside its two surfaces.
+template <int dim>
+struct MortarData {
+  std::function<double(const dealii::Point<dim>&)> measure;  ///< out-of-plane measure at a point
+  double source_share;  ///< of the source body in the compliance of both, 0..1
+};
+
+/// Nodes of a face.
+template <int dim>
+constexpr std::size_t n_face_nodes = 1U << (dim - 1);
+
+/// A quadrature point on the overlap of a source and a target face.
+template <int dim>
+struct OverlapPoint {
+  std::array<double, n_face_nodes<dim>> source_shapes;
+  std::array<double, n_face_nodes<dim>> target_shapes;
+  std::array<unsigned int, n_face_nodes<dim>> target_nodes;
+  dealii::Tensor<1, dim> normal;  ///< of the target
+  double gap;                     ///< of the true surfaces, with what linear displacements miss
+  double weight;                  ///< share of the source face's area, times the measure
+};
+
+/// Gauss points on all overlaps of one source face with the target. In the plane the source edge is
+/// split where target nodes project on it; in space both faces are projected on the source face's
+/// plane and cut with each other (Puso and Laursen 2004).
+std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source, const SurfaceFace<2>& face,
+                                            const Surface<2>& target, const MortarData<2>& data);
+std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const SurfaceFace<3>& face,
+                                            const Surface<3>& target, const MortarData<3>& data);
+
+/// The whole face's area (length of the chord in the plane) times the measure at its middle.
+double face_weight(const Surface<2>& surface, const SurfaceFace<2>& face,
+                   const MortarData<2>& data);
+double face_weight(const Surface<3>& surface, const SurfaceFace<3>& face,
+                   const MortarData<3>& data);
+
+}  // namespace geneva::fem
