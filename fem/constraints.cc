@@ -1,8 +1,11 @@
 #include "fem/constraints.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -73,6 +76,26 @@ TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
 }
 
 template <int dim>
+std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_handler,
+                                          const Boundary<dim>& boundary) {
+  if (dim == 2) return {};
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  dealii::AffineConstraints<double> constraints(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  std::vector<ConstraintLine> own;
+  for (const BoundaryNode<dim>& node : boundary.nodes)
+    for (const global_dof_index dof : node.dofs)
+      if (dof_handler.locally_owned_dofs().is_element(dof) && constraints.is_constrained(dof))
+        own.push_back({dof, *constraints.get_constraint_entries(dof), 0.});
+  std::vector<ConstraintLine> lines;
+  for (const auto& of_rank :
+       dealii::Utilities::MPI::all_gather(dof_handler.get_communicator(), own))
+    lines.insert(lines.end(), of_rank.begin(), of_rank.end());
+  return lines;
+}
+
+template <int dim>
 dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<dim>& dof_handler,
                                                    const dealii::IndexSet& ghosts,
                                                    const std::vector<ConstraintLine>& lines) {
@@ -104,5 +127,9 @@ template TieLines tie_lines(const Boundary<3>&, const RigidTie<3>&,
 template dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>&,
                                                             const dealii::IndexSet&,
                                                             const std::vector<ConstraintLine>&);
+template std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<2>&,
+                                                   const Boundary<2>&);
+template std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<3>&,
+                                                   const Boundary<3>&);
 
 }  // namespace geneva::fem

@@ -20,6 +20,11 @@ struct ConstraintLine {
   global_dof_index dof;
   std::vector<std::pair<global_dof_index, double>> entries;
   double inhomogeneity;
+
+  template <typename Archive>
+  void serialize(Archive& archive, const unsigned int) {
+    archive& dof& entries& inhomogeneity;
+  }
 };
 
 /// The supports as constraint lines, the same on all ranks.
@@ -44,6 +49,12 @@ TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
 /// Index of a name in a list. @throws std::out_of_range if it is not there (a bug: names are
 /// checked before)
 unsigned int index_of(const std::vector<std::string>& names, const std::string& name);
+
+/// The hanging-node lines of all boundary dofs, the same on all ranks: contact lines refer to dofs
+/// of bodies that a rank knows nothing else of. In the plane there are none.
+template <int dim>
+std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_handler,
+                                          const Boundary<dim>& boundary);
 
 /// Hanging-node lines of this rank and the given lines, closed.
 /// @param ghosts the dofs whose lines this rank may need: locally relevant dofs and all boundary

@@ -316,11 +316,11 @@ class NestedIteration {
   Problem<2> scaled_problem_;
   dealii::Timer timer_;
   Solution solution_;
-  std::optional<SurfaceOrigins> origins_;
+  std::optional<SurfaceOrigins<2>> origins_;
   unsigned int n_refinements_ = 0;
   unsigned int last_refinements_ = 1;      ///< between the last two meshes
   unsigned int previous_refinements_ = 1;  ///< between the two before
-  Level level_;
+  Level<2> level_;
   LevelState state_;
   Vector guess_;
 };

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "fem/constraints.h"
+#include "fem/contact/surface_in_space.h"
 
 namespace geneva::fem {
 
@@ -16,12 +17,13 @@ namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<2>& dof_handler,
-                                       const Boundary<2>& boundary) {
+template <int dim>
+dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<dim>& dof_handler,
+                                       const Boundary<dim>& boundary) {
   dealii::IndexSet ghosts;
   dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, ghosts);
   std::vector<global_dof_index> dofs;
-  for (const BoundaryNode<2>& node : boundary.nodes)
+  for (const BoundaryNode<dim>& node : boundary.nodes)
     dofs.insert(dofs.end(), node.dofs.begin(), node.dofs.end());
   std::sort(dofs.begin(), dofs.end());
   ghosts.add_indices(dofs.begin(), dofs.end());
@@ -46,20 +48,34 @@ dealii::Point<2> remotest_node(const Surface<2>& surface, const Surface<2>& othe
   return remotest;
 }
 
-SurfaceOrigins choose_origins(const Boundary<2>& boundary, const mesh::MeshData<2>& mesh,
-                              const Problem<2>& problem) {
-  SurfaceOrigins origins;
-  for (const ContactPair& pair : problem.pairs) {
-    const Surface<2> source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
-    const Surface<2> target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
-    origins.source.push_back(remotest_node(source, target));
-    origins.target.push_back(remotest_node(target, source));
-  }
+template <int dim>
+SurfaceOrigins<dim> choose_origins(const Boundary<dim>& boundary, const mesh::MeshData<dim>& mesh,
+                                   const Problem<dim>& problem) {
+  SurfaceOrigins<dim> origins{std::vector<dealii::Point<dim>>(problem.pairs.size()),
+                              std::vector<dealii::Point<dim>>(problem.pairs.size())};
+  if constexpr (dim == 2)
+    for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
+      const ContactPair& pair = problem.pairs[i];
+      const Surface<2> source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
+      const Surface<2> target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
+      origins.source[i] = remotest_node(source, target);
+      origins.target[i] = remotest_node(target, source);
+    }
   return origins;
 }
 
+template <int dim>
+Surface<dim> surface_from(const Boundary<dim>& boundary, const unsigned int id,
+                          [[maybe_unused]] const dealii::Point<dim>& origin) {
+  if constexpr (dim == 2)
+    return make_surface(boundary, id, origin);
+  else
+    return make_surface(boundary, id);
+}
+
 /// Compliance of a body's surface up to a common factor: (1 - nu^2)/E, or 1/E in plane stress.
-double compliance(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
+template <int dim>
+double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                   const std::string& surface) {
   const Material& material =
       problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()].material;
@@ -67,36 +83,41 @@ double compliance(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
   return (1. - nu * nu) / material.youngs_modulus;
 }
 
-double source_share(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
+template <int dim>
+double source_share(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                     const ContactPair& pair) {
   const double source = compliance(mesh, problem, pair.source);
   return source / (source + compliance(mesh, problem, pair.target));
 }
 
-std::vector<ContactInterface<2>> make_interfaces(const Boundary<2>& boundary,
-                                                 const mesh::MeshData<2>& mesh,
-                                                 const Problem<2>& problem,
-                                                 const SurfaceOrigins& origins) {
-  std::vector<ContactInterface<2>> interfaces;
+template <int dim>
+std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary,
+                                                   const mesh::MeshData<dim>& mesh,
+                                                   const Problem<dim>& problem,
+                                                   const SurfaceOrigins<dim>& origins) {
+  std::vector<ContactInterface<dim>> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
-    ContactInterface<2> interface;
+    ContactInterface<dim> interface;
     interface.source =
-        make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
+        surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
     interface.target =
-        make_surface(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
-    interface.rows = mortar_rows(
-        interface.source, interface.target,
-        {[&](const dealii::Point<2>& point) { return out_of_plane_measure(problem, point); },
-         source_share(mesh, problem, problem.pairs[i])});
+        surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
+    interface.rows = mortar_rows(interface.source, interface.target,
+                                 MortarData<dim>{[&](const dealii::Point<dim>& point) {
+                                                   return out_of_plane_measure(problem, point);
+                                                 },
+                                                 source_share(mesh, problem, problem.pairs[i])});
     interface.active = first_touch(interface.rows, interface.source.length);
     interfaces.push_back(std::move(interface));
   }
   return interfaces;
 }
 
-void add_held_lines(Level& level, const mesh::MeshData<2>& mesh, const Problem<2>& problem) {
+template <int dim>
+void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
+                    const Problem<dim>& problem) {
   level.held_lines = support_lines(level.boundary, problem.supports, mesh.surfaces);
-  for (const RigidTie<2>& tie : problem.ties) {
+  for (const RigidTie<dim>& tie : problem.ties) {
     const TieLines lines = tie_lines(level.boundary, tie, mesh.surfaces);
     level.held_lines.insert(level.held_lines.end(), lines.lines.begin(), lines.lines.end());
     level.tie_forces.push_back({lines.master, lines.master_force});
@@ -106,7 +127,9 @@ void add_held_lines(Level& level, const mesh::MeshData<2>& mesh, const Problem<2
 }
 
 /// K u - f with the hanging nodes' shares given to the nodes that they hang on.
-Vector residual_of(const Level& level, const MPI_Comm communicator, const Vector& displacement) {
+template <int dim>
+Vector residual_of(const Level<dim>& level, const MPI_Comm communicator,
+                   const Vector& displacement) {
   Vector residual;
   residual.reinit(level.owned, level.ghosts, communicator, true);
   dealii::Vector<double> local;
@@ -125,30 +148,34 @@ Vector residual_of(const Level& level, const MPI_Comm communicator, const Vector
   return ghosted;
 }
 
-std::vector<ConstraintLine> all_lines(const Level& level) {
-  std::vector<ConstraintLine> lines = level.held_lines;
+template <int dim>
+std::vector<ConstraintLine> all_lines(const Level<dim>& level) {
+  std::vector<ConstraintLine> lines = level.hanging_lines;
+  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
   std::set<global_dof_index> held = level.held;
-  for (const ContactInterface<2>& interface : level.interfaces) {
+  for (const ContactInterface<dim>& interface : level.interfaces) {
     const auto contact = contact_lines(interface, held);
     lines.insert(lines.end(), contact.begin(), contact.end());
   }
   return lines;
 }
 
-std::vector<std::vector<bool>> active_sets(const Level& level) {
+template <int dim>
+std::vector<std::vector<bool>> active_sets(const Level<dim>& level) {
   std::vector<std::vector<bool>> sets;
-  for (const ContactInterface<2>& interface : level.interfaces) sets.push_back(interface.active);
+  for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.active);
   return sets;
 }
 
 /// Takes over the next active sets. A set that has been there before means cycling: from then on
 /// nodes only close, so that the iteration ends, and the next mesh starts from there.
-bool advance(Level& level, const std::vector<ContactState>& states,
+template <int dim>
+bool advance(Level<dim>& level, const std::vector<ContactState>& states,
              std::set<std::vector<std::vector<bool>>>& seen, bool& only_closing) {
   const auto before = active_sets(level);
   seen.insert(before);
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-    ContactInterface<2>& interface = level.interfaces[i];
+    ContactInterface<dim>& interface = level.interfaces[i];
     std::vector<bool> next = updated(interface, states[i]);
     if (only_closing)
       for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
@@ -162,10 +189,11 @@ bool advance(Level& level, const std::vector<ContactState>& states,
 
 }  // namespace
 
-Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
-                 const Problem<2>& scaled_problem, const Scales& scales,
-                 std::optional<SurfaceOrigins>& origins) {
-  Level level;
+template <int dim>
+Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
+                      const Problem<dim>& scaled_problem, const Scales& scales,
+                      std::optional<SurfaceOrigins<dim>>& origins) {
+  Level<dim> level;
   level.owned = dof_handler.locally_owned_dofs();
   level.boundary = gather_boundary(dof_handler, mesh.circles, scales.length);
   level.ghosts = relevant_and_boundary(dof_handler, level.boundary);
@@ -174,13 +202,15 @@ Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<
   const dealii::Timer timer;
   level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
   level.cell_seconds = timer.wall_time();
-  level.hanging = make_constraints(dof_handler, level.ghosts, {});
+  level.hanging_lines = hanging_lines(dof_handler, level.boundary);
+  level.hanging = make_constraints(dof_handler, level.ghosts, level.hanging_lines);
   add_held_lines(level, mesh, scaled_problem);
   return level;
 }
 
+template <int dim>
 std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<2>& dof_handler, Level& level, const Vector& guess,
+    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level, const Vector& guess,
     const Settings& settings,
     const std::function<void(unsigned int step, unsigned int iterations)>& report) {
   const MPI_Comm communicator = dof_handler.get_communicator();
@@ -201,7 +231,7 @@ std::optional<LevelState> solve_level(
 
     state.residual = residual_of(level, communicator, state.displacement);
     state.contacts.clear();
-    for (const ContactInterface<2>& interface : level.interfaces)
+    for (const ContactInterface<dim>& interface : level.interfaces)
       state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
     report(step, state.linear_iterations.back());
     const bool changed = advance(level, state.contacts, seen, only_closing);
@@ -210,5 +240,16 @@ std::optional<LevelState> solve_level(
   }
   return std::nullopt;
 }
+
+template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
+                             const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
+template std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<2>&, Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&,
+    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
+template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
+                             const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
+template std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<3>&, Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&,
+    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
 
 }  // namespace geneva::fem

@@ -12,21 +12,25 @@
 
 namespace geneva::fem {
 
-/// Where arc lengths are counted from, for both surfaces of every pair, on every mesh.
+/// Where arc lengths are counted from, for both surfaces of every pair, on every mesh; not used in
+/// space.
+template <int dim>
 struct SurfaceOrigins {
-  std::vector<dealii::Point<2>> source;
-  std::vector<dealii::Point<2>> target;
+  std::vector<dealii::Point<dim>> source;
+  std::vector<dealii::Point<dim>> target;
 };
 
 /// Everything that belongs to one mesh of the nested iteration, in the units of the triangulation.
+template <int dim>
 struct Level {
   dealii::IndexSet owned;
   dealii::IndexSet ghosts;  ///< locally relevant dofs and all boundary dofs
-  Boundary<2> boundary;
-  std::vector<ContactInterface<2>> interfaces;
+  Boundary<dim> boundary;
+  std::vector<ContactInterface<dim>> interfaces;
   std::vector<CellSystem> cells;
-  std::vector<ConstraintLine> held_lines;  ///< supports and ties
-  std::set<global_dof_index> held;         ///< dofs of those lines
+  std::vector<ConstraintLine> hanging_lines;  ///< of boundary dofs
+  std::vector<ConstraintLine> held_lines;     ///< supports and ties
+  std::set<global_dof_index> held;            ///< dofs of those lines
   std::vector<NodalForce> tie_forces;
   dealii::AffineConstraints<double> hanging;
   double cell_seconds = 0.;  ///< time to integrate the cells
@@ -34,9 +38,10 @@ struct Level {
 
 /// Builds the level on the dof handler's mesh.
 /// @param origins chosen on the first mesh if empty, kept on the others
-Level make_level(const dealii::DoFHandler<2>& dof_handler, const mesh::MeshData<2>& mesh,
-                 const Problem<2>& scaled_problem, const Scales& scales,
-                 std::optional<SurfaceOrigins>& origins);
+template <int dim>
+Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
+                      const Problem<dim>& scaled_problem, const Scales& scales,
+                      std::optional<SurfaceOrigins<dim>>& origins);
 
 /// Converged state on one level.
 struct LevelState {
@@ -52,8 +57,9 @@ struct LevelState {
 /// the first guess of the active sets and then the final ones.
 /// @param guess displacement to start from, without ghosts
 /// @return nothing if the active set did not settle within the allowed steps
+template <int dim>
 std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<2>& dof_handler, Level& level,
+    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
     const dealii::TrilinosWrappers::MPI::Vector& guess, const Settings& settings,
     const std::function<void(unsigned int step, unsigned int iterations)>& report);
 

@@ -15,7 +15,7 @@ struct Holder {
 };
 
 /// Each dof counts for the first holder that has it: at common nodes only its line is in force.
-std::vector<Reaction> reactions(const Solution& solution, const Level& level,
+std::vector<Reaction> reactions(const Solution& solution, const Level<2>& level,
                                 const dealii::TrilinosWrappers::MPI::Vector& residual) {
   std::vector<Holder> holders;
   for (const Support<2>& support : solution.problem.supports)
@@ -47,7 +47,7 @@ std::vector<Reaction> reactions(const Solution& solution, const Level& level,
 }
 
 /// Resultant of body forces and surface loads, and its moment about the origin.
-AppliedLoad applied_load(const Solution& solution, const Level& level) {
+AppliedLoad applied_load(const Solution& solution, const Level<2>& level) {
   std::array<double, 3> sums{0., 0., 0.};
   auto cell_system = level.cells.begin();
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {

@@ -9,7 +9,7 @@
 namespace geneva::fem {
 
 /// Forces that supports and ties exert, from the residual at their nodes; SI units.
-std::vector<Reaction> reactions(const Solution& solution, const Level& level,
+std::vector<Reaction> reactions(const Solution& solution, const Level<2>& level,
                                 const dealii::TrilinosWrappers::MPI::Vector& residual);
 
 /// Resultant of body forces and surface loads [N] and its moment about the origin [N m].
@@ -17,6 +17,6 @@ struct AppliedLoad {
   std::array<double, 2> force;
   double moment;
 };
-AppliedLoad applied_load(const Solution& solution, const Level& level);
+AppliedLoad applied_load(const Solution& solution, const Level<2>& level);
 
 }  // namespace geneva::fem

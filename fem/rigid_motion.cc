@@ -24,7 +24,7 @@ struct Component {
 /// each; in an axisymmetric model the translation along y alone.
 class RigidMotions {
  public:
-  RigidMotions(const Level& level, const Problem<2>& problem)
+  RigidMotions(const Level<2>& level, const Problem<2>& problem)
       : per_body_(problem.plane == PlaneKind::axisymmetric ? 1 : 3),
         size_(static_cast<Eigen::Index>(problem.bodies.size()) * per_body_) {
     for (const BoundaryNode<2>& node : level.boundary.nodes)
@@ -66,7 +66,7 @@ class RigidMotions {
 
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
-std::vector<Eigen::VectorXd> constraint_rows(const Level& level, const RigidMotions& motions) {
+std::vector<Eigen::VectorXd> constraint_rows(const Level<2>& level, const RigidMotions& motions) {
   std::vector<Eigen::VectorXd> rows;
   for (const ConstraintLine& line : level.held_lines) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
@@ -91,7 +91,7 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level& level, const RigidMoti
 
 }  // namespace
 
-void check_rigid_motions(const Level& level, const Problem<2>& problem) {
+void check_rigid_motions(const Level<2>& level, const Problem<2>& problem) {
   const RigidMotions motions(level, problem);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
   for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();

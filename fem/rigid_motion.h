@@ -8,6 +8,6 @@ namespace geneva::fem {
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.
 /// @throws std::invalid_argument naming the body that moves most and how
-void check_rigid_motions(const Level& level, const Problem<2>& problem);
+void check_rigid_motions(const Level<2>& level, const Problem<2>& problem);
 
 }  // namespace geneva::fem

@@ -43,8 +43,8 @@ struct CoarseSolution {
   Problem<2> problem;
   Scales scales;
   Discretisation<2> grid;
-  std::optional<SurfaceOrigins> origins;
-  Level level;
+  std::optional<SurfaceOrigins<2>> origins;
+  Level<2> level;
   std::optional<LevelState> state;
 };
 

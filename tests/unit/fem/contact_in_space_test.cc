@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/level.h"
+#include "mesh/extrusion.h"
+#include "tests/unit/fem/discretisation.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+using geneva::test::equal_steps;
+
+/// Two blocks of 2 x 1 x 2 m on each other whose meshes do not match; "upper" stands on "lower".
+mesh::MeshData<3> blocks() {
+  mesh::MeshData<2> plane = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(plane, "lower", equal_steps(0., 2., 3), equal_steps(-1., 0., 2),
+                              {"bottom", "", "top of lower", "left"});
+  geneva::test::add_rectangle(plane, "upper", equal_steps(0., 2., 2), equal_steps(0., 1., 1),
+                              {"bottom of upper", "", "top", "left"});
+  return extruded(plane,
+                  {{equal_steps(0., 2., 2), "front", ""}, {{0., 0.7, 1.2, 2.}, "front", ""}});
+}
+
+/// Pressed on each other by 1e-3 of Young's modulus, free to expand sideways.
+Problem<3> pressed(const mesh::MeshData<3>& mesh) {
+  Problem<3> problem;
+  for (const std::string& body : mesh.bodies) problem.bodies.push_back({body, {2., 0.3}, {}});
+  problem.supports = {{"bottom", {std::nullopt, 0., std::nullopt}},
+                      {"left", {0., std::nullopt, std::nullopt}},
+                      {"front", {std::nullopt, std::nullopt, 0.}}};
+  problem.loads = {{"top", 2e-3, {}}};
+  return problem;
+}
+
+struct Solved {
+  Level<3> level;
+  LevelState state;
+};
+
+Solved solve(const mesh::MeshData<3>& mesh, const Problem<3>& problem, const std::string& source,
+             const std::string& target, const Discretisation<3>& grid) {
+  Problem<3> with_pair = problem;
+  with_pair.pairs = {{source, target}};
+  std::optional<SurfaceOrigins<3>> origins;
+  Settings settings;
+  settings.linear_tolerance = 1e-13;
+  Level<3> level = make_level(*grid.dof_handler, mesh, with_pair, {1., 1.}, origins);
+  dealii::TrilinosWrappers::MPI::Vector guess(level.owned, MPI_COMM_WORLD);
+  auto state =
+      solve_level(*grid.dof_handler, level, guess, settings, [](unsigned int, unsigned int) {});
+  return {std::move(level), std::move(state.value())};
+}
+
+/// Refines the cells around a point of the lower block's upper side, which leaves hanging nodes.
+void refine_in_part(Discretisation<3>& grid) {
+  for (const auto& cell : grid.dof_handler->active_cell_iterators())
+    if (cell->is_locally_owned() && cell->material_id() == 0 &&
+        cell->center().distance(Point<3>(0.5, 0., 0.5)) < 0.7)
+      cell->set_refine_flag();
+  grid.triangulation->execute_coarsening_and_refinement();
+  grid.dof_handler->distribute_dofs(grid.element);
+}
+
+TEST(ContactInSpace, TransmitsConstantPressureBetweenMeshesThatDoNotMatch) {
+  const mesh::MeshData<3> mesh = blocks();
+  for (const bool has_hanging_nodes : {false, true}) {
+    Discretisation<3> grid(mesh, 1);
+    if (has_hanging_nodes) refine_in_part(grid);
+    const Solved solved = solve(mesh, pressed(mesh), "bottom of upper", "top of lower", grid);
+    const ContactState& contact = solved.state.contacts.front();
+    ASSERT_FALSE(contact.pressure.empty());
+    for (const double pressure : contact.pressure)
+      EXPECT_NEAR(pressure, 2e-3, 1e-9 * 2e-3) << has_hanging_nodes;
+    for (const double gap : contact.gap) EXPECT_NEAR(gap, 0., 1e-12);
+  }
+}
+
+TEST(ContactInSpace, ForcesOfBothSidesCancel) {
+  const mesh::MeshData<3> mesh = blocks();
+  Discretisation<3> grid(mesh, 1);
+  refine_in_part(grid);
+  Problem<3> problem = pressed(mesh);
+  problem.bodies[1].force.uniform = {4e-4, -1e-3, -3e-4};
+  const Solved solved = solve(mesh, problem, "bottom of upper", "top of lower", grid);
+  const ContactInterface<3>& interface = solved.level.interfaces.front();
+  const auto force_on = [&](const Surface<3>& surface) {
+    Tensor<1, 3> sum;
+    for (const SurfaceNode<3>& node : surface.nodes)
+      for (unsigned int c = 0; c < 3; ++c)
+        if (solved.level.held.count(node.dofs[c]) == 0)
+          sum[c] += solved.state.residual(node.dofs[c]);
+    return sum;
+  };
+  double resultant = 0.;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    resultant += interface.rows[i].weight * solved.state.contacts[0].pressure[i];
+  EXPECT_NEAR(force_on(interface.source)[1], resultant, 1e-10 * resultant);
+  EXPECT_NEAR(force_on(interface.target)[1], -resultant, 1e-10 * resultant);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
