@@ -58,7 +58,7 @@ std::string heading(const Case& given, const Model& model) {
 }
 
 /// What the user should know before trusting linear elasticity.
-std::vector<std::string> validity_notices(const fem::Solution& solution) {
+std::vector<std::string> validity_notices(const fem::Solution<2>& solution) {
   constexpr double small_strain = 0.1;
   double modulus = std::numeric_limits<double>::max();
   for (const fem::Body<2>& body : solution.problem.bodies)
@@ -72,7 +72,7 @@ std::vector<std::string> validity_notices(const fem::Solution& solution) {
 }
 
 /// What was reached, what was wanted and why the refinement ended; empty if it converged.
-std::string shortfall(const fem::Solution& solution, const double accuracy) {
+std::string shortfall(const fem::Solution<2>& solution, const double accuracy) {
   if (solution.outcome == fem::Outcome::converged) return "";
   const std::string reached = solution.error_estimate < 1.
                                   ? fmt::format("{:.2g} %", 100. * solution.error_estimate)
@@ -82,7 +82,7 @@ std::string shortfall(const fem::Solution& solution, const double accuracy) {
 }
 
 std::optional<post::MechanismReport> mechanism_report(const Model& model, const bool is_local,
-                                                      const fem::Solution& solution) {
+                                                      const fem::Solution<2>& solution) {
   if (!model.mechanism) return std::nullopt;
   const MechanismState& state = *model.mechanism;
   post::MechanismReport report{state.load,
@@ -91,7 +91,7 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model, const 
                                state.expected_bore_torque,
                                model.held_surface,
                                std::nullopt};
-  for (const fem::Reaction& reaction : solution.reactions)
+  for (const fem::Reaction<2>& reaction : solution.reactions)
     if (reaction.surface == model.held_surface && state.wheel && !is_local)
       report.bore_torque = -reaction.moment;
   return report;
@@ -119,7 +119,7 @@ void together(const MPI_Comm communicator, const Task& task) {
 
 /// What the report says beside the solution; times are added as they become known.
 post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model& model,
-                            const fem::Solution& solution) {
+                            const fem::Solution<2>& solution) {
   post::RunReport report{};
   report.case_name = name_of(given);
   report.title = given.title;
@@ -135,7 +135,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
 }
 
 /// Says what the user should know of the solution, then the table.
-void present(const Case& given, const fem::Solution& solution, const post::Results& results,
+void present(const Case& given, const fem::Solution<2>& solution, const post::Results& results,
              const post::RunReport& report, const bool is_first, ProgressDisplay& progress) {
   for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
   if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
@@ -146,7 +146,7 @@ void present(const Case& given, const fem::Solution& solution, const post::Resul
 }
 
 /// Writes what rank 0 writes alone, and puts everything in its place.
-void publish(const Case& given, const fem::Solution& solution, const post::Results& results,
+void publish(const Case& given, const fem::Solution<2>& solution, const post::Results& results,
              const post::RunReport& report, const std::string& log, OutputDirectory& directory) {
   const fs::path& working = directory.working();
   post::write_contact(solution, results, given.units, working);
@@ -177,7 +177,7 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
 
   timer.restart();
-  const fem::Solution solution = naming(given, [&] {
+  const fem::Solution<2> solution = naming(given, [&] {
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
                               {[&](const fem::StepReport& step) { progress.step(step); },
                                [&](const fem::LevelRecord& level) { progress.level(level); }});

@@ -54,7 +54,7 @@ class NestedIteration {
     solution_.dof_handler = std::make_unique<dealii::DoFHandler<2>>(*solution_.triangulation);
   }
 
-  Solution run() {
+  Solution<2> run() {
     set_up_first_mesh();
     check_rigid_motions(level_, solution_.problem);
     while (solve()) {
@@ -293,7 +293,7 @@ class NestedIteration {
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
     solution_.reactions = reactions(solution_, level_, state_.residual);
-    const AppliedLoad load = applied_load(solution_, level_);
+    const AppliedLoad<2> load = applied_load(solution_, level_);
     solution_.applied_force = load.force;
     solution_.applied_moment = load.moment;
     solution_.displacement = state_.displacement;
@@ -301,7 +301,7 @@ class NestedIteration {
 
   /// After a failure the mesh is already finer than the last good state, which the guess represents
   /// exactly.
-  Solution finish() {
+  Solution<2> finish() {
     if (solution_.outcome == Outcome::active_set_limit) {
       solution_.displacement.reinit(level_.owned, level_.ghosts, communicator_);
       solution_.displacement = guess_;
@@ -315,7 +315,7 @@ class NestedIteration {
   Progress progress_;
   Problem<2> scaled_problem_;
   dealii::Timer timer_;
-  Solution solution_;
+  Solution<2> solution_;
   std::optional<SurfaceOrigins<2>> origins_;
   unsigned int n_refinements_ = 0;
   unsigned int last_refinements_ = 1;      ///< between the last two meshes
@@ -327,9 +327,9 @@ class NestedIteration {
 
 }  // namespace
 
-Solution solve_contact(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                       const Problem<2>& problem, const Settings& settings,
-                       const Progress& progress) {
+Solution<2> solve_contact(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
+                          const Problem<2>& problem, const Settings& settings,
+                          const Progress& progress) {
   check(problem, mesh);
   return NestedIteration(communicator, mesh, problem, settings, progress).run();
 }

@@ -40,8 +40,8 @@ struct Progress {
 /// @throws std::invalid_argument where check() and check_rigid_motions() do, and if the load opens
 /// all contact
 /// @throws NotConverged if not even the first mesh gave a state
-Solution solve_contact(MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                       const Problem<2>& problem, const Settings& settings,
-                       const Progress& progress);
+Solution<2> solve_contact(MPI_Comm communicator, const mesh::MeshData<2>& mesh,
+                          const Problem<2>& problem, const Settings& settings,
+                          const Progress& progress);
 
 }  // namespace geneva::fem

@@ -9,14 +9,17 @@
 namespace geneva::fem {
 
 /// Forces that supports and ties exert, from the residual at their nodes; SI units.
-std::vector<Reaction> reactions(const Solution& solution, const Level<2>& level,
-                                const dealii::TrilinosWrappers::MPI::Vector& residual);
+template <int dim>
+std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
+                                     const dealii::TrilinosWrappers::MPI::Vector& residual);
 
 /// Resultant of body forces and surface loads [N] and its moment about the origin [N m].
+template <int dim>
 struct AppliedLoad {
-  std::array<double, 2> force;
-  double moment;
+  Components<dim> force;
+  Moment<dim> moment;
 };
-AppliedLoad applied_load(const Solution& solution, const Level<2>& level);
+template <int dim>
+AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& level);
 
 }  // namespace geneva::fem

@@ -5,6 +5,9 @@
 #include <Eigen/Dense>
 #include <map>
 #include <stdexcept>
+#include <vector>
+
+#include "fem/moment.h"
 
 namespace geneva::fem {
 
@@ -14,46 +17,63 @@ namespace {
 /// motion.
 constexpr double free_motion = 1e-12;
 
+template <int dim>
+bool is_axisymmetric(const Problem<dim>& problem) {
+  return dim == 2 && problem.plane == PlaneKind::axisymmetric;
+}
+
 /// A displacement component of a boundary node.
+template <int dim>
 struct Component {
-  const BoundaryNode<2>* node;
+  const BoundaryNode<dim>* node;
   unsigned int direction;
 };
 
-/// The rigid motions of all bodies: translations along x and y and the rotation about the origin of
+/// The rigid motions of all bodies: translations along the axes and rotations about the origin of
 /// each; in an axisymmetric model the translation along y alone.
+template <int dim>
 class RigidMotions {
  public:
-  RigidMotions(const Level<2>& level, const Problem<2>& problem)
-      : per_body_(problem.plane == PlaneKind::axisymmetric ? 1 : 3),
+  RigidMotions(const Level<dim>& level, const Problem<dim>& problem)
+      : per_body_(is_axisymmetric(problem) ? 1
+                  : dim == 2               ? 3
+                                           : 6),
         size_(static_cast<Eigen::Index>(problem.bodies.size()) * per_body_) {
-    for (const BoundaryNode<2>& node : level.boundary.nodes)
-      for (unsigned int direction = 0; direction < 2; ++direction)
-        components_.emplace(node.dofs[direction], Component{&node, direction});
+    for (const BoundaryNode<dim>& node : level.boundary.nodes)
+      for (unsigned int direction = 0; direction < dim; ++direction)
+        components_.emplace(node.dofs[direction], Component<dim>{&node, direction});
   }
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
 
   /// Adds factor times the displacement of a dof under each motion to a row.
   void add(const global_dof_index dof, const double factor, Eigen::VectorXd& row) const {
-    const Component& component = components_.at(dof);
+    const Component<dim>& component = components_.at(dof);
     const auto first = static_cast<Eigen::Index>(component.node->body) * per_body_;
     if (per_body_ == 1) {
       if (component.direction == 1) row(first) += factor;
       return;
     }
     row(first + component.direction) += factor;
-    row(first + 2) += component.direction == 0 ? -factor * component.node->position[1]
-                                               : factor * component.node->position[0];
+    dealii::Tensor<1, dim> along;
+    along[component.direction] = factor;
+    const Moment<dim> rotations = moment_of<dim>(component.node->position, along);
+    if constexpr (dim == 2)
+      row(first + 2) += rotations;
+    else
+      for (unsigned int axis = 0; axis < 3; ++axis) row(first + 3 + axis) += rotations[axis];
   }
 
   /// "body 'pin' can rotate", for the motion's largest part.
   [[nodiscard]] std::string describe(const Eigen::VectorXd& motion,
-                                     const Problem<2>& problem) const {
+                                     const Problem<dim>& problem) const {
     Eigen::Index largest = 0;
     motion.cwiseAbs().maxCoeff(&largest);
     const std::string& body = problem.bodies[static_cast<std::size_t>(largest / per_body_)].name;
-    constexpr std::array<const char*, 3> ways{"move along x", "move along y", "rotate"};
+    const std::vector<const char*> ways =
+        dim == 2 ? std::vector{"move along x", "move along y", "rotate"}
+                 : std::vector{"move along x",   "move along y",   "move along z",
+                               "rotate about x", "rotate about y", "rotate about z"};
     const auto way = per_body_ == 1 ? 1 : static_cast<std::size_t>(largest % per_body_);
     return fmt::format("body '{}' can {} freely", body, ways[way]);
   }
@@ -61,12 +81,14 @@ class RigidMotions {
  private:
   Eigen::Index per_body_;
   Eigen::Index size_;
-  std::map<global_dof_index, Component> components_;
+  std::map<global_dof_index, Component<dim>> components_;
 };
 
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
-std::vector<Eigen::VectorXd> constraint_rows(const Level<2>& level, const RigidMotions& motions) {
+template <int dim>
+std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
+                                             const RigidMotions<dim>& motions) {
   std::vector<Eigen::VectorXd> rows;
   for (const ConstraintLine& line : level.held_lines) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
@@ -74,10 +96,10 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<2>& level, const RigidM
     for (const auto& [dof, coefficient] : line.entries) motions.add(dof, -coefficient, row);
     rows.push_back(row);
   }
-  for (const ContactInterface<2>& interface : level.interfaces)
-    for (const MortarRow<2>& contact : interface.rows) {
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    for (const MortarRow<dim>& contact : interface.rows) {
       Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
-      for (unsigned int direction = 0; direction < 2; ++direction) {
+      for (unsigned int direction = 0; direction < dim; ++direction) {
         motions.add(interface.source.nodes[contact.node].dofs[direction], contact.normal[direction],
                     row);
         for (const auto& [node, coupling] : contact.coupling)
@@ -91,8 +113,9 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<2>& level, const RigidM
 
 }  // namespace
 
-void check_rigid_motions(const Level<2>& level, const Problem<2>& problem) {
-  const RigidMotions motions(level, problem);
+template <int dim>
+void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
+  const RigidMotions<dim> motions(level, problem);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
   for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
@@ -102,5 +125,8 @@ void check_rigid_motions(const Level<2>& level, const Problem<2>& problem) {
                               "support, for example 'NAME: x' on a plane of "
                               "symmetry");
 }
+
+template void check_rigid_motions(const Level<2>&, const Problem<2>&);
+template void check_rigid_motions(const Level<3>&, const Problem<3>&);
 
 }  // namespace geneva::fem

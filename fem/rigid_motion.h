@@ -8,6 +8,7 @@ namespace geneva::fem {
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.
 /// @throws std::invalid_argument naming the body that moves most and how
-void check_rigid_motions(const Level<2>& level, const Problem<2>& problem);
+template <int dim>
+void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem);
 
 }  // namespace geneva::fem

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/moment.h"
 #include "fem/problem.h"
 #include "fem/scaling.h"
 #include "mesh/mesh_data.h"
@@ -16,14 +17,15 @@
 namespace geneva::fem {
 
 /// A source node of a contact pair, SI units.
+template <int dim>
 struct ContactNode {
-  double arc_length;               ///< along the source surface [m]
-  std::array<double, 2> position;  ///< undeformed [m]
-  std::array<double, 2> normal;    ///< target's outward unit normal
-  double pressure;                 ///< >= 0 [Pa]
-  double gap;                      ///< > 0 when open [m]
-  double initial_gap;              ///< before loading [m]
-  double tributary;                ///< D_j: the area that the node stands for [m^2]
+  double arc_length;         ///< along the source surface [m]; in the plane
+  Components<dim> position;  ///< undeformed [m]
+  Components<dim> normal;    ///< target's outward unit normal
+  double pressure;           ///< >= 0 [Pa]
+  double gap;                ///< > 0 when open [m]
+  double initial_gap;        ///< before loading [m]
+  double tributary;          ///< D_j: the area that the node stands for [m^2]
   bool active;
 };
 
@@ -38,13 +40,14 @@ struct ContactInterval {
 };
 
 /// What one contact pair carries, SI units.
+template <int dim>
 struct ContactResult {
   std::string source;
   std::string target;
-  std::vector<ContactNode> nodes;  ///< in the order of the arc length
-  std::array<double, 2> force;     ///< on the source body [N]
-  double moment;                   ///< of the pressure on the source body about the origin [N m]
-  double peak_pressure;            ///< [Pa]
+  std::vector<ContactNode<dim>> nodes;  ///< in the order of the arc length
+  Components<dim> force;                ///< on the source body [N]
+  Moment<dim> moment;    ///< of the pressure on the source body about the origin [N m]
+  double peak_pressure;  ///< [Pa]
   std::vector<ContactInterval> intervals;
   double half_width;       ///< of the widest interval [m]
   bool symmetric;          ///< whether that one ends at a plane or axis of symmetry
@@ -58,10 +61,11 @@ struct ContactResult {
 
 /// Reaction of a support or rigid tie: force [N] and moment about the origin [N m] that it exerts
 /// on its body.
+template <int dim>
 struct Reaction {
   std::string surface;
-  std::array<double, 2> force{0., 0.};
-  double moment = 0.;
+  Components<dim> force{};
+  Moment<dim> moment{};
 };
 
 /// One mesh of the nested iteration.
@@ -90,19 +94,20 @@ enum class Outcome {
 };
 
 /// The converged elastic state; the mesh and the displacement are in the units of `scales`.
+template <int dim>
 struct Solution {
-  Problem<2> problem;  ///< SI units
+  Problem<dim> problem;  ///< SI units
   Scales scales{};
-  mesh::MeshData<2> mesh;  ///< coarse, SI units
-  std::unique_ptr<dealii::parallel::distributed::Triangulation<2>> triangulation;
-  std::unique_ptr<dealii::FESystem<2>> element;
-  std::unique_ptr<dealii::DoFHandler<2>> dof_handler;
+  mesh::MeshData<dim> mesh;  ///< coarse, SI units
+  std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation;
+  std::unique_ptr<dealii::FESystem<dim>> element;
+  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
   dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
 
-  std::vector<ContactResult> contacts;
-  std::vector<Reaction> reactions;              ///< of supports, then ties
-  std::array<double, 2> applied_force{0., 0.};  ///< of body forces and surface loads [N]
-  double applied_moment = 0.;                   ///< about the origin [N m]
+  std::vector<ContactResult<dim>> contacts;
+  std::vector<Reaction<dim>> reactions;  ///< of supports, then ties
+  Components<dim> applied_force{};       ///< of body forces and surface loads [N]
+  Moment<dim> applied_moment{};          ///< about the origin [N m]
   std::vector<LevelRecord> history;
   double error_estimate = 0.;  ///< relative, of the peak contact pressure
   Outcome outcome = Outcome::converged;

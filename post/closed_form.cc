@@ -11,14 +11,14 @@ using dealii::Tensor;
 namespace {
 
 /// 1/R of one side at the contact: positive where the body bulges, 0 for a flat.
-double curvature(const fem::Solution& solution, const int circle, const bool is_convex) {
+double curvature(const fem::Solution<2>& solution, const int circle, const bool is_convex) {
   if (circle < 0) return 0.;
   const double radius = solution.mesh.circles[static_cast<std::size_t>(circle)].radius;
   return is_convex ? 1. / radius : -1. / radius;
 }
 
 /// The material of the body that a surface belongs to.
-loads::Elastic material_of(const fem::Solution& solution, const std::string& surface) {
+loads::Elastic material_of(const fem::Solution<2>& solution, const std::string& surface) {
   const mesh::MeshData<2>& mesh = solution.mesh;
   const auto name = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
   const unsigned int body =
@@ -27,7 +27,7 @@ loads::Elastic material_of(const fem::Solution& solution, const std::string& sur
   return {material.youngs_modulus, material.poissons_ratio};
 }
 
-bool on_axis(const fem::Solution& solution, const int circle) {
+bool on_axis(const fem::Solution<2>& solution, const int circle) {
   return circle < 0 || std::abs(solution.mesh.circles[static_cast<std::size_t>(circle)].centre[0]) <
                            1e-9 * solution.scales.length;
 }
@@ -47,11 +47,12 @@ double ClosedForm::along(const Point<2>& place) const {
   return (place - centre) * Tensor<1, 2>({-normal[1], normal[0]});
 }
 
-PressureCentre pressure_centre(const fem::Solution& solution, const fem::ContactResult& contact) {
+PressureCentre pressure_centre(const fem::Solution<2>& solution,
+                               const fem::ContactResult<2>& contact) {
   double force = 0.;
   PressureCentre centre{{}, 0., {}};
   Tensor<1, 2> place;
-  for (const fem::ContactNode& node : contact.nodes) {
+  for (const fem::ContactNode<2>& node : contact.nodes) {
     const double share = node.pressure * node.tributary;
     force += share;
     place += share * Tensor<1, 2>({node.position[0], node.position[1]});
@@ -68,16 +69,17 @@ PressureCentre pressure_centre(const fem::Solution& solution, const fem::Contact
   const auto end =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),
                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
-  const fem::ContactNode& node = std::distance(contact.nodes.begin(), end) * 2 <
-                                         std::distance(contact.nodes.begin(), contact.nodes.end())
-                                     ? contact.nodes.front()
-                                     : contact.nodes.back();
+  const fem::ContactNode<2>& node =
+      std::distance(contact.nodes.begin(), end) * 2 <
+              std::distance(contact.nodes.begin(), contact.nodes.end())
+          ? contact.nodes.front()
+          : contact.nodes.back();
   return {Point<2>(node.position[0], node.position[1]), node.arc_length,
           Tensor<1, 2>({node.normal[0], node.normal[1]})};
 }
 
-std::optional<ClosedForm> closed_form(const fem::Solution& solution,
-                                      const fem::ContactResult& contact) {
+std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
+                                      const fem::ContactResult<2>& contact) {
   const bool axisymmetric = solution.problem.plane == fem::PlaneKind::axisymmetric;
   const double relative_curvature =
       curvature(solution, contact.source_circle, contact.source_is_convex) +

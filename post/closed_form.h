@@ -47,13 +47,14 @@ struct PressureCentre {
   double arc_length;
   dealii::Tensor<1, 2> normal;
 };
-PressureCentre pressure_centre(const fem::Solution& solution, const fem::ContactResult& contact);
+PressureCentre pressure_centre(const fem::Solution<2>& solution,
+                               const fem::ContactResult<2>& contact);
 
 /// Hertz's solution for the force that the contact carries, from the circles and materials of the
 /// two surfaces; nothing where Hertz does not apply (both flat, conforming, no force, or off the
 /// axis of an axisymmetric model).
-std::optional<ClosedForm> closed_form(const fem::Solution& solution,
-                                      const fem::ContactResult& contact);
+std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
+                                      const fem::ContactResult<2>& contact);
 
 /// McEwen's stress [Pa] at a place within a body with the given Poisson's ratio; lines in plane
 /// models only.

@@ -19,7 +19,7 @@ struct ContactColumn {
   std::vector<double> values;
 };
 
-std::vector<ContactColumn> contact_columns(const fem::ContactResult& contact,
+std::vector<ContactColumn> contact_columns(const fem::ContactResult<2>& contact,
                                            const ContactAnalysis& analysis,
                                            const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
@@ -28,7 +28,7 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult& contact,
       {"arc_length", length.name, {}},       {"x", length.name, {}},   {"y", length.name, {}},
       {"contact_pressure", stress.name, {}}, {"gap", length.name, {}}, {"status", "", {}},
       {"hertz_pressure", stress.name, {}}};
-  for (const fem::ContactNode& node : contact.nodes) {
+  for (const fem::ContactNode<2>& node : contact.nodes) {
     const double hertz = analysis.hertz ? analysis.hertz->pressure(node.arc_length) : std::nan("");
     const std::array<double, 7> row{node.arc_length * length.factor,
                                     node.position[0] * length.factor,
@@ -42,7 +42,7 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult& contact,
   return columns;
 }
 
-void write_contact_csv(const fem::Solution& solution, const Results& results,
+void write_contact_csv(const fem::Solution<2>& solution, const Results& results,
                        const UnitSystem units, const fs::path& file) {
   std::ofstream stream = open_output(file);
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
@@ -66,7 +66,7 @@ void write_contact_csv(const fem::Solution& solution, const Results& results,
 }
 
 /// Contact nodes joined by lines along each source surface, as a VTK unstructured grid.
-void write_contact_vtu(const fem::Solution& solution, const Results& results,
+void write_contact_vtu(const fem::Solution<2>& solution, const Results& results,
                        const UnitSystem units, const fs::path& file) {
   std::string points;
   std::string connectivity;
@@ -121,7 +121,7 @@ void write_contact_vtu(const fem::Solution& solution, const Results& results,
 
 }  // namespace
 
-void write_contact(const fem::Solution& solution, const Results& results, const UnitSystem units,
+void write_contact(const fem::Solution<2>& solution, const Results& results, const UnitSystem units,
                    const fs::path& directory) {
   write_contact_csv(solution, results, units, directory / "contact.csv");
   write_contact_vtu(solution, results, units, directory / "contact.vtu");

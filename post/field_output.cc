@@ -113,7 +113,7 @@ fem::PlaneStress to_stress(const dealii::Vector<double>& values) {
 /// All stress arrays of a node, from its recovered stress.
 class StressOutput : public dealii::DataPostprocessor<2> {
  public:
-  StressOutput(const fem::Solution& solution, const Results& results, const double factor)
+  StressOutput(const fem::Solution<2>& solution, const Results& results, const double factor)
       : solution_(solution), results_(results), factor_(factor) {}
 
   [[nodiscard]] std::vector<std::string> get_names() const override {
@@ -177,7 +177,7 @@ class StressOutput : public dealii::DataPostprocessor<2> {
     put(exact ? 1. : 0.);
   }
 
-  const fem::Solution& solution_;
+  const fem::Solution<2>& solution_;
   const Results& results_;
   double factor_;
 };
@@ -192,7 +192,7 @@ dealii::DataOutBase::VtkFlags vtk_flags(const UnitSystem units) {
   return flags;
 }
 
-dealii::Vector<double> bodies(const fem::Solution& solution) {
+dealii::Vector<double> bodies(const fem::Solution<2>& solution) {
   dealii::Vector<double> body(solution.triangulation->n_active_cells());
   for (const auto& cell : solution.triangulation->active_cell_iterators())
     body[cell->active_cell_index()] = cell->material_id();
@@ -221,7 +221,7 @@ void write_vtu(const ScaledDataOut& data, const MPI_Comm communicator, const fs:
 }
 
 /// The history of the refinement as one data set a column.
-void append_history(const fem::Solution& solution, const MPI_Comm communicator,
+void append_history(const fem::Solution<2>& solution, const MPI_Comm communicator,
                     const fs::path& file) {
   std::map<std::string, std::vector<double>> columns;
   for (const fem::LevelRecord& level : solution.history) {
@@ -238,7 +238,7 @@ void append_history(const fem::Solution& solution, const MPI_Comm communicator,
 }
 
 /// @throws std::runtime_error if the disk is full
-void write_hdf5(const ScaledDataOut& data, const fem::Solution& solution,
+void write_hdf5(const ScaledDataOut& data, const fem::Solution<2>& solution,
                 const MPI_Comm communicator, const fs::path& directory) try {
   H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // failures are said below, not as a stack of calls
   // Duplicate vertices stay: the two bodies touch, and merging their vertices would average their
@@ -257,7 +257,7 @@ void write_hdf5(const ScaledDataOut& data, const fem::Solution& solution,
 
 }  // namespace
 
-void write_fields(const fem::Solution& solution, const Results& results, const UnitSystem units,
+void write_fields(const fem::Solution<2>& solution, const Results& results, const UnitSystem units,
                   const fs::path& directory) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   const double length = solution.scales.length * output_unit(units, Dimension::length).factor;

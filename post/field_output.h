@@ -12,7 +12,7 @@ namespace geneva::post {
 /// greatest shear, body, McEwen's stress near the contact and the difference from it. Every rank
 /// takes part.
 /// @throws std::runtime_error if a file cannot be written
-void write_fields(const fem::Solution& solution, const Results& results, UnitSystem units,
+void write_fields(const fem::Solution<2>& solution, const Results& results, UnitSystem units,
                   const std::filesystem::path& directory);
 
 }  // namespace geneva::post

@@ -11,17 +11,17 @@ using dealii::Point;
 
 namespace {
 
-Equilibrium equilibrium(const fem::Solution& solution) {
+Equilibrium equilibrium(const fem::Solution<2>& solution) {
   const bool axisymmetric = solution.problem.plane == fem::PlaneKind::axisymmetric;
   std::array<double, 2> force = solution.applied_force;
   double moment = solution.applied_moment;
-  for (const fem::Reaction& reaction : solution.reactions) {
+  for (const fem::Reaction<2>& reaction : solution.reactions) {
     force[0] += reaction.force[0];
     force[1] += reaction.force[1];
     moment += reaction.moment;
   }
   double contact_force = 0.;
-  for (const fem::ContactResult& contact : solution.contacts)
+  for (const fem::ContactResult<2>& contact : solution.contacts)
     contact_force = std::max(contact_force, std::hypot(contact.force[0], contact.force[1]));
   if (contact_force == 0.) return {0., 0.};
   const double defect = axisymmetric ? std::abs(force[1]) : std::hypot(force[0], force[1]);
@@ -34,7 +34,7 @@ double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
 }
 
 /// Sides of the contact are told apart by the sign of the distance along the target's normal.
-std::optional<FieldDifference> field_difference(const fem::Solution& solution,
+std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution,
                                                 const ClosedForm& form,
                                                 const std::vector<CellStress>& cells) {
   if (!form.line) return std::nullopt;
@@ -58,7 +58,8 @@ std::optional<FieldDifference> field_difference(const fem::Solution& solution,
   return FieldDifference{root_mean_square(0), root_mean_square(2)};
 }
 
-ContactAnalysis analyse_contact(const fem::Solution& solution, const fem::ContactResult& contact,
+ContactAnalysis analyse_contact(const fem::Solution<2>& solution,
+                                const fem::ContactResult<2>& contact,
                                 const std::vector<CellStress>& cells) {
   ContactAnalysis analysis{
       pressure_centre(solution, contact), closed_form(solution, contact), {}, 0., {}};
@@ -72,18 +73,18 @@ ContactAnalysis analyse_contact(const fem::Solution& solution, const fem::Contac
 
 }  // namespace
 
-std::size_t leading_contact(const fem::Solution& solution) {
+std::size_t leading_contact(const fem::Solution<2>& solution) {
   const auto leading = std::max_element(
       solution.contacts.begin(), solution.contacts.end(),
       [](const auto& a, const auto& b) { return a.peak_pressure < b.peak_pressure; });
   return static_cast<std::size_t>(leading - solution.contacts.begin());
 }
 
-Results analyse(const fem::Solution& solution) {
+Results analyse(const fem::Solution<2>& solution) {
   const std::vector<CellStress> cells = cell_stresses(solution);
   Results results;
   results.nodal = nodal_stress(solution);
-  for (const fem::ContactResult& contact : solution.contacts)
+  for (const fem::ContactResult<2>& contact : solution.contacts)
     results.contacts.push_back(analyse_contact(solution, contact, cells));
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));

@@ -40,9 +40,9 @@ struct Results {
   Equilibrium equilibrium;
 };
 
-Results analyse(const fem::Solution& solution);
+Results analyse(const fem::Solution<2>& solution);
 
 /// The contact pair with the greatest pressure.
-std::size_t leading_contact(const fem::Solution& solution);
+std::size_t leading_contact(const fem::Solution<2>& solution);
 
 }  // namespace geneva::post

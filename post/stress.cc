@@ -22,7 +22,7 @@ namespace {
 /// Evaluates the stress of one cell at the points of a quadrature; strains need no scaling.
 class StressEvaluator {
  public:
-  StressEvaluator(const fem::Solution& solution, const dealii::Quadrature<2>& points)
+  StressEvaluator(const fem::Solution<2>& solution, const dealii::Quadrature<2>& points)
       : solution_(solution),
         values_(*solution.element, points,
                 dealii::update_values | dealii::update_gradients |
@@ -60,7 +60,7 @@ class StressEvaluator {
     return radius > 1e-12 ? displacements_[q][0] / radius : strains_[q][0][0];
   }
 
-  const fem::Solution& solution_;
+  const fem::Solution<2>& solution_;
   dealii::FEValues<2> values_;
   std::vector<dealii::SymmetricTensor<2, 2>> strains_;
   std::vector<dealii::Tensor<1, 2>> displacements_;
@@ -147,7 +147,7 @@ StressPeak fitted_top(const std::vector<Sample>& samples, const StressPeak& peak
 
 }  // namespace
 
-std::vector<CellStress> cell_stresses(const fem::Solution& solution) {
+std::vector<CellStress> cell_stresses(const fem::Solution<2>& solution) {
   StressEvaluator evaluate(solution, dealii::QMidpoint<2>());
   const double length = solution.scales.length;
   std::vector<CellStress> stresses;
@@ -182,7 +182,7 @@ double in_plane_shear(const fem::PlaneStress& stress) {
   return std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
 }
 
-NodalStress nodal_stress(const fem::Solution& solution) {
+NodalStress nodal_stress(const fem::Solution<2>& solution) {
   NodalStress result;
   result.element = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(1), 4);
   result.dof_handler = std::make_unique<dealii::DoFHandler<2>>(*solution.triangulation);
@@ -231,7 +231,7 @@ NodalStress nodal_stress(const fem::Solution& solution) {
   return result;
 }
 
-StressPeak peak_von_mises(const fem::Solution& solution, const NodalStress& stress,
+StressPeak peak_von_mises(const fem::Solution<2>& solution, const NodalStress& stress,
                           const unsigned int body) {
   StressPeak peak;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
@@ -255,7 +255,7 @@ StressPeak peak_von_mises(const fem::Solution& solution, const NodalStress& stre
   return greatest(solution.dof_handler->get_communicator(), peak);
 }
 
-StressPeak peak_shear(const fem::Solution& solution, const std::vector<CellStress>& stresses,
+StressPeak peak_shear(const fem::Solution<2>& solution, const std::vector<CellStress>& stresses,
                       const Point<2>& around, const double distance) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   StressPeak local;

@@ -22,7 +22,7 @@ struct CellStress {
 };
 
 /// Stresses of this rank's cells.
-std::vector<CellStress> cell_stresses(const fem::Solution& solution);
+std::vector<CellStress> cell_stresses(const fem::Solution<2>& solution);
 
 /// Principal stresses [same unit], greatest first; the out-of-plane stress is one of them.
 std::array<double, 3> principal_stresses(const fem::PlaneStress& stress);
@@ -41,7 +41,7 @@ struct NodalStress {
   dealii::TrilinosWrappers::MPI::Vector values;  ///< ghosted
 };
 
-NodalStress nodal_stress(const fem::Solution& solution);
+NodalStress nodal_stress(const fem::Solution<2>& solution);
 
 /// A stress maximum and where it is; SI units.
 struct StressPeak {
@@ -50,12 +50,12 @@ struct StressPeak {
 };
 
 /// Greatest von Mises stress at the nodes of a body, over all ranks.
-StressPeak peak_von_mises(const fem::Solution& solution, const NodalStress& stress,
+StressPeak peak_von_mises(const fem::Solution<2>& solution, const NodalStress& stress,
                           unsigned int body);
 
 /// Greatest in-plane shear stress within a distance of a point, over all ranks: the top of the
 /// paraboloid fitted to the cell middles around the greatest one.
-StressPeak peak_shear(const fem::Solution& solution, const std::vector<CellStress>& stresses,
+StressPeak peak_shear(const fem::Solution<2>& solution, const std::vector<CellStress>& stresses,
                       const dealii::Point<2>& around, double distance);
 
 }  // namespace geneva::post

@@ -27,7 +27,7 @@ json hertz_section(const ClosedForm& form) {
           {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
 }
 
-json contact_section(const fem::Solution& solution, const fem::ContactResult& contact,
+json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
                      const ContactAnalysis& analysis) {
   json section{{"source", contact.source},
                {"target", contact.target},
@@ -59,7 +59,7 @@ json load_section(const loads::PinLoad& load) {
           {"slip_speed", quantity(load.slip_speed, "m/s")}};
 }
 
-json bodies_section(const fem::Solution& solution, const Results& results) {
+json bodies_section(const fem::Solution<2>& solution, const Results& results) {
   json bodies = json::object();
   for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
     bodies[solution.problem.bodies[i].name] = {
@@ -68,7 +68,7 @@ json bodies_section(const fem::Solution& solution, const Results& results) {
   return bodies;
 }
 
-json wheel_section(const fem::Solution& solution, const Results& results,
+json wheel_section(const fem::Solution<2>& solution, const Results& results,
                    const MechanismReport& mechanism) {
   json wheel{{"inertia_used", quantity(mechanism.inertia_used, "kg m^2")}};
   if (mechanism.inertia_from_geometry)
@@ -91,7 +91,7 @@ json equilibrium_section(const Results& results, const RunReport& report) {
   return section;
 }
 
-json solver_section(const fem::Solution& solution) {
+json solver_section(const fem::Solution<2>& solution) {
   json levels = json::array();
   double assemble_and_solve = 0.;
   for (const fem::LevelRecord& level : solution.history) {
@@ -114,7 +114,7 @@ json solver_section(const fem::Solution& solution) {
 
 }  // namespace
 
-json summary(const fem::Solution& solution, const Results& results, const RunReport& report) {
+json summary(const fem::Solution<2>& solution, const Results& results, const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   json result{
       {"case", {{"name", report.case_name}, {"title", report.title}}},
@@ -172,7 +172,7 @@ std::string difference(const TableRow& row) {
   return std::abs(percent) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", percent);
 }
 
-std::vector<TableRow> contact_rows(const fem::ContactResult& contact,
+std::vector<TableRow> contact_rows(const fem::ContactResult<2>& contact,
                                    const ContactAnalysis& analysis, const RunReport& report,
                                    const UnitSystem units) {
   const OutputUnit stress = output_unit(units, Dimension::stress);
@@ -197,10 +197,10 @@ std::vector<TableRow> contact_rows(const fem::ContactResult& contact,
 
 }  // namespace
 
-std::string comparison_table(const fem::Solution& solution, const Results& results,
+std::string comparison_table(const fem::Solution<2>& solution, const Results& results,
                              const RunReport& report, const UnitSystem units) {
   const std::size_t leading = leading_contact(solution);
-  const fem::ContactResult& contact = solution.contacts[leading];
+  const fem::ContactResult<2>& contact = solution.contacts[leading];
   const OutputUnit force = output_unit(units, Dimension::force);
   const OutputUnit moment = output_unit(units, Dimension::moment);
   std::vector<TableRow> rows;

@@ -38,11 +38,11 @@ struct RunReport {
 };
 
 /// The machine-readable summary, always in SI units; doc/results.md lists the keys.
-nlohmann::json summary(const fem::Solution& solution, const Results& results,
+nlohmann::json summary(const fem::Solution<2>& solution, const Results& results,
                        const RunReport& report);
 
 /// The table that ends a run: this program, closed form, published value, difference.
-std::string comparison_table(const fem::Solution& solution, const Results& results,
+std::string comparison_table(const fem::Solution<2>& solution, const Results& results,
                              const RunReport& report, UnitSystem units);
 
 }  // namespace geneva::post

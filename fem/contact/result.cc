@@ -27,10 +27,10 @@ Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& po
 /// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so the
 /// parabola fitted to this half of the contact without its last node is followed to zero, and kept
 /// between the last but one active node and the first open one.
-double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge, const int inwards,
-                   const std::size_t count) {
+double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t edge,
+                   const int inwards, const std::size_t count) {
   const auto edge_node = nodes.begin() + static_cast<std::ptrdiff_t>(edge);
-  const auto node = [&](const int steps) -> const ContactNode& {
+  const auto node = [&](const int steps) -> const ContactNode<2>& {
     return edge_node[inwards * steps];
   };
   const double last = node(0).arc_length;
@@ -53,7 +53,7 @@ double contact_end(const std::vector<ContactNode>& nodes, const std::size_t edge
 }
 
 /// The contact between nodes `begin` and `end`, its ends fitted where they are free.
-ContactInterval fitted_interval(const std::vector<ContactNode>& nodes, const std::size_t begin,
+ContactInterval fitted_interval(const std::vector<ContactNode<2>>& nodes, const std::size_t begin,
                                 const std::size_t end) {
   const std::size_t count = end - begin + 1;
   const bool at_start = begin == 0;
@@ -66,7 +66,7 @@ ContactInterval fitted_interval(const std::vector<ContactNode>& nodes, const std
           at_start != at_finish && peaks_at_end};
 }
 
-std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode>& nodes) {
+std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode<2>>& nodes) {
   std::vector<ContactInterval> intervals;
   for (std::size_t begin = 0; begin < nodes.size(); ++begin) {
     if (!nodes[begin].active) continue;
@@ -96,8 +96,8 @@ std::pair<int, bool> shape_at(const Surface<2>& surface, const dealii::Point<2>&
   return {nearest->circle, radial * chord_normal(surface, *nearest) > 0.};
 }
 
-ContactNode contact_node(const ContactInterface<2>& interface, const std::size_t row_index,
-                         const ContactState& state, const Scales& scales) {
+ContactNode<2> contact_node(const ContactInterface<2>& interface, const std::size_t row_index,
+                            const ContactState& state, const Scales& scales) {
   const MortarRow<2>& row = interface.rows[row_index];
   const SurfaceNode<2>& node = interface.source.nodes[row.node];
   return {node.arc_length * scales.length,
@@ -112,14 +112,14 @@ ContactNode contact_node(const ContactInterface<2>& interface, const std::size_t
 
 }  // namespace
 
-ContactResult contact_result(const ContactPair& pair, const ContactInterface<2>& interface,
-                             const ContactState& state, const Scales& scales) {
-  ContactResult result{};
+ContactResult<2> contact_result(const ContactPair& pair, const ContactInterface<2>& interface,
+                                const ContactState& state, const Scales& scales) {
+  ContactResult<2> result{};
   result.source = pair.source;
   result.target = pair.target;
   dealii::Point<2> peak;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
-    const ContactNode node = contact_node(interface, i, state, scales);
+    const ContactNode<2> node = contact_node(interface, i, state, scales);
     result.nodes.push_back(node);
     const double normal_force = node.pressure * node.tributary;
     for (unsigned int component = 0; component < 2; ++component)

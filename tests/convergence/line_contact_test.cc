@@ -19,7 +19,7 @@ struct Point {
 };
 
 /// Distance of the nodes where the pressure is greatest.
-double edge_length(const fem::ContactResult& contact) {
+double edge_length(const fem::ContactResult<2>& contact) {
   const auto greatest =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),
                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
@@ -27,12 +27,12 @@ double edge_length(const fem::ContactResult& contact) {
 }
 
 /// Root of the mean square of p - p(Hertz) over the contact, relative to p0.
-double pressure_error(const fem::Solution& solution, const loads::HertzLine& exact) {
-  const fem::ContactResult& contact = solution.contacts.front();
+double pressure_error(const fem::Solution<2>& solution, const loads::HertzLine& exact) {
+  const fem::ContactResult<2>& contact = solution.contacts.front();
   const double centre = post::pressure_centre(solution, contact).arc_length;
   double sum = 0.;
   double area = 0.;
-  for (const fem::ContactNode& node : contact.nodes) {
+  for (const fem::ContactNode<2>& node : contact.nodes) {
     const double x = node.arc_length - centre;
     if (!node.active && std::abs(x) >= exact.half_width) continue;
     sum += node.tributary * std::pow(node.pressure - exact.pressure(x), 2);
@@ -64,7 +64,7 @@ Point point_at(const unsigned int levels) {
   const std::vector<LineContact> contacts = positions();
   for (const LineContact& contact : contacts) {
     const loads::HertzLine exact = hertz(contact);
-    const fem::Solution solution = solve(contact, settings);
+    const fem::Solution<2> solution = solve(contact, settings);
     const double share = 1. / static_cast<double>(contacts.size());
     point.h_over_b += share * edge_length(solution.contacts.front()) / exact.half_width;
     point.peak_error += share * std::pow(error_of(peak_pressure(solution), exact.peak_pressure), 2);

@@ -21,16 +21,16 @@ inline fem::Settings with_accuracy(const double accuracy) {
   return settings;
 }
 
-inline fem::Solution solve(const mesh::MeshData<2>& mesh, const fem::Problem<2>& problem,
-                           const fem::Settings& settings = {}) {
+inline fem::Solution<2> solve(const mesh::MeshData<2>& mesh, const fem::Problem<2>& problem,
+                              const fem::Settings& settings = {}) {
   return fem::solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
 }
 
-inline fem::Solution solve(const LineContact& contact, const fem::Settings& settings = {}) {
+inline fem::Solution<2> solve(const LineContact& contact, const fem::Settings& settings = {}) {
   return solve(mesh_of(contact), problem_of(contact), settings);
 }
 
-inline double peak_pressure(const fem::Solution& solution) {
+inline double peak_pressure(const fem::Solution<2>& solution) {
   return solution.contacts.front().peak_pressure;
 }
 
@@ -39,12 +39,12 @@ inline double error_of(const double value, const double exact) { return value / 
 
 /// Greatest difference of the nodes' pressure from Hertz's for |x| < share b, as a share of p0;
 /// x is counted from the centre of pressure.
-inline double pressure_deviation(const fem::Solution& solution, const loads::HertzLine& hertz,
+inline double pressure_deviation(const fem::Solution<2>& solution, const loads::HertzLine& hertz,
                                  const double share) {
-  const fem::ContactResult& contact = solution.contacts.front();
+  const fem::ContactResult<2>& contact = solution.contacts.front();
   const double centre = post::pressure_centre(solution, contact).arc_length;
   double greatest = 0.;
-  for (const fem::ContactNode& node : contact.nodes) {
+  for (const fem::ContactNode<2>& node : contact.nodes) {
     const double x = node.arc_length - centre;
     if (std::abs(x) >= share * hertz.half_width) continue;
     greatest = std::max(greatest, std::abs(node.pressure - hertz.pressure(x)));
@@ -53,7 +53,7 @@ inline double pressure_deviation(const fem::Solution& solution, const loads::Her
 }
 
 /// Longest over shortest distance of neighbouring nodes in contact.
-inline double unevenness(const fem::ContactResult& contact) {
+inline double unevenness(const fem::ContactResult<2>& contact) {
   double longest = 0.;
   double shortest = 1e300;
   for (std::size_t i = 1; i < contact.nodes.size(); ++i) {

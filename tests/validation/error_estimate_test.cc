@@ -18,7 +18,7 @@ TEST(ErrorEstimate, IsNotSmallerThanHalfTheTrueError) {
       contact.shift = shift;
       const loads::HertzLine exact = hertz(contact);
       const double finite_size = std::pow(exact.half_width / contact.radius, 2);
-      const fem::Solution solution = solve(contact, with_accuracy(0.002));
+      const fem::Solution<2> solution = solve(contact, with_accuracy(0.002));
       for (const fem::LevelRecord& level : solution.history) {
         if (level.error_estimate >= 1.) continue;
         const double error = std::abs(error_of(level.peak_pressure, exact.peak_pressure));

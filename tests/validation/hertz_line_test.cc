@@ -22,7 +22,7 @@ constexpr double width_tolerance = 0.02;
 
 TEST(JohnsonContactMechanics, Eq443And445CylinderOnBlock) {
   const LineContact contact;
-  const fem::Solution solution = solve(contact);
+  const fem::Solution<2> solution = solve(contact);
   EXPECT_EQ(solution.outcome, fem::Outcome::converged);
   EXPECT_EQ(solution.message, "");
   EXPECT_LE(solution.error_estimate, 0.005);
@@ -71,7 +71,7 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderInConcaveGroove) {
   for (const bool block_is_source : {false, true}) {
     LineContact either = contact;
     either.block_is_source = block_is_source;
-    const fem::Solution solution = solve(mesh, problem_of(either));
+    const fem::Solution<2> solution = solve(mesh, problem_of(either));
     EXPECT_NEAR(error_of(peak_pressure(solution), exact.peak_pressure), 0., peak_tolerance);
     EXPECT_NEAR(error_of(solution.contacts[0].half_width, exact.half_width), 0., width_tolerance);
     const auto form = post::closed_form(solution, solution.contacts[0]);
@@ -117,7 +117,7 @@ TEST(JohnsonContactMechanics, Eq444PressureOnMeshesThatDoNotMatch) {
     contact.turn = 0.17;
     contact.shift = 0.31;
     contact.block_cell = ratio * 2. * std::acos(-1.) / contact.cells_around;
-    const fem::Solution solution = solve(contact, with_accuracy(0.002));
+    const fem::Solution<2> solution = solve(contact, with_accuracy(0.002));
     const double error = error_of(peak_pressure(solution), hertz(contact).peak_pressure);
     const double deviation = pressure_deviation(solution, hertz(contact), 0.9);
     if (prints()) std::printf("%13.1f  %12.3f  %17.3f\n", ratio, 100. * error, 100. * deviation);
@@ -134,7 +134,7 @@ TEST(Refinement, IsEvenThroughoutTheContact) {
       LineContact contact;
       contact.block_cell = block_cell;
       contact.block_is_source = block_is_source;
-      const fem::Solution solution = solve(contact);
+      const fem::Solution<2> solution = solve(contact);
       // Chords of equal angle are equal; the block's grid is even.
       EXPECT_NEAR(unevenness(solution.contacts[0]), 1., 0.01)
           << "cells of the block " << block_cell << " R, source: " << solution.contacts[0].source;
@@ -163,7 +163,7 @@ TEST(JohnsonContactMechanics, Eq445FourTimesTheForceGivesTwiceThePressure) {
 TEST(JohnsonContactMechanics, Eq445PlaneStressHasItsOwnModulus) {
   LineContact contact;
   contact.plane = fem::PlaneKind::plane_stress;
-  const fem::Solution solution = solve(contact);
+  const fem::Solution<2> solution = solve(contact);
   EXPECT_NEAR(error_of(peak_pressure(solution), hertz(contact).peak_pressure), 0., peak_tolerance);
   EXPECT_NEAR(error_of(solution.contacts[0].half_width, hertz(contact).half_width), 0.,
               width_tolerance);
@@ -179,7 +179,7 @@ TEST(JohnsonContactMechanics, Eq445DissimilarMaterials) {
     contact.cylinder = {2.1e11, 0.3};
     contact.block = {7e10, 0.33};
     contact.block_is_source = block_is_source;
-    const fem::Solution solution = solve(contact);
+    const fem::Solution<2> solution = solve(contact);
     // Without friction the mismatch of the materials does not enter but through E*.
     EXPECT_NEAR(error_of(peak_pressure(solution), hertz(contact).peak_pressure), 0.,
                 peak_tolerance);
@@ -194,8 +194,8 @@ TEST(Symmetry, AMirroredProblemHasTheSamePressure) {
   contact.turn = 0.17;
   contact.shift = 0.31;
   contact.block_cell = 0.3;
-  const fem::Solution plain = solve(contact);
-  const fem::Solution mirror = solve(mirrored(mesh_of(contact)), problem_of(contact));
+  const fem::Solution<2> plain = solve(contact);
+  const fem::Solution<2> mirror = solve(mirrored(mesh_of(contact)), problem_of(contact));
   EXPECT_NEAR(error_of(peak_pressure(mirror), peak_pressure(plain)), 0., 1e-8);
   EXPECT_NEAR(error_of(mirror.contacts[0].half_width, plain.contacts[0].half_width), 0., 1e-8);
   EXPECT_EQ(mirror.contacts[0].active_nodes, plain.contacts[0].active_nodes);
@@ -213,7 +213,7 @@ TEST(Symmetry, UnitsDoNotMatter) {
   const LineContact contact;
   fem::Settings settings;
   settings.linear_tolerance = 1e-12;  // inputs that differ in their last bits stop elsewhere
-  const fem::Solution metres = solve(contact, settings);
+  const fem::Solution<2> metres = solve(contact, settings);
   for (const UnitSystem& unit : {UnitSystem{"millimetres, newtons", 1e-3, 1.},
                                  UnitSystem{"inches, pounds-force", 0.0254, 4.4482216152605}}) {
     const double stress = unit.force / (unit.length * unit.length);
@@ -221,7 +221,7 @@ TEST(Symmetry, UnitsDoNotMatter) {
     problem.thickness /= unit.length;
     for (fem::Body<2>& body : problem.bodies) body.material.youngs_modulus /= stress;
     problem.ties[0].force /= unit.force;
-    const fem::Solution solution =
+    const fem::Solution<2> solution =
         solve(enlarged(mesh_of(contact), 1. / unit.length), problem, settings);
     EXPECT_NEAR(error_of(peak_pressure(solution) * stress, peak_pressure(metres)), 0., 1e-10)
         << unit.name;

@@ -42,9 +42,9 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
   for (const bool block_is_source : {false, true}) {
     problem.pairs = {{"sphere", "top"}};
     if (block_is_source) problem.pairs = {{"top", "sphere"}};
-    const fem::Solution solution = solve(mesh, problem);
+    const fem::Solution<2> solution = solve(mesh, problem);
     EXPECT_EQ(solution.outcome, fem::Outcome::converged);
-    const fem::ContactResult& contact = solution.contacts[0];
+    const fem::ContactResult<2>& contact = solution.contacts[0];
     EXPECT_NEAR(error_of(contact.peak_pressure, exact.peak_pressure), 0., 0.01) << contact.source;
     EXPECT_NEAR(error_of(contact.half_width, exact.contact_radius), 0., 0.02) << contact.source;
     EXPECT_NEAR(std::abs(contact.force[1]), force, 1e-8 * force);
@@ -81,9 +81,9 @@ TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
   problem.supports = {{"left core", {0., 0.}}, {"right core", {0., 0.}}};
   problem.ties = {{"lid", {0., -1.}, 2. * one.force}};
   problem.pairs = {{"left", "under"}, {"right", "under"}};
-  const fem::Solution solution = solve(mesh, problem);
+  const fem::Solution<2> solution = solve(mesh, problem);
   ASSERT_EQ(solution.contacts.size(), 2U);
-  for (const fem::ContactResult& contact : solution.contacts) {
+  for (const fem::ContactResult<2>& contact : solution.contacts) {
     EXPECT_NEAR(contact.force[1], -one.force, 1e-8 * one.force)
         << "a mirrored mesh, solved to 1e-10";
     EXPECT_NEAR(error_of(contact.peak_pressure, hertz(one).peak_pressure), 0., 0.005);
@@ -121,10 +121,10 @@ fem::Problem<2> three_blocks_problem(const double pressure, const double middle_
 }
 
 /// Expects the pressure at every node of every contact.
-void expect_uniform_pressure(const fem::Solution& solution, const double pressure) {
-  for (const fem::ContactResult& contact : solution.contacts) {
+void expect_uniform_pressure(const fem::Solution<2>& solution, const double pressure) {
+  for (const fem::ContactResult<2>& contact : solution.contacts) {
     EXPECT_EQ(contact.active_nodes, contact.nodes.size());
-    for (const fem::ContactNode& node : contact.nodes)
+    for (const fem::ContactNode<2>& node : contact.nodes)
       EXPECT_NEAR(error_of(node.pressure, pressure), 0., 1e-10) << contact.source;
   }
 }
@@ -138,7 +138,7 @@ TEST(TaylorPapadopoulos, ContactPatchTestOnMeshesThatDoNotMatch) {
   settings.linear_tolerance = 1e-13;
   for (const bool upper_is_source : {false, true})
     for (const double stiffness : {1., 0.1}) {
-      const fem::Solution solution =
+      const fem::Solution<2> solution =
           solve(three_blocks({0., 0.5, 1.1, 1.7, 2.2, 3.}),
                 three_blocks_problem(pressure, stiffness, upper_is_source), settings);
       EXPECT_EQ(solution.outcome, fem::Outcome::converged);
@@ -160,8 +160,8 @@ TEST(TaylorPapadopoulos, ContactPatchTestOnMeshesThatDoNotMatch) {
 TEST(Refinement, EndsOnMeshesThatCannotBeMadeEven) {
   fem::Settings settings;
   settings.linear_tolerance = 1e-13;
-  const fem::Solution solution = solve(three_blocks({0., 0.45, 1.1, 1.3, 2.2, 3.}),
-                                       three_blocks_problem(3e6, 1., false), settings);
+  const fem::Solution<2> solution = solve(three_blocks({0., 0.45, 1.1, 1.3, 2.2, 3.}),
+                                          three_blocks_problem(3e6, 1., false), settings);
   EXPECT_EQ(solution.outcome, fem::Outcome::converged);
   EXPECT_LT(solution.history.back().dofs, 10000U);
   expect_uniform_pressure(solution, 3e6);
@@ -170,7 +170,7 @@ TEST(Refinement, EndsOnMeshesThatCannotBeMadeEven) {
 TEST(Limits, OfLevelsIsSaidAndTheSolutionIsOfUse) {
   fem::Settings settings;
   settings.max_levels = 6;
-  const fem::Solution solution = solve(LineContact(), settings);
+  const fem::Solution<2> solution = solve(LineContact(), settings);
   EXPECT_EQ(solution.outcome, fem::Outcome::level_limit);
   EXPECT_NE(solution.message.find("limit of 6 refinement levels"), std::string::npos)
       << solution.message;
@@ -188,7 +188,7 @@ TEST(Limits, OfLevelsIsSaidAndTheSolutionIsOfUse) {
 TEST(Limits, OfUnknownsIsSaidAndKept) {
   fem::Settings settings;
   settings.max_dofs = 2000;
-  const fem::Solution solution = solve(LineContact(), settings);
+  const fem::Solution<2> solution = solve(LineContact(), settings);
   EXPECT_EQ(solution.outcome, fem::Outcome::dof_limit);
   EXPECT_NE(solution.message.find("the limit is 2000"), std::string::npos) << solution.message;
   EXPECT_NE(solution.message.find("'Maximum unknowns'"), std::string::npos) << solution.message;
@@ -201,7 +201,7 @@ TEST(Limits, OfUnknownsIsSaidAndKept) {
 TEST(Limits, OfMemoryIsSaid) {
   fem::Settings settings;
   settings.max_memory = 1e6;
-  const fem::Solution solution = solve(LineContact(), settings);
+  const fem::Solution<2> solution = solve(LineContact(), settings);
   EXPECT_EQ(solution.outcome, fem::Outcome::memory_limit);
   EXPECT_NE(solution.message.find("'Maximum memory'"), std::string::npos) << solution.message;
   EXPECT_EQ(solution.history.size(), 1U);
@@ -224,7 +224,7 @@ TEST(Limits, OfActiveSetStepsIsAnErrorWhereNoMeshWasSolved) {
 TEST(Limits, TheLastGoodMeshStandsWhereTheActiveSetDoesNotSettle) {
   fem::Settings settings;
   settings.max_active_set_steps = 1;
-  const fem::Solution solution = solve(LineContact(), settings);
+  const fem::Solution<2> solution = solve(LineContact(), settings);
   EXPECT_EQ(solution.outcome, fem::Outcome::active_set_limit);
   EXPECT_NE(solution.message.find("did not settle within 1 steps"), std::string::npos)
       << solution.message;
@@ -247,7 +247,7 @@ TEST(JohnsonContactMechanics, Sec51PressureAtASharpEdgeIsCalledUnbounded) {
   problem.supports = {{"bottom", {0., 0.}}};
   problem.ties = {{"lid", {0., -1.}, 1e6}};
   problem.pairs = {{"face", "top"}};
-  const fem::Solution solution = solve(mesh, problem);
+  const fem::Solution<2> solution = solve(mesh, problem);
   EXPECT_EQ(solution.outcome, fem::Outcome::unbounded_pressure);
   EXPECT_NE(solution.message.find("sharp edge"), std::string::npos) << solution.message;
   EXPECT_FALSE(post::closed_form(solution, solution.contacts[0]).has_value());

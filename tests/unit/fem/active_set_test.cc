@@ -134,7 +134,7 @@ TEST(ContactResult, HalfWidthOfHertzPressureIsExactWhereverTheEndsLieBetweenNode
     for (const double half_width : {0.2, 0.243, 0.2499}) {
       ContactInterface<2> interface = flat_pair(40);
       const ContactState state = hertz_state(interface, centre, half_width);
-      const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+      const ContactResult<2> result = contact_result({"a", "b"}, interface, state, {1., 1.});
       // The squared pressure is a parabola: the fit is exact up to its conditioning.
       EXPECT_NEAR(result.half_width, half_width, 1e-10);
       EXPECT_FALSE(result.symmetric);
@@ -144,7 +144,7 @@ TEST(ContactResult, HalfWidthOfHertzPressureIsExactWhereverTheEndsLieBetweenNode
 TEST(ContactResult, HalfWidthOfHalfAModelReachesFromThePlaneOfSymmetry) {
   ContactInterface<2> interface = flat_pair(40);
   const ContactState state = hertz_state(interface, 0., 0.333);
-  const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+  const ContactResult<2> result = contact_result({"a", "b"}, interface, state, {1., 1.});
   EXPECT_TRUE(result.symmetric);
   EXPECT_NEAR(result.half_width, 0.333, 1e-10);
 }
@@ -153,8 +153,8 @@ TEST(ContactResult, IsInTheUnitsOfTheScales) {
   ContactInterface<2> interface = flat_pair(40, 0.01);
   const ContactState state = hertz_state(interface, 0.5, 0.2);
   const Scales scales{2., 3.};
-  const ContactResult plain = contact_result({"a", "b"}, interface, state, {1., 1.});
-  const ContactResult result = contact_result({"a", "b"}, interface, state, scales);
+  const ContactResult<2> plain = contact_result({"a", "b"}, interface, state, {1., 1.});
+  const ContactResult<2> result = contact_result({"a", "b"}, interface, state, scales);
   EXPECT_EQ(result.active_nodes, plain.active_nodes);
   EXPECT_NEAR(result.half_width, 2. * plain.half_width, 1e-14);
   EXPECT_NEAR(result.peak_pressure, 3. * plain.peak_pressure, 1e-14);
@@ -172,7 +172,7 @@ TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
   ContactInterface<2> interface = flat_pair(4);
   interface.active.assign(5, true);
   const ContactState state{{1., 2., 3., 4., 5.}, {0., 0., 0., 0., 0.}, 1.};
-  const ContactResult result = contact_result({"a", "b"}, interface, state, {1., 1.});
+  const ContactResult<2> result = contact_result({"a", "b"}, interface, state, {1., 1.});
   // Linear pressure 1 + 4 x on a unit length: 3; its moment is the integral of x (1 + 4 x), where
   // the lumped areas give 1/8 (5) + 1/4 (1/4 2 + 1/2 3 + 3/4 4) in place of 11/6.
   EXPECT_NEAR(result.force[1], 3., 1e-14);

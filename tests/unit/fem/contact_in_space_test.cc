@@ -4,7 +4,10 @@
 #include <cmath>
 
 #include "fem/level.h"
+#include "fem/resultants.h"
+#include "fem/rigid_motion.h"
 #include "mesh/extrusion.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/fem/discretisation.h"
 
 namespace geneva::fem::test {
@@ -13,6 +16,7 @@ namespace {
 using dealii::Point;
 using dealii::Tensor;
 using geneva::test::equal_steps;
+using loads::test::expect_refused;
 
 /// Two blocks of 2 x 1 x 2 m on each other whose meshes do not match; "upper" stands on "lower".
 mesh::MeshData<3> blocks() {
@@ -100,6 +104,48 @@ TEST(ContactInSpace, ForcesOfBothSidesCancel) {
     resultant += interface.rows[i].weight * solved.state.contacts[0].pressure[i];
   EXPECT_NEAR(force_on(interface.source)[1], resultant, 1e-10 * resultant);
   EXPECT_NEAR(force_on(interface.target)[1], -resultant, 1e-10 * resultant);
+}
+
+TEST(ContactInSpace, ReactionsBalanceLoadsAndTheirMoments) {
+  Solution<3> solution;
+  solution.mesh = blocks();
+  solution.problem = pressed(solution.mesh);
+  solution.problem.bodies[1].force.uniform = {4e-4, -1e-3, -3e-4};
+  solution.scales = {1., 1.};
+  Discretisation<3> grid(solution.mesh, 1);
+  refine_in_part(grid);
+  const Solved solved =
+      solve(solution.mesh, solution.problem, "bottom of upper", "top of lower", grid);
+  solution.triangulation = std::move(grid.triangulation);
+  solution.dof_handler = std::move(grid.dof_handler);
+  solution.element = std::make_unique<dealii::FESystem<3>>(dealii::FE_Q<3>(1), 3);
+  const AppliedLoad<3> load = applied_load(solution, solved.level);
+  EXPECT_NEAR(load.force[1], -2e-3 * 4. - 1e-3 * 4., 1e-15);
+  Tensor<1, 3> force({load.force[0], load.force[1], load.force[2]});
+  Tensor<1, 3> moment = load.moment;
+  for (const Reaction<3>& reaction : reactions(solution, solved.level, solved.state.residual)) {
+    force += Tensor<1, 3>({reaction.force[0], reaction.force[1], reaction.force[2]});
+    moment += reaction.moment;
+  }
+  EXPECT_NEAR(force.norm(), 0., 1e-12);
+  EXPECT_NEAR(moment.norm(), 0., 1e-12);
+}
+
+TEST(ContactInSpace, FindsTheBodyThatIsFreeToMove) {
+  const mesh::MeshData<3> mesh = blocks();
+  const Discretisation<3> grid(mesh);
+  const auto level_of = [&](const Problem<3>& problem) {
+    std::optional<SurfaceOrigins<3>> origins;
+    return make_level(*grid.dof_handler, mesh, problem, {1., 1.}, origins);
+  };
+  Problem<3> problem = pressed(mesh);
+  problem.pairs = {{"bottom of upper", "top of lower"}};
+  EXPECT_NO_THROW(check_rigid_motions(level_of(problem), problem));
+  problem.supports.pop_back();
+  expect_refused([&] { check_rigid_motions(level_of(problem), problem); },
+                 {"can move along z freely", "do not hold it"});
+  problem.supports = {{"front", {0., 0., 0.}}};
+  EXPECT_NO_THROW(check_rigid_motions(level_of(problem), problem));
 }
 
 }  // namespace

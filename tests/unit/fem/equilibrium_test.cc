@@ -72,8 +72,8 @@ TEST(ContactForces, OfBothSidesCancelAndCarryTheLoad) {
     EXPECT_NEAR(on_source[1], block_is_source ? -contact.force : contact.force,
                 solver_tolerance * contact.force);
 
-    const ContactResult result = contact_result(solution.problem.pairs[0], interface,
-                                                solution.state->contacts[0], solution.scales);
+    const ContactResult<2> result = contact_result(solution.problem.pairs[0], interface,
+                                                   solution.state->contacts[0], solution.scales);
     EXPECT_GE(result.active_nodes, 5U);
     for (unsigned int c = 0; c < 2; ++c)
       EXPECT_NEAR(result.force[c], on_source[c], solver_tolerance * contact.force)
@@ -113,7 +113,7 @@ TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
 }
 
 /// Runs the nested iteration for a few levels.
-Solution solved(const LineContact& contact, const Problem<2>& problem) {
+Solution<2> solved(const LineContact& contact, const Problem<2>& problem) {
   Settings settings;
   settings.max_levels = 2;
   settings.linear_tolerance = 1e-13;
@@ -123,10 +123,10 @@ Solution solved(const LineContact& contact, const Problem<2>& problem) {
 TEST(Reactions, OfSupportAndTieAreTheLoad) {
   for (const bool block_is_source : {false, true}) {
     const LineContact contact = heavy(block_is_source);
-    const Solution solution = solved(contact, problem_of(contact));
+    const Solution<2> solution = solved(contact, problem_of(contact));
     ASSERT_EQ(solution.reactions.size(), 2U);
-    const Reaction& support = solution.reactions[0];
-    const Reaction& tie = solution.reactions[1];
+    const Reaction<2>& support = solution.reactions[0];
+    const Reaction<2>& tie = solution.reactions[1];
     const double tolerance = solver_tolerance * contact.force;
     EXPECT_EQ(support.surface, "bottom");
     EXPECT_NEAR(support.force[1], contact.force, tolerance);
@@ -134,7 +134,7 @@ TEST(Reactions, OfSupportAndTieAreTheLoad) {
     EXPECT_NEAR(tie.force[1], -contact.force, tolerance);
     EXPECT_NEAR(support.force[0] + tie.force[0], 0., tolerance) << "both hold the bodies along x";
     EXPECT_EQ(solution.applied_force, (std::array<double, 2>{0., 0.}));
-    const ContactResult& result = solution.contacts[0];
+    const ContactResult<2>& result = solution.contacts[0];
     const double on_cylinder = block_is_source ? -1. : 1.;
     for (std::size_t c = 0; c < 2; ++c)
       EXPECT_NEAR(on_cylinder * result.force[c] + tie.force[c], 0., tolerance);
@@ -147,7 +147,7 @@ TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
   problem.bodies[1].force.uniform = {1e9, -2e9};
   problem.bodies[1].force.rotation = {0.5, 0., 200.};
   problem.loads = {{"core", 1e8, {0., 0.}}, {"top", 0., {3e7, 0.}}};
-  const Solution solution = solved(contact, problem);
+  const Solution<2> solution = solved(contact, problem);
   const double volume = 0.08 * 0.04 * contact.thickness;
   // Euler force m alpha (y, -x) at the block's centre (0, -0.02 m); m = J over the square of the
   // radius of gyration about the origin.
@@ -160,7 +160,7 @@ TEST(Reactions, CarryBodyForcesAndSurfaceLoadsToo) {
   EXPECT_NEAR(solution.applied_moment, 0.02 * 1e9 * volume - 0.5 * 200., tolerance * 0.08);
   std::array<double, 2> sum = solution.applied_force;
   double moment = solution.applied_moment;
-  for (const Reaction& reaction : solution.reactions) {
+  for (const Reaction<2>& reaction : solution.reactions) {
     for (std::size_t c = 0; c < 2; ++c) sum[c] += reaction.force[c];
     moment += reaction.moment;
   }
@@ -191,7 +191,7 @@ TEST(Reactions, OfAPlaneOfSymmetryHaveNoForceAlongIt) {
   problem.supports = {{"plane", {0., std::nullopt}}, {"bottom", {std::nullopt, 0.}}};
   Settings settings;
   settings.max_levels = 1;
-  const Solution solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
+  const Solution<2> solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
   ASSERT_EQ(solution.reactions.size(), 3U);
   const double tolerance = solver_tolerance * contact.force;
   EXPECT_NEAR(solution.reactions[0].force[1], 0., tolerance);
