@@ -37,10 +37,11 @@ constexpr double grading_overhead = 1.3;
 
 /// Nested iteration on one problem. run() is the algorithm; the members are the current mesh and
 /// its state.
+template <int dim>
 class NestedIteration {
  public:
-  NestedIteration(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                  const Problem<2>& problem, const Settings& settings, const Progress& progress)
+  NestedIteration(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
+                  const Problem<dim>& problem, const Settings& settings, const Progress& progress)
       : communicator_(communicator),
         settings_(settings),
         grading_(grading_for(settings.accuracy)),
@@ -50,11 +51,11 @@ class NestedIteration {
     solution_.mesh = mesh;
     scaled_problem_ = scaled(problem, solution_.scales);
     solution_.triangulation = mesh::make_triangulation(communicator, mesh, solution_.scales.length);
-    solution_.element = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(1), 2);
-    solution_.dof_handler = std::make_unique<dealii::DoFHandler<2>>(*solution_.triangulation);
+    solution_.element = std::make_unique<dealii::FESystem<dim>>(dealii::FE_Q<dim>(1), dim);
+    solution_.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution_.triangulation);
   }
 
-  Solution<2> run() {
+  Solution<dim> run() {
     set_up_first_mesh();
     check_rigid_motions(level_, solution_.problem);
     while (solve()) {
@@ -76,8 +77,15 @@ class NestedIteration {
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
                              solution_.scales, origins_);
     for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
-      level_.interfaces[i].active =
-          inherited(level_.interfaces[i], solution_.contacts[i].intervals, solution_.scales.length);
+      level_.interfaces[i].active = inherited_set(i);
+  }
+
+  [[nodiscard]] std::vector<bool> inherited_set(const std::size_t i) const {
+    if constexpr (dim == 2)
+      return inherited(level_.interfaces[i], solution_.contacts[i].intervals,
+                       solution_.scales.length);
+    else
+      return inherited(level_.interfaces[i], solution_.contacts[i].nodes, solution_.scales.length);
   }
 
   /// @return false if the active set did not settle: the last good mesh's result then stands
@@ -114,7 +122,7 @@ class NestedIteration {
 
   [[nodiscard]] unsigned int n_active_nodes() const {
     std::ptrdiff_t count = 0;
-    for (const ContactInterface<2>& interface : level_.interfaces)
+    for (const ContactInterface<dim>& interface : level_.interfaces)
       count += std::count(interface.active.begin(), interface.active.end(), true);
     return static_cast<unsigned int>(count);
   }
@@ -154,6 +162,8 @@ class NestedIteration {
       for (const double pressure : contact.pressure)
         record.peak_pressure = std::max(record.peak_pressure, pressure * solution_.scales.stress);
     record.active_nodes = n_active_nodes();
+    for (const ContactInterface<dim>& interface : level_.interfaces)
+      record.nodes_across += nodes_across(interface);
     record.change = change(record);
     record.error_estimate =
         solution_.history.empty()
@@ -208,7 +218,7 @@ class NestedIteration {
                              settings_.max_memory / 1e6, peak_memory / 1e6));
     const double flagged = flag(state_.displacement);
     const double next_dofs =
-        (1. + grading_overhead * 3. * flagged / solution_.history.back().cells) *
+        (1. + grading_overhead * ((1 << dim) - 1) * flagged / solution_.history.back().cells) *
         solution_.history.back().dofs;
     if (next_dofs > settings_.max_dofs)
       return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
@@ -224,7 +234,7 @@ class NestedIteration {
   }
 
   double flag(const Vector& displacement) {
-    const bool is_resolved = solution_.history.back().active_nodes >= nodes_for_grading;
+    const bool is_resolved = solution_.history.back().nodes_across >= nodes_for_grading;
     return flag_cells(*solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
                       is_resolved ? std::optional(grading_) : std::nullopt);
   }
@@ -236,7 +246,7 @@ class NestedIteration {
     last_refinements_ = 1;
     ++n_refinements_;
     refine_flagged(state_.displacement);
-    if (solution_.history.back().active_nodes < fewest_active_nodes &&
+    if (solution_.history.back().nodes_across < fewest_active_nodes &&
         n_refinements_ < settings_.max_levels) {
       const Vector guess = ghosted_guess();
       flag(guess);
@@ -251,13 +261,21 @@ class NestedIteration {
   /// neighbours whose sizes differ by more cannot be made equal.
   void make_zones_even() {
     double before = std::numeric_limits<double>::max();
-    double now = unevenness(level_.interfaces);
+    double now = unevenness_now();
     while (now < before &&
            flag_uneven_edges(*solution_.dof_handler, level_.interfaces, surface_ids()) > 0) {
       refine_flagged(ghosted_guess());
       before = now;
-      now = unevenness(level_.interfaces);
+      now = unevenness_now();
     }
+  }
+
+  /// In space the levels of a zone can always be made equal: nothing can fail to help.
+  [[nodiscard]] double unevenness_now() const {
+    if constexpr (dim == 2)
+      return unevenness(level_.interfaces);
+    else
+      return -static_cast<double>(solution_.dof_handler->n_dofs());
   }
 
   [[nodiscard]] Vector ghosted_guess() const {
@@ -277,7 +295,7 @@ class NestedIteration {
   void refine_flagged(const Vector& displacement) {
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
-    dealii::parallel::distributed::SolutionTransfer<2, Vector> transfer(dof_handler);
+    dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
     triangulation.prepare_coarsening_and_refinement();
     transfer.prepare_for_coarsening_and_refinement(displacement);
     triangulation.execute_coarsening_and_refinement();
@@ -293,7 +311,7 @@ class NestedIteration {
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
     solution_.reactions = reactions(solution_, level_, state_.residual);
-    const AppliedLoad<2> load = applied_load(solution_, level_);
+    const AppliedLoad<dim> load = applied_load(solution_, level_);
     solution_.applied_force = load.force;
     solution_.applied_moment = load.moment;
     solution_.displacement = state_.displacement;
@@ -301,7 +319,7 @@ class NestedIteration {
 
   /// After a failure the mesh is already finer than the last good state, which the guess represents
   /// exactly.
-  Solution<2> finish() {
+  Solution<dim> finish() {
     if (solution_.outcome == Outcome::active_set_limit) {
       solution_.displacement.reinit(level_.owned, level_.ghosts, communicator_);
       solution_.displacement = guess_;
@@ -313,25 +331,31 @@ class NestedIteration {
   Settings settings_;
   double grading_;
   Progress progress_;
-  Problem<2> scaled_problem_;
+  Problem<dim> scaled_problem_;
   dealii::Timer timer_;
-  Solution<2> solution_;
-  std::optional<SurfaceOrigins<2>> origins_;
+  Solution<dim> solution_;
+  std::optional<SurfaceOrigins<dim>> origins_;
   unsigned int n_refinements_ = 0;
   unsigned int last_refinements_ = 1;      ///< between the last two meshes
   unsigned int previous_refinements_ = 1;  ///< between the two before
-  Level<2> level_;
+  Level<dim> level_;
   LevelState state_;
   Vector guess_;
 };
 
 }  // namespace
 
-Solution<2> solve_contact(const MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                          const Problem<2>& problem, const Settings& settings,
-                          const Progress& progress) {
+template <int dim>
+Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
+                            const Problem<dim>& problem, const Settings& settings,
+                            const Progress& progress) {
   check(problem, mesh);
-  return NestedIteration(communicator, mesh, problem, settings, progress).run();
+  return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run();
 }
+
+template Solution<2> solve_contact(MPI_Comm, const mesh::MeshData<2>&, const Problem<2>&,
+                                   const Settings&, const Progress&);
+template Solution<3> solve_contact(MPI_Comm, const mesh::MeshData<3>&, const Problem<3>&,
+                                   const Settings&, const Progress&);
 
 }  // namespace geneva::fem

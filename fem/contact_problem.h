@@ -40,8 +40,9 @@ struct Progress {
 /// @throws std::invalid_argument where check() and check_rigid_motions() do, and if the load opens
 /// all contact
 /// @throws NotConverged if not even the first mesh gave a state
-Solution<2> solve_contact(MPI_Comm communicator, const mesh::MeshData<2>& mesh,
-                          const Problem<2>& problem, const Settings& settings,
-                          const Progress& progress);
+template <int dim>
+Solution<dim> solve_contact(MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
+                            const Problem<dim>& problem, const Settings& settings,
+                            const Progress& progress);
 
 }  // namespace geneva::fem

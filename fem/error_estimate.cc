@@ -8,16 +8,17 @@ namespace geneva::fem {
 namespace {
 
 /// Contact zones with fewer active nodes say nothing about the pressure yet.
-constexpr std::ptrdiff_t fewest_nodes = 6;
+constexpr unsigned int fewest_nodes = 6;
 /// Error of the peak pressure over the square of the grading. Measured on three wheels and three
 /// line contacts with gradings of 0.18, 0.25 and 0.35: 0.03 to 0.05.
 constexpr double grading_coefficient = 0.04;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
-/// edge: a coefficient over the square of the number of active nodes. Measured on unsymmetric
-/// meshes with 7 to 35 nodes: 0.9 to 1.2.
+/// edge, times the square of the number of active nodes. Measured on unsymmetric meshes with 7 to
+/// 35 nodes: 0.9 to 1.2.
+constexpr double coefficient = 1.2;
+
 double end_uncertainty(const ContactInterface<2>& interface) {
-  constexpr double coefficient = 1.2;
   double uncertainty = 0.;
   const auto& active = interface.active;
   for (std::size_t begin = 0; begin < active.size(); ++begin) {
@@ -34,21 +35,27 @@ double end_uncertainty(const ContactInterface<2>& interface) {
   return uncertainty;
 }
 
+double end_uncertainty(const ContactInterface<3>& interface) {
+  const double nodes = nodes_across(interface);
+  return coefficient / (nodes * nodes);
+}
+
 }  // namespace
 
 double grading_for(const double accuracy) {
   return std::min(0.3, std::sqrt(0.25 * accuracy / grading_coefficient));
 }
 
+template <int dim>
 double error_estimate(const double change, const double previous_error, const double grading,
-                      const std::vector<ContactInterface<2>>& interfaces) {
-  std::ptrdiff_t active_nodes = 0;
+                      const std::vector<ContactInterface<dim>>& interfaces) {
+  unsigned int across = 0;
   double ends = 0.;
-  for (const ContactInterface<2>& interface : interfaces) {
-    active_nodes += std::count(interface.active.begin(), interface.active.end(), true);
+  for (const ContactInterface<dim>& interface : interfaces) {
+    across += nodes_across(interface);
     ends = std::max(ends, end_uncertainty(interface));
   }
-  if (active_nodes < fewest_nodes) return 1.;
+  if (across < fewest_nodes) return 1.;
   if (ends == 0.) return std::min(1., std::max(change, previous_error));
   return std::min(
       1., std::max({change, previous_error, ends}) + grading_coefficient * grading * grading);
@@ -63,10 +70,13 @@ bool grows_without_bound(const std::vector<LevelRecord>& history) {
   constexpr double growth = 1.1;
   if (history.size() < meshes) return false;
   for (std::size_t i = history.size() - meshes + 1; i < history.size(); ++i)
-    if (history[i - 1].active_nodes < resolved_nodes ||
+    if (history[i - 1].nodes_across < resolved_nodes ||
         history[i].peak_pressure < growth * history[i - 1].peak_pressure)
       return false;
   return true;
 }
+
+template double error_estimate(double, double, double, const std::vector<ContactInterface<2>>&);
+template double error_estimate(double, double, double, const std::vector<ContactInterface<3>>&);
 
 }  // namespace geneva::fem

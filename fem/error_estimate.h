@@ -19,8 +19,9 @@ double grading_for(double accuracy);
 /// @param change relative change of the peak pressure from the mesh before
 /// @param previous_error error of this mesh by the change one mesh earlier
 /// @return between 0 and 1; 1 where the contact has too few nodes to say anything
+template <int dim>
 double error_estimate(double change, double previous_error, double grading,
-                      const std::vector<ContactInterface<2>>& interfaces);
+                      const std::vector<ContactInterface<dim>>& interfaces);
 
 /// Whether the peak pressures of successive meshes grow without bound, as they do where a contact
 /// reaches a sharp edge.

@@ -22,13 +22,15 @@ void require_name(const std::vector<std::string>& names, const std::string& name
       fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
 }
 
-void check_names(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
-  for (const Body<2>& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
-  for (const Support<2>& support : problem.supports)
+template <int dim>
+void check_names(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
+  for (const Body<dim>& body : problem.bodies)
+    require_name(mesh.bodies, body.name, "'Bodies': body");
+  for (const Support<dim>& support : problem.supports)
     require_name(mesh.surfaces, support.surface, "'Supports': surface");
-  for (const SurfaceLoad<2>& load : problem.loads)
+  for (const SurfaceLoad<dim>& load : problem.loads)
     require_name(mesh.surfaces, load.surface, "'Loads': surface");
-  for (const RigidTie<2>& tie : problem.ties)
+  for (const RigidTie<dim>& tie : problem.ties)
     require_name(mesh.surfaces, tie.surface, "'Loads': surface");
   for (const ContactPair& pair : problem.pairs) {
     require_name(mesh.surfaces, pair.source, "'Contact pairs': surface");
@@ -37,7 +39,8 @@ void check_names(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
 }
 
 /// @return the one body that a contact surface belongs to
-unsigned int contact_body(const mesh::MeshData<2>& mesh, const std::string& surface) {
+template <int dim>
+unsigned int contact_body(const mesh::MeshData<dim>& mesh, const std::string& surface) {
   const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
   if (bodies.empty())
     throw std::invalid_argument(
@@ -49,7 +52,8 @@ unsigned int contact_body(const mesh::MeshData<2>& mesh, const std::string& surf
   return *bodies.begin();
 }
 
-void check_pairs(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
+template <int dim>
+void check_pairs(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   if (problem.pairs.empty())
     throw std::invalid_argument("'Contact pairs': there is none; at least one is needed");
   std::set<std::string> sources;
@@ -76,14 +80,15 @@ void check_pairs(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
 }
 
 /// A body that nothing holds and nothing touches can float away.
-void check_held(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
+template <int dim>
+void check_held(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   std::set<unsigned int> held;
   const auto add = [&](const std::string& surface) {
     const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
     held.insert(bodies.begin(), bodies.end());
   };
-  for (const Support<2>& support : problem.supports) add(support.surface);
-  for (const RigidTie<2>& tie : problem.ties) add(tie.surface);
+  for (const Support<dim>& support : problem.supports) add(support.surface);
+  for (const RigidTie<dim>& tie : problem.ties) add(tie.surface);
   for (const ContactPair& pair : problem.pairs) {
     add(pair.source);
     add(pair.target);
@@ -97,13 +102,15 @@ void check_held(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
 
 }  // namespace
 
-void order_bodies(Problem<2>& problem, const mesh::MeshData<2>& mesh) {
-  for (const Body<2>& body : problem.bodies) require_name(mesh.bodies, body.name, "'Bodies': body");
-  std::vector<Body<2>> ordered;
+template <int dim>
+void order_bodies(Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
+  for (const Body<dim>& body : problem.bodies)
+    require_name(mesh.bodies, body.name, "'Bodies': body");
+  std::vector<Body<dim>> ordered;
   for (const std::string& name : mesh.bodies) {
     const auto body =
         std::find_if(problem.bodies.begin(), problem.bodies.end(),
-                     [&](const Body<2>& candidate) { return candidate.name == name; });
+                     [&](const Body<dim>& candidate) { return candidate.name == name; });
     if (body == problem.bodies.end())
       throw std::invalid_argument(
           fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
@@ -112,10 +119,16 @@ void order_bodies(Problem<2>& problem, const mesh::MeshData<2>& mesh) {
   problem.bodies = ordered;
 }
 
-void check(const Problem<2>& problem, const mesh::MeshData<2>& mesh) {
+template <int dim>
+void check(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   check_names(problem, mesh);
   check_pairs(problem, mesh);
   check_held(problem, mesh);
 }
+
+template void order_bodies(Problem<2>&, const mesh::MeshData<2>&);
+template void check(const Problem<2>&, const mesh::MeshData<2>&);
+template void order_bodies(Problem<3>&, const mesh::MeshData<3>&);
+template void check(const Problem<3>&, const mesh::MeshData<3>&);
 
 }  // namespace geneva::fem

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/contact/active_set.h"
+#include "fem/refinement_zone.h"
 
 namespace geneva::fem {
 
@@ -19,21 +20,23 @@ namespace geneva::fem {
 /// the contact is not resolved well enough for sizes and energy norm to make sense: then only the
 /// zones are refined
 /// @return number of flagged cells on all ranks
-unsigned int flag_cells(dealii::DoFHandler<2>& dof_handler,
+template <int dim>
+unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
-                        const std::vector<ContactInterface<2>>& interfaces,
-                        const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
-                        std::optional<double> grading);
+                        const std::vector<ContactInterface<dim>>& interfaces,
+                        const SurfaceIds& surface_ids, std::optional<double> grading);
+
+/// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
+/// the contact pressure ripples where edges change their length. In space those of lower levels
+/// than the highest of their side.
+/// @return number of flagged cells on all ranks
+template <int dim>
+unsigned int flag_uneven_edges(dealii::DoFHandler<dim>& dof_handler,
+                               const std::vector<ContactInterface<dim>>& interfaces,
+                               const SurfaceIds& surface_ids);
 
 /// The longest edge of a contact zone over its shortest one, on both sides together; the greatest
 /// of all zones.
 double unevenness(const std::vector<ContactInterface<2>>& interfaces);
-
-/// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
-/// the contact pressure ripples where edges change their length.
-/// @return number of flagged cells on all ranks
-unsigned int flag_uneven_edges(
-    dealii::DoFHandler<2>& dof_handler, const std::vector<ContactInterface<2>>& interfaces,
-    const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids);
 
 }  // namespace geneva::fem

@@ -48,10 +48,10 @@ struct ContactResult {
   Components<dim> force;                ///< on the source body [N]
   Moment<dim> moment;    ///< of the pressure on the source body about the origin [N m]
   double peak_pressure;  ///< [Pa]
-  std::vector<ContactInterval> intervals;
-  double half_width;       ///< of the widest interval [m]
-  bool symmetric;          ///< whether that one ends at a plane or axis of symmetry
-  double max_penetration;  ///< greatest overlap left between inactive nodes [m]
+  std::vector<ContactInterval> intervals;  ///< in the plane
+  double half_width;                       ///< of the widest interval, in the plane [m]
+  bool symmetric;                          ///< whether that one ends at a plane or axis of symmetry
+  double max_penetration;                  ///< greatest overlap left between inactive nodes [m]
   unsigned int active_nodes;
   int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight
   int target_circle;      ///< the same of the target
@@ -77,6 +77,7 @@ struct LevelRecord {
   double change;          ///< relative change of the peak pressure from the mesh before
   double error_estimate;  ///< relative, of the peak pressure
   unsigned int active_nodes;
+  unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close
   double seconds;  ///< since the start of the contact solve
   double one_solve_seconds;  ///< one assembly (from the cells on) and one linear solve on this mesh

@@ -1,8 +1,13 @@
 #include "fem/contact/active_set.h"
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+
+#include "fem/contact/surface_in_space.h"
 
 namespace geneva::fem {
 
@@ -106,10 +111,51 @@ std::vector<bool> inherited(const ContactInterface<2>& interface,
   return active;
 }
 
-std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface) {
-  std::vector<bool> node_active(interface.source.nodes.size(), false);
+std::vector<bool> inherited(const ContactInterface<3>& interface,
+                            const std::vector<ContactNode<3>>& nodes, const double length) {
+  std::vector<dealii::Point<3>> places;
+  places.reserve(nodes.size());
+  for (const ContactNode<3>& node : nodes)
+    places.emplace_back(node.position[0] / length, node.position[1] / length,
+                        node.position[2] / length);
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  std::vector<bool> active;
+  active.reserve(interface.rows.size());
+  for (const MortarRow<3>& row : interface.rows) {
+    std::vector<std::size_t> nearest;
+    tree.query(boost::geometry::index::nearest(interface.source.nodes[row.node].position, 1),
+               std::back_inserter(nearest));
+    active.push_back(!nearest.empty() && nodes[nearest.front()].active);
+  }
+  if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
+    return first_touch(interface.rows, interface.source.length);
+  return active;
+}
+
+template <int dim>
+std::vector<bool> active_nodes(const ContactInterface<dim>& interface) {
+  std::vector<bool> active(interface.source.nodes.size(), false);
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (interface.active[i]) node_active[interface.rows[i].node] = true;
+    if (interface.active[i]) active[interface.rows[i].node] = true;
+  return active;
+}
+
+unsigned int nodes_across(const ContactInterface<2>& interface) {
+  return static_cast<unsigned int>(
+      std::count(interface.active.begin(), interface.active.end(), true));
+}
+
+unsigned int nodes_across(const ContactInterface<3>& interface) {
+  std::vector<bool> open = active_nodes(interface);
+  open.flip();
+  unsigned int depth = 0;
+  for (const unsigned int steps : steps_from(interface.source, open))
+    depth = std::max(depth, steps);
+  return depth == 0 ? 0 : 2 * depth - 1;
+}
+
+std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface) {
+  const std::vector<bool> node_active = active_nodes(interface);
   std::vector<std::pair<double, double>> intervals;
   bool open = false;
   for (std::size_t i = 0; i < node_active.size(); ++i) {
@@ -181,5 +227,7 @@ template ContactState evaluate(const ContactInterface<3>&,
                                const dealii::TrilinosWrappers::MPI::Vector&,
                                const std::set<global_dof_index>&);
 template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
+template std::vector<bool> active_nodes(const ContactInterface<2>&);
+template std::vector<bool> active_nodes(const ContactInterface<3>&);
 
 }  // namespace geneva::fem

@@ -37,6 +37,20 @@ std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, double le
 std::vector<bool> inherited(const ContactInterface<2>& interface,
                             const std::vector<ContactInterval>& intervals, double length);
 
+/// In space: the rows whose nodes are nearest to an active node of the coarser mesh.
+/// @param nodes of the coarser mesh's result [m]
+std::vector<bool> inherited(const ContactInterface<3>& interface,
+                            const std::vector<ContactNode<3>>& nodes, double length);
+
+/// Which nodes of the source belong to active rows.
+template <int dim>
+std::vector<bool> active_nodes(const ContactInterface<dim>& interface);
+
+/// How many active nodes the contact is wide: all of them in the plane; in space twice the most
+/// steps from an active node to an open one, less one.
+unsigned int nodes_across(const ContactInterface<2>& interface);
+unsigned int nodes_across(const ContactInterface<3>& interface);
+
 /// Arc-length intervals of the source surface covered by active nodes.
 std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface);
 

@@ -35,7 +35,7 @@ double area(const Polygon& polygon) {
 class AuxiliaryPlane {
  public:
   AuxiliaryPlane(const Surface<3>& surface, const SurfaceFace<3>& face)
-      : origin_(face_point(surface, face, {0.5, 0.5})), normal_(flat_normal(surface, face)) {
+      : origin_(face_middle(surface, face)), normal_(flat_normal(surface, face)) {
     const Tensor<1, 3> edge =
         surface.nodes[face.nodes[1]].position - surface.nodes[face.nodes[0]].position;
     first_ = edge - (edge * normal_) * normal_;
@@ -148,8 +148,7 @@ std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& sourc
                                const Surface<3>& target, const SurfaceFace<3>& face) {
   if (plane.normal() * flat_normal(target, face) > opposed) return std::nullopt;
   // An overlap of a quarter of the surface is no interference: it is the body's far side.
-  if (plane.height(face_point(target, face, {0.5, 0.5})) < -0.25 * target.length)
-    return std::nullopt;
+  if (plane.height(face_middle(target, face)) < -0.25 * target.length) return std::nullopt;
   Polygon polygon = plane.project(target, face);
   std::reverse(polygon.begin(), polygon.end());
   polygon = intersection(source_polygon, polygon);
@@ -198,7 +197,7 @@ std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const Surf
 double face_weight(const Surface<3>& surface, const SurfaceFace<3>& face,
                    const MortarData<3>& data) {
   const AuxiliaryPlane plane(surface, face);
-  return area(plane.project(surface, face)) * data.measure(face_point(surface, face, {0.5, 0.5}));
+  return area(plane.project(surface, face)) * data.measure(face_middle(surface, face));
 }
 
 }  // namespace geneva::fem

@@ -40,7 +40,7 @@ std::optional<NodeProjection> project_node(const Surface<2>& source, const Surfa
 std::optional<Overlap> overlap_with(const Surface<2>& source, const SurfaceFace<2>& face,
                                     const Surface<2>& target, const unsigned int target_face) {
   const SurfaceFace<2>& other = target.faces[target_face];
-  if (chord_normal(source, face) * chord_normal(target, other) > opposed) return std::nullopt;
+  if (flat_normal(source, face) * flat_normal(target, other) > opposed) return std::nullopt;
   const auto first = project_node(source, face, target.nodes[other.nodes[0]]);
   const auto second = project_node(source, face, target.nodes[other.nodes[1]]);
   if (!first || !second) return std::nullopt;

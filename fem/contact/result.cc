@@ -6,6 +6,8 @@
 #include <limits>
 #include <tuple>
 
+#include "fem/contact/surface_in_space.h"
+
 namespace geneva::fem {
 
 namespace {
@@ -79,53 +81,72 @@ std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode<2>>&
 }
 
 /// Circle of a surface near a point, and whether it bulges outwards.
-std::pair<int, bool> shape_at(const Surface<2>& surface, const dealii::Point<2>& point) {
-  const SurfaceFace<2>* nearest = nullptr;
-  double distance = std::numeric_limits<double>::max();
-  for (const SurfaceFace<2>& face : surface.faces) {
-    const double to_face = point.distance(chord_point(surface, face, 0.5));
-    if (to_face < distance) {
-      distance = to_face;
-      nearest = &face;
-    }
-  }
-  if (nearest == nullptr || nearest->circle < 0) return {-1, false};
+template <int dim>
+std::pair<int, bool> shape_at(const Surface<dim>& surface, const dealii::Point<dim>& point) {
+  const auto distance = [&](const SurfaceFace<dim>& face) {
+    return point.distance(face_middle(surface, face));
+  };
+  const auto nearest = std::min_element(
+      surface.faces.begin(), surface.faces.end(),
+      [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  if (nearest == surface.faces.end() || nearest->circle < 0) return {-1, false};
   const auto& centre = surface.circles[static_cast<std::size_t>(nearest->circle)].centre;
-  const dealii::Tensor<1, 2> radial =
-      chord_point(surface, *nearest, 0.5) - dealii::Point<2>(centre[0], centre[1]);
-  return {nearest->circle, radial * chord_normal(surface, *nearest) > 0.};
+  dealii::Tensor<1, dim> radial = face_middle(surface, *nearest);
+  for (unsigned int component = 0; component < 2; ++component)
+    radial[component] -= centre[component];
+  if (dim == 3) radial[dim - 1] = 0.;
+  return {nearest->circle, radial * flat_normal(surface, *nearest) > 0.};
 }
 
-ContactNode<2> contact_node(const ContactInterface<2>& interface, const std::size_t row_index,
-                            const ContactState& state, const Scales& scales) {
-  const MortarRow<2>& row = interface.rows[row_index];
-  const SurfaceNode<2>& node = interface.source.nodes[row.node];
-  return {node.arc_length * scales.length,
-          {node.position[0] * scales.length, node.position[1] * scales.length},
-          {row.normal[0], row.normal[1]},
-          state.pressure[row_index] * scales.stress,
-          state.gap[row_index] * scales.length,
-          row.initial_gap / row.weight * scales.length,
-          row.weight * scales.length * scales.length,
-          interface.active[row_index]};
+template <int dim>
+ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std::size_t row_index,
+                              const ContactState& state, const Scales& scales) {
+  const MortarRow<dim>& row = interface.rows[row_index];
+  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
+  ContactNode<dim> result{node.arc_length * scales.length,
+                          {},
+                          {},
+                          state.pressure[row_index] * scales.stress,
+                          state.gap[row_index] * scales.length,
+                          row.initial_gap / row.weight * scales.length,
+                          row.weight * scales.length * scales.length,
+                          interface.active[row_index]};
+  for (unsigned int component = 0; component < dim; ++component) {
+    result.position[component] = node.position[component] * scales.length;
+    result.normal[component] = row.normal[component];
+  }
+  return result;
+}
+
+void add_intervals(ContactResult<2>& result) {
+  result.intervals = fitted_intervals(result.nodes);
+  for (const ContactInterval& interval : result.intervals)
+    if (interval.half_width() > result.half_width) {
+      result.half_width = interval.half_width();
+      result.symmetric = interval.symmetric;
+    }
 }
 
 }  // namespace
 
-ContactResult<2> contact_result(const ContactPair& pair, const ContactInterface<2>& interface,
-                                const ContactState& state, const Scales& scales) {
-  ContactResult<2> result{};
+template <int dim>
+ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterface<dim>& interface,
+                                  const ContactState& state, const Scales& scales) {
+  ContactResult<dim> result{};
   result.source = pair.source;
   result.target = pair.target;
-  dealii::Point<2> peak;
+  dealii::Point<dim> peak;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
-    const ContactNode<2> node = contact_node(interface, i, state, scales);
+    const ContactNode<dim> node = contact_node(interface, i, state, scales);
     result.nodes.push_back(node);
-    const double normal_force = node.pressure * node.tributary;
-    for (unsigned int component = 0; component < 2; ++component)
-      result.force[component] += normal_force * node.normal[component];
-    result.moment +=
-        normal_force * (node.position[0] * node.normal[1] - node.position[1] * node.normal[0]);
+    dealii::Tensor<1, dim> force;
+    dealii::Tensor<1, dim> arm;
+    for (unsigned int component = 0; component < dim; ++component) {
+      force[component] = node.pressure * node.tributary * node.normal[component];
+      arm[component] = node.position[component];
+      result.force[component] += force[component];
+    }
+    result.moment += moment_of<dim>(arm, force);
     if (node.active) ++result.active_nodes;
     if (!node.active) result.max_penetration = std::max(result.max_penetration, -node.gap);
     if (node.pressure > result.peak_pressure) {
@@ -133,15 +154,15 @@ ContactResult<2> contact_result(const ContactPair& pair, const ContactInterface<
       peak = interface.source.nodes[interface.rows[i].node].position;
     }
   }
-  result.intervals = fitted_intervals(result.nodes);
-  for (const ContactInterval& interval : result.intervals)
-    if (interval.half_width() > result.half_width) {
-      result.half_width = interval.half_width();
-      result.symmetric = interval.symmetric;
-    }
+  if constexpr (dim == 2) add_intervals(result);
   std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
   std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
   return result;
 }
+
+template ContactResult<2> contact_result(const ContactPair&, const ContactInterface<2>&,
+                                         const ContactState&, const Scales&);
+template ContactResult<3> contact_result(const ContactPair&, const ContactInterface<3>&,
+                                         const ContactState&, const Scales&);
 
 }  // namespace geneva::fem

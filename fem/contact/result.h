@@ -6,7 +6,8 @@
 namespace geneva::fem {
 
 /// The state of one contact pair in SI units, with its resultants.
-ContactResult<2> contact_result(const ContactPair& pair, const ContactInterface<2>& interface,
-                                const ContactState& state, const Scales& scales);
+template <int dim>
+ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterface<dim>& interface,
+                                  const ContactState& state, const Scales& scales);
 
 }  // namespace geneva::fem

@@ -57,7 +57,7 @@ double arc_length(const Surface<2>& surface, const SurfaceFace<2>& face) {
 /// Normal of the true surface at a node of the face.
 Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
                          const Point<2>& node) {
-  const Tensor<1, 2> of_chord = chord_normal(surface, face);
+  const Tensor<1, 2> of_chord = flat_normal(surface, face);
   if (face.circle < 0) return of_chord;
   const Tensor<1, 2> radial =
       node - centre_of(surface.circles[static_cast<std::size_t>(face.circle)]);
@@ -78,6 +78,10 @@ Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, cons
   return start + xi * (surface.nodes[face.nodes[1]].position - start);
 }
 
+Point<2> face_middle(const Surface<2>& surface, const SurfaceFace<2>& face) {
+  return chord_point(surface, face, 0.5);
+}
+
 Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& face,
                     const Point<2>& on_chord) {
   if (face.circle < 0) return on_chord;
@@ -90,10 +94,10 @@ double curvature(const Surface<2>& surface, const SurfaceFace<2>& face) {
   if (face.circle < 0) return 0.;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Tensor<1, 2> radial = chord_point(surface, face, 0.5) - centre_of(circle);
-  return (radial * chord_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
+  return (radial * flat_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
 }
 
-Tensor<1, 2> chord_normal(const Surface<2>& surface, const SurfaceFace<2>& face) {
+Tensor<1, 2> flat_normal(const Surface<2>& surface, const SurfaceFace<2>& face) {
   const Tensor<1, 2> tangent =
       surface.nodes[face.nodes[1]].position - surface.nodes[face.nodes[0]].position;
   return Tensor<1, 2>({tangent[1], -tangent[0]}) / tangent.norm();

@@ -55,7 +55,10 @@ dealii::Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& fac
 /// 1/R of the true surface: positive where the body bulges, 0 where it is straight.
 double curvature(const Surface<2>& surface, const SurfaceFace<2>& face);
 
+/// Middle of the chord.
+dealii::Point<2> face_middle(const Surface<2>& surface, const SurfaceFace<2>& face);
+
 /// Outward unit normal of the chord.
-dealii::Tensor<1, 2> chord_normal(const Surface<2>& surface, const SurfaceFace<2>& face);
+dealii::Tensor<1, 2> flat_normal(const Surface<2>& surface, const SurfaceFace<2>& face);
 
 }  // namespace geneva::fem

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <queue>
 
 namespace geneva::fem {
 
@@ -20,7 +21,7 @@ Tensor<1, 3> radial(const mesh::Circle& circle, const Point<3>& point) {
 /// 1 where the body is inside the cylinder, -1 where it is outside.
 double side(const Surface<3>& surface, const SurfaceFace<3>& face) {
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
-  const Point<3> middle = face_point(surface, face, {0.5, 0.5});
+  const Point<3> middle = face_middle(surface, face);
   return radial(circle, middle) * flat_normal(surface, face) > 0. ? 1. : -1.;
 }
 
@@ -69,6 +70,28 @@ Surface<3> make_surface(const Boundary<3>& boundary, const unsigned int surface_
   return surface;
 }
 
+std::vector<unsigned int> steps_from(const Surface<3>& surface, const std::vector<bool>& marked) {
+  const auto unreached = static_cast<unsigned int>(surface.nodes.size());
+  std::vector<std::vector<unsigned int>> faces_of(surface.nodes.size());
+  for (unsigned int face = 0; face < surface.faces.size(); ++face)
+    for (const unsigned int node : surface.faces[face].nodes) faces_of[node].push_back(face);
+  std::vector<unsigned int> steps(surface.nodes.size(), unreached);
+  std::queue<unsigned int> front;
+  for (unsigned int node = 0; node < steps.size(); ++node)
+    if (marked[node]) {
+      steps[node] = 0;
+      front.push(node);
+    }
+  for (; !front.empty(); front.pop())
+    for (const unsigned int face : faces_of[front.front()])
+      for (const unsigned int node : surface.faces[face].nodes)
+        if (steps[node] == unreached) {
+          steps[node] = steps[front.front()] + 1;
+          front.push(node);
+        }
+  return steps;
+}
+
 std::array<double, 4> bilinear_shapes(const std::array<double, 2>& at) {
   const auto [a, b] = at;
   return {(1. - a) * (1. - b), a * (1. - b), a * b, (1. - a) * b};
@@ -81,6 +104,10 @@ Point<3> face_point(const Surface<3>& surface, const SurfaceFace<3>& face,
   for (std::size_t i = 0; i < 4; ++i)
     point += shapes[i] * Tensor<1, 3>(surface.nodes[face.nodes[i]].position);
   return point;
+}
+
+Point<3> face_middle(const Surface<3>& surface, const SurfaceFace<3>& face) {
+  return face_point(surface, face, {0.5, 0.5});
 }
 
 Tensor<1, 3> face_edge(const Surface<3>& surface, const SurfaceFace<3>& face,

@@ -189,7 +189,7 @@ TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
 }
 
 TEST(ErrorEstimate, SaysNothingBelowSixNodes) {
-  EXPECT_EQ(error_estimate(1e-6, 1e-6, 0., {with_active({false, true, true, true, true, true})}),
+  EXPECT_EQ(error_estimate<2>(1e-6, 1e-6, 0., {with_active({false, true, true, true, true, true})}),
             1.);
 }
 
@@ -197,21 +197,21 @@ TEST(ErrorEstimate, IsNeverSmallerThanTheLastChangeOrWhatTheOneBeforeLeaves) {
   std::vector<bool> active(1001, true);
   active.front() = false;
   const std::vector<ContactInterface<2>> interfaces{with_active(active)};
-  EXPECT_GE(error_estimate(0.01, 0., 0., interfaces), 0.01);
-  EXPECT_GE(error_estimate(0., 0.01, 0., interfaces), 0.01);
-  EXPECT_GE(error_estimate(0., 0., 0.1, interfaces), 0.0003) << "3 % of the grading's square";
-  EXPECT_LE(error_estimate(5., 5., 0.3, interfaces), 1.);
+  EXPECT_GE(error_estimate<2>(0.01, 0., 0., interfaces), 0.01);
+  EXPECT_GE(error_estimate<2>(0., 0.01, 0., interfaces), 0.01);
+  EXPECT_GE(error_estimate<2>(0., 0., 0.1, interfaces), 0.0003) << "3 % of the grading's square";
+  EXPECT_LE(error_estimate<2>(5., 5., 0.3, interfaces), 1.);
 }
 
 TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
   const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, true, false};
   const std::vector<bool> one_end{true, true, true, true, true, true, true, true, false};
   const std::vector<bool> no_end(8, true);
-  const double with_two = error_estimate(0., 0., 0., {with_active(free_ends)});
+  const double with_two = error_estimate<2>(0., 0., 0., {with_active(free_ends)});
   EXPECT_GT(with_two, 0.5 / 64.) << "of the order 1/N^2 with 8 nodes";
-  EXPECT_NEAR(error_estimate(0., 0., 0., {with_active(one_end)}), with_two / 4., 1e-15)
+  EXPECT_NEAR(error_estimate<2>(0., 0., 0., {with_active(one_end)}), with_two / 4., 1e-15)
       << "half a contact with twice as many nodes";
-  EXPECT_EQ(error_estimate(0., 0., 0., {with_active(no_end)}), 0.);
+  EXPECT_EQ(error_estimate<2>(0., 0., 0., {with_active(no_end)}), 0.);
 }
 
 std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsigned int nodes) {
@@ -219,7 +219,7 @@ std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsi
   for (const double peak : peaks) {
     LevelRecord record{};
     record.peak_pressure = peak;
-    record.active_nodes = nodes;
+    record.nodes_across = nodes;
     history.push_back(record);
   }
   return history;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/contact_problem.h"
 #include "fem/level.h"
 #include "fem/resultants.h"
 #include "fem/rigid_motion.h"
@@ -146,6 +147,28 @@ TEST(ContactInSpace, FindsTheBodyThatIsFreeToMove) {
                  {"can move along z freely", "do not hold it"});
   problem.supports = {{"front", {0., 0., 0.}}};
   EXPECT_NO_THROW(check_rigid_motions(level_of(problem), problem));
+}
+
+TEST(NestedIterationInSpace, RefinesTheContactZoneEvenlyAndKeepsAConstantPressure) {
+  const mesh::MeshData<3> mesh = blocks();
+  Problem<3> problem = pressed(mesh);
+  problem.pairs = {{"bottom of upper", "top of lower"}};
+  Settings settings;
+  settings.linear_tolerance = 1e-13;
+  const Solution<3> solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
+  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  ASSERT_GE(solution.history.size(), 2U);
+  EXPECT_GT(solution.history.back().active_nodes, solution.history.front().active_nodes);
+  const ContactResult<3>& contact = solution.contacts.front();
+  EXPECT_NEAR(contact.peak_pressure, 2e-3, 1e-9 * 2e-3);
+  EXPECT_NEAR(contact.force[1], 2e-3 * 4., 1e-9);
+  EXPECT_EQ(contact.active_nodes, contact.nodes.size());
+  EXPECT_EQ(contact.source_circle, -1);
+  const Tensor<1, 3> moment = contact.moment;  // about the origin, of a force through (1, y, 1)
+  EXPECT_NEAR(
+      (moment - dealii::cross_product_3d(Tensor<1, 3>({1., 0., 1.}), Tensor<1, 3>({0., 8e-3, 0.})))
+          .norm(),
+      0., 1e-9);
 }
 
 }  // namespace

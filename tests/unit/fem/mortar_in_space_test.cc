@@ -116,6 +116,24 @@ TEST(SurfaceInSpace, ProjectionLeadsAlongTheInterpolatedNormal) {
   }
 }
 
+TEST(SurfaceInSpace, CountsStepsFromMarkedNodes) {
+  const Surface<3> flat = plate(3, 4, 1., 1.);
+  std::vector<bool> marked(flat.nodes.size(), false);
+  const auto at = [&](const double z, const double x) {
+    const auto found = std::find_if(flat.nodes.begin(), flat.nodes.end(), [&](const auto& node) {
+      return std::hypot(node.position[0] - x, node.position[2] - z) < 1e-9;
+    });
+    return static_cast<std::size_t>(found - flat.nodes.begin());
+  };
+  marked[at(-1., -1.)] = true;
+  const auto steps = steps_from(flat, marked);
+  EXPECT_EQ(steps[at(-1., -1.)], 0U);
+  EXPECT_EQ(steps[at(1., 1.)], 4U) << "diagonals of faces count as one step";
+  EXPECT_EQ(steps[at(1., -0.5)], 3U);
+  marked.assign(marked.size(), false);
+  EXPECT_EQ(steps_from(flat, marked).front(), flat.nodes.size());
+}
+
 TEST(MortarInSpace, CouplingsOfARowAddUpToItsWeightTimesItsNormal) {
   for (const Pair& pair : all_pairs()) {
     const auto rows = mortar_rows(pair.source, pair.target, data());

@@ -90,7 +90,7 @@ TEST(Surface, NormalOfAStraightEdgeIsToTheRightOfItsDirection) {
   const Surface<2> surface = upper_side({0., 1., 3.});
   for (const SurfaceNode<2>& node : surface.nodes) EXPECT_EQ(node.normal, (Tensor<1, 2>({0., 1.})));
   for (const SurfaceFace<2>& face : surface.faces) {
-    EXPECT_EQ(chord_normal(surface, face), (Tensor<1, 2>({0., 1.})));
+    EXPECT_EQ(flat_normal(surface, face), (Tensor<1, 2>({0., 1.})));
     EXPECT_EQ(curvature(surface, face), 0.);
   }
 }
@@ -109,7 +109,7 @@ TEST(Projection, OnAStraightEdgeIsTheFootOfThePerpendicular) {
   for (const double eta : {-0.5, 0., 0.25, 0.7, 1., 2.})
     for (const double distance : {-0.3, 0., 1e-6, 5.}) {
       const Point<2> point =
-          chord_point(surface, face, eta) + distance * chord_normal(surface, face);
+          chord_point(surface, face, eta) + distance * flat_normal(surface, face);
       EXPECT_NEAR(project_on_face(surface, face, point), eta, 10. * round_off);
     }
 }
@@ -173,7 +173,7 @@ TEST(Overlaps, OfACircleOnAFlatTileTheEdgesAtTheBottom) {
   unsigned int covered = 0;
   for (const SurfaceFace<2>& face : circle.faces) {
     const auto tiles = overlaps(circle, face, flat);
-    const double height = chord_normal(circle, face)[1];
+    const double height = flat_normal(circle, face)[1];
     if (tiles.empty()) {
       EXPECT_GT(height, -0.11) << "only edges that look away from the flat have no overlap";
       continue;
@@ -216,7 +216,7 @@ TEST(Overlaps, OfAShortEdgeAreOnlyWithTheTargetEdgesThatItLooksAt) {
   for (const SurfaceFace<2>& face : hole.faces)
     for (const Overlap& overlap : overlaps(hole, face, pin)) {
       const double cosine =
-          chord_normal(hole, face) * chord_normal(pin, pin.faces[overlap.target_face]);
+          flat_normal(hole, face) * flat_normal(pin, pin.faces[overlap.target_face]);
       // A pin edge's turn, and the angle of half of the hole's edge.
       EXPECT_LT(cosine, -std::cos(2. * pi / 30. + 2. * pi / 1400.))
           << "an edge that is farther round than the nearest and its neighbours";
