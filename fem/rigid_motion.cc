@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
@@ -64,18 +65,23 @@ class RigidMotions {
       for (unsigned int axis = 0; axis < 3; ++axis) row(first + 3 + axis) += rotations[axis];
   }
 
-  /// "body 'pin' can rotate", for the motion's largest part.
+  /// "body 'pin' can rotate freely", for the motion's largest part.
   [[nodiscard]] std::string describe(const Eigen::VectorXd& motion,
                                      const Problem<dim>& problem) const {
     Eigen::Index largest = 0;
-    motion.cwiseAbs().maxCoeff(&largest);
-    const std::string& body = problem.bodies[static_cast<std::size_t>(largest / per_body_)].name;
+    const double size = motion.cwiseAbs().maxCoeff(&largest);
+    const Eigen::Index way = largest % per_body_;
+    std::vector<std::string> moving;  // bodies that move together do so by the same amount
+    for (Eigen::Index at = way; at < size_; at += per_body_)
+      if (std::abs(motion(at)) > 0.5 * size)
+        moving.push_back("'" + problem.bodies[static_cast<std::size_t>(at / per_body_)].name + "'");
     const std::vector<const char*> ways =
         dim == 2 ? std::vector{"move along x", "move along y", "rotate"}
                  : std::vector{"move along x",   "move along y",   "move along z",
                                "rotate about x", "rotate about y", "rotate about z"};
-    const auto way = per_body_ == 1 ? 1 : static_cast<std::size_t>(largest % per_body_);
-    return fmt::format("body '{}' can {} freely", body, ways[way]);
+    return fmt::format("{} {} can {} freely", moving.size() > 1 ? "bodies" : "body",
+                       fmt::join(moving, " and "),
+                       ways[per_body_ == 1 ? 1 : static_cast<std::size_t>(way)]);
   }
 
  private:
