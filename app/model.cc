@@ -8,6 +8,7 @@
 
 #include "app/contact_geometry.h"
 #include "fem/problem_check.h"
+#include "loads/pi.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
@@ -60,7 +61,7 @@ mesh::MeshData<2> on_rank_zero(const MPI_Comm communicator,
 
 /// Where the pin force is greater than at the analysed angle, if it is by a tenth of a per cent.
 std::string greater_force(const MechanismState& state) {
-  constexpr double degree = 3.14159265358979323846 / 180.;
+  constexpr double degree = loads::pi / 180.;
   constexpr double worth_saying = 1e-3;
   const double angle = loads::peak_force_angle(state.driven, state.train);
   const double force = loads::pin_load(state.driven.at_engaged_angle(angle), state.train).force;
