@@ -122,11 +122,10 @@ double missed(const Surface<3>& source, const SurfaceFace<3>& source_face, const
 
 OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& source_face,
                               const std::array<double, 2>& xi, const Surface<3>& target,
-                              const SurfaceFace<3>& target_face, const double weight,
-                              const double source_share) {
+                              const SurfaceFace<3>& target_face, const std::array<double, 2>& eta,
+                              const double weight, const double source_share) {
   const Point<3> source_point =
       true_point(source, source_face, face_point(source, source_face, xi));
-  const std::array<double, 2> eta = project_on_face(target, target_face, source_point);
   const Point<3> target_point =
       true_point(target, target_face, face_point(target, target_face, eta));
   const Tensor<1, 3> normal = face_normal(target, target_face, eta);
@@ -144,12 +143,13 @@ OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& so
 }
 
 /// Where a source face and a target face lie over each other, in the source face's plane.
+/// @param polygon the target face's projection
 std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& source_polygon,
-                               const Surface<3>& target, const SurfaceFace<3>& face) {
+                               const Surface<3>& target, const SurfaceFace<3>& face,
+                               Polygon polygon) {
   if (plane.normal() * flat_normal(target, face) > opposed) return std::nullopt;
   // An overlap of a quarter of the surface is no interference: it is the body's far side.
   if (plane.height(face_middle(target, face)) < -0.25 * target.length) return std::nullopt;
-  Polygon polygon = plane.project(target, face);
   std::reverse(polygon.begin(), polygon.end());
   polygon = intersection(source_polygon, polygon);
   if (polygon.size() < 3 || area(polygon) < least_share * area(source_polygon)) return std::nullopt;
@@ -176,7 +176,8 @@ std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const Surf
   std::vector<OverlapPoint<3>> points;
   for (const SurfaceFace<3>& target_face : target.faces) {
     if (!may_overlap(plane, radius, target, target_face)) continue;
-    const auto polygon = overlap(plane, source_polygon, target, target_face);
+    const Polygon target_polygon = plane.project(target, target_face);
+    const auto polygon = overlap(plane, source_polygon, target, target_face, target_polygon);
     if (!polygon) continue;
     for (std::size_t i = 1; i + 1 < polygon->size(); ++i) {
       const Tensor<1, 2> first = (*polygon)[i] - (*polygon)[0];
@@ -184,10 +185,11 @@ std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const Surf
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const Point<2> at = (*polygon)[0] + rule.point(q)[0] * first + rule.point(q)[1] * second;
         const std::array<double, 2> xi = inverse_bilinear(source_polygon, at);
+        const std::array<double, 2> eta = inverse_bilinear(target_polygon, at);
         const double weight =
             rule.weight(q) * cross(first, second) * data.measure(face_point(source, face, xi));
         points.push_back(
-            overlap_point(source, face, xi, target, target_face, weight, data.source_share));
+            overlap_point(source, face, xi, target, target_face, eta, weight, data.source_share));
       }
     }
   }

@@ -1,6 +1,5 @@
 #include "fem/contact/surface_in_space.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -146,35 +145,6 @@ double bulge(const Surface<3>& surface, const SurfaceFace<3>& face, const Tensor
   const double across_square = along[0] * along[0] + along[1] * along[1];
   return side(surface, face) * across_square /
          surface.circles[static_cast<std::size_t>(face.circle)].radius;
-}
-
-std::array<double, 2> project_on_face(const Surface<3>& surface, const SurfaceFace<3>& face,
-                                      const Point<3>& point) {
-  // Newton's method on x(a, b) + g n(a, b) = point, n being the interpolated normals.
-  std::array<double, 2> at{0.5, 0.5};
-  double gap = 0.;
-  for (unsigned int step = 0; step < 20; ++step) {
-    const auto shapes = bilinear_shapes(at);
-    const std::array<double, 4> by_first{at[1] - 1., 1. - at[1], at[1], -at[1]};
-    const std::array<double, 4> by_second{at[0] - 1., -at[0], at[0], 1. - at[0]};
-    Tensor<1, 3> defect = point;
-    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < 4; ++i) {
-      const SurfaceNode<3>& node = surface.nodes[face.nodes[i]];
-      const Tensor<1, 3> above = Tensor<1, 3>(node.position) + gap * node.normal;
-      defect -= shapes[i] * above;
-      for (unsigned int k = 0; k < 3; ++k)
-        jacobian.row(k) += Eigen::RowVector3d(by_first[i] * above[k], by_second[i] * above[k],
-                                              shapes[i] * node.normal[k]);
-    }
-    const Eigen::Vector3d change =
-        jacobian.partialPivLu().solve(Eigen::Vector3d(defect[0], defect[1], defect[2]));
-    at[0] += change(0);
-    at[1] += change(1);
-    gap += change(2);
-    if (std::abs(change(0)) + std::abs(change(1)) < 1e-15) break;
-  }
-  return at;
 }
 
 }  // namespace geneva::fem

@@ -46,8 +46,4 @@ dealii::Point<3> true_point(const Surface<3>& surface, const SurfaceFace<3>& fac
 double bulge(const Surface<3>& surface, const SurfaceFace<3>& face,
              const dealii::Tensor<1, 3>& along);
 
-/// The place on a face from which the interpolated normal leads to the given point.
-std::array<double, 2> project_on_face(const Surface<3>& surface, const SurfaceFace<3>& face,
-                                      const dealii::Point<3>& point);
-
 }  // namespace geneva::fem

@@ -105,17 +105,6 @@ TEST(SurfaceInSpace, BulgeIsTheSquareAcrossTheAxisOverTheRadius) {
   EXPECT_EQ(bulge(flat, flat.faces[0], Tensor<1, 3>({0.3, 0.4, 7.})), 0.);
 }
 
-TEST(SurfaceInSpace, ProjectionLeadsAlongTheInterpolatedNormal) {
-  const Surface<3> round = pin(0., 4, 2);
-  for (const SurfaceFace<3>& face : round.faces) {
-    const std::array<double, 2> at{0.3, 0.8};
-    const Point<3> above = face_point(round, face, at) + 0.2 * face_normal(round, face, at);
-    const auto found = project_on_face(round, face, above);
-    EXPECT_NEAR(found[0], at[0], 1e-13);
-    EXPECT_NEAR(found[1], at[1], 1e-13);
-  }
-}
-
 TEST(SurfaceInSpace, CountsStepsFromMarkedNodes) {
   const Surface<3> flat = plate(3, 4, 1., 1.);
   std::vector<bool> marked(flat.nodes.size(), false);
@@ -166,6 +155,17 @@ TEST(MortarInSpace, MatchingFacesCoupleNodeToNode) {
       EXPECT_NEAR(coupling.norm(), is_opposite ? row.weight : 0., round_off);
     }
   }
+}
+
+TEST(MortarInSpace, OverlapsLieOnBothFacesHoweverWideTheGap) {
+  const Surface<3> source = pin(0.5, 3, 2);
+  const Surface<3> target = plate(9, 14, 1., 1., 0.2);
+  for (const SurfaceFace<3>& face : source.faces)
+    for (const OverlapPoint<3>& point : overlap_points(source, face, target, data()))
+      for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_GT(point.source_shapes[i], -round_off);
+        EXPECT_GT(point.target_shapes[i], -round_off);
+      }
 }
 
 TEST(MortarInSpace, UniformAndLinearGapsAreThoseOfTheNodes) {
