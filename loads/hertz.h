@@ -69,4 +69,22 @@ struct HertzPoint {
 HertzPoint hertz_point(double force, double relative_radius, double contact_modulus,
                        double poissons_ratio);
 
+/// Hertz contact of surfaces whose relative curvatures differ in two directions (K. L. Johnson,
+/// Contact Mechanics, 1985, section 4.2c): the contact is an ellipse.
+struct HertzEllipse {
+  double peak_pressure;    ///< p0 = 3 F/(2 pi a b) [Pa]
+  double semi_axis_long;   ///< a, along the direction of the larger relative radius [m]
+  double semi_axis_short;  ///< b [m]
+  double approach;         ///< [m]
+};
+
+/// a and b from the complete elliptic integrals K and E of the eccentricity (Johnson 1985, Eq.
+/// 4.28).
+/// @param force F > 0 [N]
+/// @param larger_radius R' >= smaller_radius R'' > 0 [m], the relative radii of curvature
+/// @param contact_modulus E* > 0 [Pa]
+/// @throws std::invalid_argument unless all are positive and finite and in this order
+HertzEllipse hertz_ellipse(double force, double larger_radius, double smaller_radius,
+                           double contact_modulus);
+
 }  // namespace geneva::loads

@@ -257,5 +257,59 @@ TEST(HertzPoint, RefusesWhatIsNotPositiveAndFinite) {
   expect_refused([] { hertz_point(1., 0.01, 1e11, 0.6); }, {"Poisson's ratio is 0.6"});
 }
 
+/// Sum of p/(pi E* distance) over the ellipse, in polar coordinates around the point (x, y).
+double surface_displacement(const HertzEllipse& contact, const double modulus, const double x,
+                            const double y) {
+  const double a = contact.semi_axis_long;
+  const double b = contact.semi_axis_short;
+  const int rays = 400;
+  double sum = 0.;
+  for (int i = 0; i < rays; ++i) {
+    const double angle = 2. * pi * (i + 0.5) / rays;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    // p = p0 sqrt(r - 2 q t - w t^2) along the ray; to its end the area is that of a circle's part
+    const double w = c * c / (a * a) + s * s / (b * b);
+    const double q = x * c / (a * a) + y * s / (b * b);
+    const double r = 1. - x * x / (a * a) - y * y / (b * b);
+    const double radius = std::sqrt(r + q * q / w);
+    const double start = q / std::sqrt(w) / radius;
+    sum += radius * radius / std::sqrt(w) *
+           (std::acos(start) - start * std::sqrt(1. - start * start)) / 2.;
+  }
+  return contact.peak_pressure / (pi * modulus) * sum * 2. * pi / rays;
+}
+
+TEST(HertzEllipse, PressureDisplacesTheSurfaceIntoContact) {
+  const double modulus = 1.1e11;
+  for (const double ratio : {1.001, 2., 10., 60.}) {
+    const HertzEllipse contact = hertz_ellipse(800., 0.02 * ratio, 0.02, modulus);
+    const double a = contact.semi_axis_long;
+    const double b = contact.semi_axis_short;
+    EXPECT_NEAR(2. / 3. * pi * a * b * contact.peak_pressure, 800., 1e-9);
+    for (const auto& [x, y] :
+         {std::pair(0., 0.), {0.6 * a, 0.}, {0., 0.7 * b}, {0.3 * a, -0.4 * b}}) {
+      const double gap = x * x / (2. * 0.02 * ratio) + y * y / (2. * 0.02);
+      EXPECT_NEAR(surface_displacement(contact, modulus, x, y), contact.approach - gap,
+                  1e-7 * contact.approach)
+          << ratio;
+    }
+  }
+}
+
+TEST(HertzEllipse, OfEqualRadiiIsTheCircle) {
+  const HertzPoint point = hertz_point(10., 0.01, 1e11, 0.3);
+  for (const double ratio : {1., 1. + 1e-8}) {
+    const HertzEllipse contact = hertz_ellipse(10., 0.01 * ratio, 0.01, 1e11);
+    EXPECT_NEAR(contact.peak_pressure, point.peak_pressure, 1e-7 * point.peak_pressure);
+    EXPECT_NEAR(contact.semi_axis_long, point.contact_radius, 1e-7 * point.contact_radius);
+    EXPECT_NEAR(contact.approach, point.approach, 1e-7 * point.approach);
+  }
+}
+
+TEST(HertzEllipse, RefusesExchangedRadii) {
+  test::expect_refused([] { hertz_ellipse(10., 0.01, 0.02, 1e11); }, {"20 mm", "exchange"});
+}
+
 }  // namespace
 }  // namespace geneva::loads

@@ -1,0 +1,29 @@
+#pragma once
+
+namespace geneva::loads {
+
+/// A round pin as a beam that carries its force evenly over the wheel's thickness.
+struct PinBeam {
+  double diameter;         ///< d [m]
+  double thickness;        ///< t of the wheel: the loaded length [m]
+  double root_gap;         ///< from the wheel to where the pin is held [m], >= 0
+  double overhang;         ///< beyond the wheel at the free end [m], >= 0; unused if held twice
+  bool held_at_both_ends;  ///< on both sides of the wheel, at the same root gap
+  double youngs_modulus;   ///< E [Pa]
+  double poissons_ratio;   ///< nu
+};
+
+/// Timoshenko's beam with shear coefficient 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
+struct BeamBending {
+  double tip_deflection;  ///< of the free end; held twice: of the middle [m]
+  double slope;           ///< of the cross-sections in the middle of the wheel [rad]; held twice: 0
+  double root_moment;     ///< [N m]
+  double root_stress;     ///< greatest bending stress at the root, 32 M/(pi d^3) [Pa]
+};
+
+/// @param force F > 0 [N]
+/// @throws std::invalid_argument unless diameter, thickness, force and E are positive, the gaps not
+/// negative, all finite
+BeamBending beam_bending(const PinBeam& pin, double force);
+
+}  // namespace geneva::loads
