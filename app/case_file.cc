@@ -103,7 +103,7 @@ fem::Settings read_settings(const CaseSection& section) {
 }  // namespace
 
 Case read_case(const fs::path& directory) {
-  Case result;
+  Case result{};
   result.directory = checked_directory(directory);
   const ParameterText text = read_parameter_text(result.directory / "case.prm");
   const std::string model = model_of(text);
@@ -116,6 +116,7 @@ Case read_case(const fs::path& directory) {
   if (model == "synthesis") {
     result.synthesis = read_synthesis(values, result.directory);
   } else {
+    result.dimension = general.text("Dimension") == "3" ? 3 : 2;
     result.settings = read_settings(general);
     const CaseSection published(values, {names::published});
     result.published_peak_pressure = published.optional_value("Peak pressure");

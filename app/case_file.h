@@ -14,6 +14,7 @@
 #include "loads/motion/four_bar_geneva.h"
 #include "loads/motion/long_dwell_geneva.h"
 #include "loads/motion/pin_load.h"
+#include "loads/pin/pin_profile.h"
 #include "loads/synthesis/crank_rocker.h"
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
@@ -49,6 +50,26 @@ struct DesignCase {
   std::optional<double> amplitude_radius;  ///< [m]
 };
 
+/// The pin along its length, of a mechanism in space.
+struct PinCase {
+  enum class Hold { one_end, both_ends, core };
+  enum class Profile { cylindrical, crown, logarithmic, table };
+
+  Hold hold;
+  std::optional<double> root_gap;  ///< [m]
+  std::optional<double> overhang;  ///< [m]
+  std::optional<double> length;    ///< [m]
+  double end_chamfer;              ///< [m]
+  Profile profile;
+  double crown_radius;                      ///< [m]
+  std::optional<double> profile_load;       ///< [N]
+  std::optional<double> profile_amplitude;  ///< [m]
+  std::optional<double> profile_length;     ///< [m]
+  loads::ProfileTable table;
+  double tilt;  ///< [rad]
+  loads::EdgeBreak slot_edge;
+};
+
 /// Model = mechanism: a Geneva wheel and its pin.
 struct MechanismCase {
   enum class Kind { external, internal, spherical, long_dwell, four_bar };
@@ -80,6 +101,7 @@ struct MechanismCase {
   std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
   CaseMaterial wheel;
+  std::optional<PinCase> space;  ///< none with Dimension = 2
   DesignCase design;
 
   /// Whether the type has a whole wheel to draw.
@@ -107,6 +129,7 @@ struct Case {
   std::filesystem::path directory;
   std::string title;
   post::UnitSystem units;
+  int dimension;           ///< 2 or 3
   fem::Settings settings;  ///< the defaults, if the model is a synthesis
   std::optional<MechanismCase> mechanism;
   std::optional<GeometryCase> geometry;

@@ -6,6 +6,7 @@
 
 #include "app/case_file.h"
 #include "app/case_values.h"
+#include "app/mechanism_motion.h"
 
 namespace geneva::app {
 
@@ -13,6 +14,19 @@ namespace geneva::app {
 /// @throws std::invalid_argument if values contradict each other or make no mechanism, or if the
 /// motion table is missing, outside of the case directory or no table
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
+
+/// Reads the subsection Pin of Mechanism.
+/// @throws std::invalid_argument if values contradict each other, or the profile's file is missing,
+/// outside of the case directory or no table
+PinCase read_pin(const CaseValues& values, const std::filesystem::path& directory);
+
+/// Refuses a pin that does not fit: one that ends within the slot, or touches its other wall.
+/// @param slot_width [m]; none for a block, which has no other wall
+void check_pin(const CaseValues& values, const MechanismCase& given, const MechanismSizes& sizes,
+               std::optional<double> slot_width);
+
+/// Refuses values of the subsection Pin in a plane model.
+void check_no_pin(const CaseValues& values);
 
 /// Reads the subsection Design of Mechanism.
 /// @throws std::invalid_argument if the shaft cannot be understood, or a value has no effect

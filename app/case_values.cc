@@ -210,6 +210,10 @@ std::optional<double> CaseValues::value(const SectionPath& section, const std::s
   return all.empty() ? std::nullopt : std::optional<double>(all.front());
 }
 
+bool CaseValues::is_changed(const SectionPath& section, const std::string& name) const {
+  return text(section, name) != parameter(section, name).default_value;
+}
+
 void CaseValues::refuse(const SectionPath& section, const std::string& name,
                         const std::string& reason) const {
   if (const Assignment* found = text_.find(section, name)) app::refuse(text_, *found, reason);
@@ -241,6 +245,8 @@ CaseSection::CaseSection(const CaseValues& values, SectionPath path)
     : values_(&values), path_(std::move(path)) {}
 
 std::string CaseSection::text(const std::string& name) const { return values_->text(path_, name); }
+
+bool CaseSection::is_changed(const std::string& name) const { return values_->is_changed(path_, name); }
 
 bool CaseSection::is_given(const std::string& name) const { return !text(name).empty(); }
 

@@ -39,6 +39,9 @@ class CaseValues {
   [[nodiscard]] std::vector<double> values(const SectionPath& section,
                                            const std::string& name) const;
 
+  /// Whether the parameter has another value than its default.
+  [[nodiscard]] bool is_changed(const SectionPath& section, const std::string& name) const;
+
   /// Throws the message about a parameter: file, line, name, value, reason.
   [[noreturn]] void refuse(const SectionPath& section, const std::string& name,
                            const std::string& reason) const;
@@ -67,6 +70,8 @@ class CaseSection {
 
   [[nodiscard]] std::string text(const std::string& name) const;
   [[nodiscard]] bool is_given(const std::string& name) const;
+  /// Whether the parameter has another value than its default.
+  [[nodiscard]] bool is_changed(const std::string& name) const;
   /// @throws std::invalid_argument if the parameter is left out or a word stands in its place
   [[nodiscard]] double value(const std::string& name) const;
   [[nodiscard]] std::optional<double> optional_value(const std::string& name) const;

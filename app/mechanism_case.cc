@@ -121,9 +121,17 @@ void check_motion(const CaseSection& section, const CaseSection& linkage,
   checked(section, motion, [&] { driven_mechanism(given); });
 }
 
-void check_dynamics(const CaseSection& section, const MechanismCase& given) {
+/// Width of the drawn wheel's slot; none where a block stands for the wheel.
+std::optional<double> slot_width(const MechanismCase& given, const MechanismDynamics& dynamics) {
+  if (given.is_local || !dynamics.wheel) return std::nullopt;
+  return std::visit([](const auto& wheel) { return wheel.slot_width; }, *dynamics.wheel);
+}
+
+void check_dynamics(const CaseValues& values, const MechanismCase& given) {
+  const CaseSection section(values, {names::mechanism});
   const MechanismDynamics dynamics = mechanism_dynamics(given);
   checked(section, "Slot friction", [&] { loads::check(dynamics.train, dynamics.driven); });
+  if (given.space) check_pin(values, given, dynamics.sizes, slot_width(given, dynamics));
 }
 
 void read_linkage(const CaseValues& values, MechanismCase& result) {
@@ -312,8 +320,12 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
+  if (CaseSection(values, {}).text("Dimension") == "3")
+    result.space = read_pin(values, directory);
+  else
+    check_no_pin(values);
   result.design = read_design(values);
-  check_dynamics(section, result);
+  check_dynamics(values, result);
   return result;
 }
 

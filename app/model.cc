@@ -7,8 +7,11 @@
 #include <stdexcept>
 
 #include "app/contact_geometry.h"
+#include "app/pin_in_space.h"
 #include "fem/problem_check.h"
 #include "loads/pi.h"
+#include "mesh/extrusion.h"
+#include "mesh/filled_hole.h"
 #include "mesh/gmsh_mesher.h"
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
@@ -18,9 +21,11 @@ namespace geneva::app {
 namespace {
 
 /// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.
-fem::Problem<2> mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
-                                  const mesh::MeshData<2>& mesh, const std::string& held_surface) {
-  fem::Problem<2> problem;
+template <int dim>
+fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const MechanismState& state,
+                                    const mesh::MeshData<dim>& mesh,
+                                    const std::string& held_surface) {
+  fem::Problem<dim> problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.sizes.thickness;
   const fem::Rotation rotation{state.train.wheel_inertia, state.load.wheel_speed,
@@ -28,22 +33,44 @@ fem::Problem<2> mechanism_problem(const MechanismCase& mechanism, const Mechanis
   for (const std::string& body : mesh.bodies) {
     const bool is_wheel = body == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
-    problem.bodies.push_back({body,
-                              {material.youngs_modulus, material.poissons_ratio},
-                              is_wheel && !mechanism.is_local
-                                  ? fem::BodyForce<2>{{0., 0.}, rotation}
-                                  : fem::BodyForce<2>{}});
+    problem.bodies.push_back({body, {material.youngs_modulus, material.poissons_ratio}, {}});
+    if (is_wheel && !mechanism.is_local) problem.bodies.back().force.rotation = rotation;
   }
-  problem.supports.push_back({held_surface, {0., 0.}});
-  problem.ties.push_back({"pin core", {0., 1.}, state.load.force});
+  fem::Support<dim> support{held_surface, {}};
+  support.displacement.fill(0.);
+  problem.supports.push_back(support);
+  fem::RigidTie<dim> tie{
+      mechanism.space ? pin_holder(*mechanism.space) : "pin core", {}, state.load.force};
+  tie.direction[1] = 1.;
+  problem.ties.push_back(tie);
   problem.pairs.push_back({"pin", "driving wall"});
+  if (mechanism.space)
+    problem.pairs.back().clearance = [clearance = pin_clearance(mechanism, state)](const double z) {
+      return clearance.at(z);
+    };
   return problem;
 }
 
+/// Pin and wheel in the plane, or drawn out.
+template <int dim>
+mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const MechanismState& state,
+                                   const ContactGeometry& geometry) {
+  mesh::MeshData<2> plane = mesh::mesh_outlines(geometry.outlines, geometry.sizing);
+  if constexpr (dim == 2) {
+    return plane;
+  } else {
+    const PinCase& pin = *mechanism.space;
+    if (pin.hold != PinCase::Hold::core) plane = mesh::with_filled_hole(plane, "pin core");
+    return mesh::extruded(plane,
+                          extrusions(plane.bodies, pin, state.sizes, geometry.sizing.at_contact));
+  }
+}
+
 /// Runs a task on rank 0 that may refuse its input, and makes all ranks refuse together.
-mesh::MeshData<2> on_rank_zero(const MPI_Comm communicator,
-                               const std::function<mesh::MeshData<2>()>& task) {
-  mesh::MeshData<2> mesh;
+template <int dim>
+mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
+                                 const std::function<mesh::MeshData<dim>()>& task) {
+  mesh::MeshData<dim> mesh;
   std::string refusal;
   bool is_refused = false;
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
@@ -75,10 +102,11 @@ std::string greater_force(const MechanismState& state) {
 
 }  // namespace
 
-Model make_model(const MPI_Comm communicator, const Case& given) {
+template <int dim>
+Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
   if (given.synthesis)
     refuse_model(given, "there is no contact to solve", "geneva run", "mechanism or geometry");
-  Model model;
+  Model<dim> model;
   if (given.mechanism) {
     model.mechanism = mechanism_state(*given.mechanism);
     model.notices = notices_of(*given.mechanism, given.units);
@@ -86,18 +114,26 @@ Model make_model(const MPI_Comm communicator, const Case& given) {
       model.notices.push_back(notice);
     const MechanismState& state = *model.mechanism;
     const ContactGeometry geometry = contact_geometry(*given.mechanism, state);
-    model.mesh = on_rank_zero(
-        communicator, [&] { return mesh::mesh_outlines(geometry.outlines, geometry.sizing); });
+    model.mesh = on_rank_zero<dim>(
+        communicator, [&] { return mechanism_mesh<dim>(*given.mechanism, state, geometry); });
     model.held_surface = geometry.held_surface;
     model.problem = mechanism_problem(*given.mechanism, state, model.mesh, geometry.held_surface);
     return model;
   }
-  model.mesh = on_rank_zero(communicator, [&] {
-    return mesh::read_geometry(given.geometry->file, given.geometry->length_unit);
-  });
-  model.problem = given.geometry->problem;
-  fem::order_bodies(model.problem, model.mesh);
+  if constexpr (dim == 3) {
+    throw std::invalid_argument(
+        "'Dimension' = '3': Model = geometry is for plane geometries; use Model = mechanism");
+  } else {
+    model.mesh = on_rank_zero<dim>(communicator, [&] {
+      return mesh::read_geometry(given.geometry->file, given.geometry->length_unit);
+    });
+    model.problem = given.geometry->problem;
+    fem::order_bodies(model.problem, model.mesh);
+  }
   return model;
 }
+
+template Model<2> make_model(MPI_Comm, const Case&);
+template Model<3> make_model(MPI_Comm, const Case&);
 
 }  // namespace geneva::app

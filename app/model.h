@@ -14,9 +14,10 @@
 namespace geneva::app {
 
 /// A case ready to be solved.
+template <int dim>
 struct Model {
-  mesh::MeshData<2> mesh;
-  fem::Problem<2> problem;
+  mesh::MeshData<dim> mesh;
+  fem::Problem<dim> problem;
   std::optional<MechanismState> mechanism;
   std::string held_surface;          ///< of the mechanism's wheel or block
   std::vector<std::string> notices;  ///< defaults that the user should know of
@@ -24,6 +25,7 @@ struct Model {
 
 /// Mesh and problem of a case; rank 0 meshes, all ranks get the result.
 /// @throws std::invalid_argument on all ranks if the case cannot be meshed
-Model make_model(MPI_Comm communicator, const Case& given);
+template <int dim>
+Model<dim> make_model(MPI_Comm communicator, const Case& given);
 
 }  // namespace geneva::app

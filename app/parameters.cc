@@ -206,6 +206,61 @@ std::vector<Parameter> contact_model_parameters() {
                    "with Contact model = local.")};
 }
 
+/// The pin along its length, which a plane model does not know.
+std::vector<Parameter> pin_parameters() {
+  const SectionPath section{names::mechanism, names::pin};
+  const std::string space = " Only with Dimension = 3.";
+  const QuantityRule length = positive(Dimension::length, {""});
+  const Range tilt{-loads::pi / 18., loads::pi / 18., true, true, "from -10 to 10 deg"};
+  return {
+      {section, "Held at", names::one_end,
+       ChoiceRule{{names::one_end, names::both_ends, names::core}},
+       "'one end': the pin is a cantilever. 'both ends': it is held on both sides of the wheel. "
+       "'core': its core is rigid over the whole length, as in a plane model." +
+           space},
+      {section, "Root gap", names::default_word,
+       quantity(Dimension::length, zero_or_greater(), {names::default_word}),
+       "Free length from the wheel to where the pin is held. Default: a quarter of the pin "
+       "diameter; 0 with Held at = core."},
+      {section, "Overhang", names::default_word,
+       quantity(Dimension::length, zero_or_greater(), {names::default_word}),
+       "Length beyond the wheel at every free end. Default: a quarter of the pin diameter. Either "
+       "the overhang or the length is given."},
+      {section, "Length", "", length,
+       "Length of the pin from end to end; where it is held, from there."},
+      {section, "End chamfer", "0 m", quantity(Dimension::length, zero_or_greater()),
+       "Leg of the 45 degree chamfer at the pin's free ends."},
+      {section, "Profile", names::cylindrical,
+       ChoiceRule{{names::cylindrical, names::crown, names::logarithmic, names::table}},
+       "Outline of the pin along its length: 'crown': a circular arc. 'logarithmic': by which a "
+       "line contact of finite length carries its design load evenly (Lundberg; Johns and Gohar). "
+       "'table': the heights of a file."},
+      {section, "Crown radius", "", length, "Radius of the arc. Only with Profile = crown."},
+      {section, "Profile load", names::default_word,
+       positive(Dimension::force, {names::default_word}),
+       "Design load of the logarithmic profile. Default: the pin force. Either the load or the "
+       "amplitude is given."},
+      {section, "Profile amplitude", "", length,
+       "Factor A of the logarithm; the design load F over the length L gives F/(pi L E*). Only "
+       "with Profile = logarithmic."},
+      {section, "Profile length", names::default_word,
+       positive(Dimension::length, {names::default_word}),
+       "Length over which the logarithmic profile is to carry evenly. Default: the wheel's "
+       "thickness."},
+      {section, "Profile table", "", TextRule{"the name of a file in the case directory"},
+       "Comma-separated file with the heading 'z [mm], height [um]' in any units of length and a "
+       "row for each point: places from the middle of the wheel's thickness, increasing towards "
+       "where the pin is held, and heights of the outline (lower where the pin is thinner). Only "
+       "with Profile = table."},
+      {section, "Tilt", "0 deg", quantity(Dimension::angle, tilt),
+       "By which the pin leans; positive: its free end towards the driving wall." + space},
+      {section, "Slot edge", names::sharp,
+       ChoiceRule{{names::sharp, names::chamfered, names::rounded}},
+       "Edge of the slot on both faces of the wheel."},
+      {section, "Slot edge size", "", length,
+       "Leg of the 45 degree chamfer, or radius. Only with a chamfered or rounded slot edge."}};
+}
+
 std::vector<Parameter> inertia_parameters() {
   const SectionPath section{names::mechanism};
   const std::string cylinder = " Only with Load inertia = solid cylinder.";
@@ -422,6 +477,12 @@ std::vector<Parameter> settings_parameters() {
   const Range accuracy{0., 0.2, false, true, "greater than 0 and at most 20 %"};
   return {
       {{},
+       "Dimension",
+       "2",
+       ChoiceRule{{"2", "3"}},
+       "'2': a section across the pin, the same along the whole length. '3': pin and wheel in "
+       "space, with bending, edges and crowning (subsection Pin)."},
+      {{},
        "Accuracy",
        "0.5 %",
        quantity(Dimension::dimensionless, accuracy),
@@ -469,6 +530,7 @@ std::vector<Parameter> mechanism_parameters() {
   append(parameters, motion_parameters());
   append(parameters, inertia_parameters());
   append(parameters, contact_model_parameters());
+  append(parameters, pin_parameters());
   append(parameters, material_parameters({names::mechanism, names::pin_material}));
   append(parameters, material_parameters({names::mechanism, names::wheel_material}));
   append(parameters, design_parameters());

@@ -54,6 +54,16 @@ inline constexpr const char* scale_with_the_wheel = "scale with the wheel";
 inline constexpr const char* quick_return = "quick return";
 inline constexpr const char* crank_rocker = "crank-rocker";
 inline constexpr const char* path = "path";
+inline constexpr const char* pin = "Pin";
+inline constexpr const char* one_end = "one end";
+inline constexpr const char* both_ends = "both ends";
+inline constexpr const char* core = "core";
+inline constexpr const char* cylindrical = "cylindrical";
+inline constexpr const char* crown = "crown";
+inline constexpr const char* logarithmic = "logarithmic";
+inline constexpr const char* sharp = "sharp";
+inline constexpr const char* chamfered = "chamfered";
+inline constexpr const char* rounded = "rounded";
 inline constexpr const char* stay_as_given = "stay as given";
 }  // namespace names
 

@@ -15,9 +15,11 @@
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
+#include "app/pin_in_space.h"
 #include "app/progress.h"
 #include "app/version.h"
 #include "fem/contact_problem.h"
+#include "post/comparison_table.h"
 #include "post/contact_output.h"
 #include "post/field_output.h"
 #include "post/output_file.h"
@@ -36,7 +38,8 @@ void write_text(const fs::path& file, const std::string& text) {
   post::close_output(stream, file);
 }
 
-std::string heading(const Case& given, const Model& model) {
+template <int dim>
+std::string heading(const Case& given, const Model<dim>& model) {
   const auto length = post::output_unit(given.units, post::Dimension::length);
   const auto force = post::output_unit(given.units, post::Dimension::force);
   std::string text = name_of(given);
@@ -58,10 +61,11 @@ std::string heading(const Case& given, const Model& model) {
 }
 
 /// What the user should know before trusting linear elasticity.
-std::vector<std::string> validity_notices(const fem::Solution<2>& solution) {
+template <int dim>
+std::vector<std::string> validity_notices(const fem::Solution<dim>& solution) {
   constexpr double small_strain = 0.1;
   double modulus = std::numeric_limits<double>::max();
-  for (const fem::Body<2>& body : solution.problem.bodies)
+  for (const fem::Body<dim>& body : solution.problem.bodies)
     modulus = std::min(modulus, body.material.youngs_modulus);
   const double ratio = solution.history.back().peak_pressure / modulus;
   if (ratio < small_strain) return {};
@@ -72,8 +76,9 @@ std::vector<std::string> validity_notices(const fem::Solution<2>& solution) {
 }
 
 /// What was reached, what was wanted and why the refinement ended; empty if it converged.
-std::string shortfall(const fem::Solution<2>& solution, const double accuracy) {
-  if (solution.outcome == fem::Outcome::converged) return "";
+template <int dim>
+std::string shortfall(const fem::Solution<dim>& solution, const double accuracy) {
+  if (fem::is_success(solution.outcome)) return "";
   const std::string reached = solution.error_estimate < 1.
                                   ? fmt::format("{:.2g} %", 100. * solution.error_estimate)
                                   : std::string("not even 100 %");
@@ -81,8 +86,13 @@ std::string shortfall(const fem::Solution<2>& solution, const double accuracy) {
                      100. * accuracy, solution.message);
 }
 
-std::optional<post::MechanismReport> mechanism_report(const Model& model, const bool is_local,
-                                                      const fem::Solution<2>& solution) {
+double about_z(const double moment) { return moment; }
+double about_z(const dealii::Tensor<1, 3>& moment) { return moment[2]; }
+
+template <int dim>
+std::optional<post::MechanismReport> mechanism_report(
+    const Model<dim>& model, const std::optional<MechanismCase>& mechanism,
+    const fem::Solution<dim>& solution, [[maybe_unused]] const post::Results<dim>& results) {
   if (!model.mechanism) return std::nullopt;
   const MechanismState& state = *model.mechanism;
   post::MechanismReport report{state.load,
@@ -90,10 +100,12 @@ std::optional<post::MechanismReport> mechanism_report(const Model& model, const 
                                state.train.wheel_inertia,
                                state.expected_bore_torque,
                                model.held_surface,
+                               std::nullopt,
                                std::nullopt};
-  for (const fem::Reaction<2>& reaction : solution.reactions)
-    if (reaction.surface == model.held_surface && state.wheel && !is_local)
-      report.bore_torque = -reaction.moment;
+  for (const fem::Reaction<dim>& reaction : solution.reactions)
+    if (reaction.surface == model.held_surface && state.wheel && !mechanism->is_local)
+      report.bore_torque = -about_z(reaction.moment);
+  if constexpr (dim == 3) report.pin = pin_report(*mechanism, state, solution, results.cells);
   return report;
 }
 
@@ -118,13 +130,13 @@ void together(const MPI_Comm communicator, const Task& task) {
 }
 
 /// What the report says beside the solution; times are added as they become known.
-post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model& model,
-                            const fem::Solution<2>& solution) {
+template <int dim>
+post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
+                            const fem::Solution<dim>& solution, const post::Results<dim>& results) {
   post::RunReport report{};
   report.case_name = name_of(given);
   report.title = given.title;
-  report.mechanism =
-      mechanism_report(model, given.mechanism && given.mechanism->is_local, solution);
+  report.mechanism = mechanism_report(model, given.mechanism, solution, results);
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
   report.geneva_version = version;
@@ -135,8 +147,10 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
 }
 
 /// Says what the user should know of the solution, then the table.
-void present(const Case& given, const fem::Solution<2>& solution, const post::Results& results,
-             const post::RunReport& report, const bool is_first, ProgressDisplay& progress) {
+template <int dim>
+void present(const Case& given, const fem::Solution<dim>& solution,
+             const post::Results<dim>& results, const post::RunReport& report, const bool is_first,
+             ProgressDisplay& progress) {
   for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
   if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
     progress.line(why);
@@ -146,8 +160,10 @@ void present(const Case& given, const fem::Solution<2>& solution, const post::Re
 }
 
 /// Writes what rank 0 writes alone, and puts everything in its place.
-void publish(const Case& given, const fem::Solution<2>& solution, const post::Results& results,
-             const post::RunReport& report, const std::string& log, OutputDirectory& directory) {
+template <int dim>
+void publish(const Case& given, const fem::Solution<dim>& solution,
+             const post::Results<dim>& results, const post::RunReport& report,
+             const std::string& log, OutputDirectory& directory) {
   const fs::path& working = directory.working();
   post::write_contact(solution, results, given.units, working);
   write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
@@ -156,28 +172,20 @@ void publish(const Case& given, const fem::Solution<2>& solution, const post::Re
   directory.publish();
 }
 
-}  // namespace
-
-int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output) {
-  const dealii::Timer total;
+/// Mesh, solution, results and files of a case.
+template <int dim>
+int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directory,
+        const dealii::Timer& total) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Case given = read_case(case_directory);
-
-  std::unique_ptr<OutputDirectory> directory;
-  together(communicator, [&] {
-    directory = std::make_unique<OutputDirectory>(
-        output.empty() ? given.directory / "results" : output, is_first);
-  });
-
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
-  const Model model = naming(given, [&] { return make_model(communicator, given); });
+  const Model<dim> model = naming(given, [&] { return make_model<dim>(communicator, given); });
   const double mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
 
   timer.restart();
-  const fem::Solution<2> solution = naming(given, [&] {
+  const fem::Solution<dim> solution = naming(given, [&] {
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
                               {[&](const fem::StepReport& step) { progress.step(step); },
                                [&](const fem::LevelRecord& level) { progress.level(level); }});
@@ -185,20 +193,35 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
-  const post::Results results = post::analyse(solution);
-  post::RunReport report = make_report(communicator, given, model, solution);
+  const post::Results<dim> results = post::analyse(solution);
+  post::RunReport report = make_report(communicator, given, model, solution, results);
   present(given, solution, results, report, is_first, progress);
-  post::write_fields(solution, results, given.units, directory->working());
+  post::write_fields(solution, results, given.units, directory.working());
   report.mesh_seconds = mesh_seconds;
   report.solve_seconds = solve_seconds;
   report.post_seconds = timer.wall_time();
   report.total_seconds = total.wall_time();
   together(communicator, [&] {
-    if (is_first) publish(given, solution, results, report, progress.log(), *directory);
+    if (is_first) publish(given, solution, results, report, progress.log(), directory);
   });
-  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown_path(directory->final()),
+  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown_path(directory.final()),
                             total.wall_time(), report.peak_memory / 1e6));
-  return solution.outcome == fem::Outcome::converged ? 0 : 2;
+  return fem::is_success(solution.outcome) ? 0 : 2;
+}
+
+}  // namespace
+
+int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output) {
+  const dealii::Timer total;
+  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const Case given = read_case(case_directory);
+  std::unique_ptr<OutputDirectory> directory;
+  together(communicator, [&] {
+    directory = std::make_unique<OutputDirectory>(
+        output.empty() ? given.directory / "results" : output, is_first);
+  });
+  return given.dimension == 3 ? run<3>(communicator, given, *directory, total)
+                              : run<2>(communicator, given, *directory, total);
 }
 
 }  // namespace geneva::app

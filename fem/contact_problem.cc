@@ -161,36 +161,72 @@ class NestedIteration {
     for (const ContactState& contact : state_.contacts)
       for (const double pressure : contact.pressure)
         record.peak_pressure = std::max(record.peak_pressure, pressure * solution_.scales.stress);
+    record_lengthwise(record);
+    record.halvings = last_refinements_;
     record.active_nodes = n_active_nodes();
     for (const ContactInterface<dim>& interface : level_.interfaces)
       record.nodes_across += nodes_across(interface);
-    record.change = change(record);
-    record.error_estimate =
-        solution_.history.empty()
-            ? 1.
-            : error_estimate(record.change, previous_error_now(), grading_, level_.interfaces);
+    record.change = change(&LevelRecord::peak_pressure, record);
+    record.mid_length_change = change(&LevelRecord::mid_length_pressure, record);
+    record.error_estimate = estimate_from(&LevelRecord::change, record);
     record.seconds = timer_.wall_time();
     record.cycled = state_.cycled;
     record.one_solve_seconds = level_.cell_seconds + state_.assemble_and_solve_seconds;
+    mid_length_error_ = estimate_from(&LevelRecord::mid_length_change, record);
     solution_.history.push_back(record);
     solution_.error_estimate = record.error_estimate;
+    if (dim == 3) solution_.edge = edge_pressure(solution_.history);
     if (progress_.level) progress_.level(record);
   }
 
-  [[nodiscard]] double change(const LevelRecord& now) const {
-    if (solution_.history.empty() || now.peak_pressure <= 0.) return 1.;
-    return std::min(1., std::abs(now.peak_pressure / solution_.history.back().peak_pressure - 1.));
+  /// Pressures in the middle half of each contact's length and beyond it.
+  void record_lengthwise([[maybe_unused]] LevelRecord& record) const {
+    if constexpr (dim == 3)
+      for (const ContactResult<3>& contact : solution_.contacts) {
+        const auto [lowest, highest] = std::minmax_element(
+            contact.nodes.begin(), contact.nodes.end(),
+            [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
+        const double middle = (lowest->position[2] + highest->position[2]) / 2.;
+        const double quarter = (highest->position[2] - lowest->position[2]) / 4.;
+        for (const ContactNode<3>& node : contact.nodes) {
+          const bool is_inside = std::abs(node.position[2] - middle) <= quarter * (1. + 1e-9);
+          double& greatest = is_inside ? record.mid_length_pressure : record.end_pressure;
+          greatest = std::max(greatest, node.pressure);
+        }
+      }
+  }
+
+  /// Relative change of a pressure from the mesh before.
+  [[nodiscard]] double change(double LevelRecord::*pressure, const LevelRecord& now) const {
+    if (solution_.history.empty() || now.*pressure <= 0.) return 1.;
+    return std::min(1., std::abs(now.*pressure / solution_.history.back().*pressure - 1.));
+  }
+
+  /// Estimated error of a pressure from its changes on this mesh and the one before.
+  [[nodiscard]] double estimate_from(double LevelRecord::*change, const LevelRecord& now) const {
+    if (solution_.history.empty()) return 1.;
+    return error_estimate(now.*change, previous_error_now(solution_.history.back().*change),
+                          grading_, level_.interfaces);
   }
 
   /// What the change of the mesh before says of the error now. A change over m halvings of the
   /// edges leaves an error of change/(2^m - 1) at least at first order, and the last refinement has
   /// divided it by two to four.
-  [[nodiscard]] double previous_error_now() const {
+  [[nodiscard]] double previous_error_now(const double change) const {
     const double halvings = static_cast<double>(previous_refinements_);
-    return solution_.history.back().change / (4. * (std::pow(2., halvings) - 1.));
+    return change / (4. * (std::pow(2., halvings) - 1.));
   }
 
   bool finished() {
+    if (solution_.edge && !solution_.edge->is_bounded && mid_length_error_ <= settings_.accuracy) {
+      solution_.error_estimate = mid_length_error_;
+      return end(Outcome::unbounded_edge,
+                 fmt::format("the edge pressure is not bounded: sharp edge (it grows by the power "
+                             "{:.2g} of the cells' fineness); the pressure in the middle of the "
+                             "length has converged; a chamfered or rounded slot edge, a crowned "
+                             "pin or a logarithmic profile bounds it",
+                             solution_.edge->growth_exponent));
+    }
     if (solution_.error_estimate <= settings_.accuracy) {
       end(Outcome::converged, "");
       return true;
@@ -341,6 +377,7 @@ class NestedIteration {
   Level<dim> level_;
   LevelState state_;
   Vector guess_;
+  double mid_length_error_ = 1.;
 };
 
 }  // namespace

@@ -23,6 +23,12 @@ Lame lame(const Material& material, const PlaneKind plane) {
   return {lambda, mu, lambda_plane};
 }
 
+dealii::SymmetricTensor<2, 3> stress(const Lame& lame,
+                                     const dealii::SymmetricTensor<2, 3>& strain) {
+  return lame.lambda * dealii::trace(strain) * dealii::unit_symmetric_tensor<3>() +
+         2. * lame.mu * strain;
+}
+
 PlaneStress stress(const Lame& lame, const PlaneKind plane,
                    const dealii::SymmetricTensor<2, 2>& strain, const double hoop_strain) {
   const double dilatation = dealii::trace(strain) + hoop_strain;

@@ -102,11 +102,11 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
         surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
     interface.target =
         surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
-    interface.rows = mortar_rows(interface.source, interface.target,
-                                 MortarData<dim>{[&](const dealii::Point<dim>& point) {
-                                                   return out_of_plane_measure(problem, point);
-                                                 },
-                                                 source_share(mesh, problem, problem.pairs[i])});
+    interface.rows = mortar_rows(
+        interface.source, interface.target,
+        MortarData<dim>{
+            [&](const dealii::Point<dim>& point) { return out_of_plane_measure(problem, point); },
+            source_share(mesh, problem, problem.pairs[i]), problem.pairs[i].clearance});
     interface.active = first_touch(interface.rows, interface.source.length);
     interfaces.push_back(std::move(interface));
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,9 @@ struct RigidTie {
 struct ContactPair {
   std::string source;
   std::string target;
+  /// In space: what crowning, tilt and edge breaks, which the mesh does not show, add to the gap
+  /// [m] at a place z [m]; may be empty.
+  std::function<double(double)> clearance = {};
 };
 
 /// An elastic contact problem in the plane or in space, all by name, SI units.

@@ -40,6 +40,11 @@ Problem<dim> scaled(const Problem<dim>& problem, const Scales& scales) {
     for (double& component : load.traction) component /= scales.stress;
   }
   for (RigidTie<dim>& tie : result.ties) tie.force /= scales.force();
+  for (ContactPair& pair : result.pairs)
+    if (pair.clearance)
+      pair.clearance = [length = scales.length, given = pair.clearance](const double z) {
+        return given(z * length) / length;
+      };
   return result;
 }
 

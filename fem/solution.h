@@ -5,7 +5,10 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,10 +47,12 @@ template <int dim>
 struct ContactResult {
   std::string source;
   std::string target;
-  std::vector<ContactNode<dim>> nodes;  ///< in the order of the arc length
-  Components<dim> force;                ///< on the source body [N]
-  Moment<dim> moment;    ///< of the pressure on the source body about the origin [N m]
-  double peak_pressure;  ///< [Pa]
+  std::vector<ContactNode<dim>> nodes;  ///< in the plane in the order of the arc length
+  /// Faces (indices into nodes) of the source whose nodes all face the target; in space.
+  std::vector<std::array<std::size_t, 4>> faces;
+  Components<dim> force;  ///< on the source body [N]
+  Moment<dim> moment;     ///< of the pressure on the source body about the origin [N m]
+  double peak_pressure;   ///< [Pa]
   std::vector<ContactInterval> intervals;  ///< in the plane
   double half_width;                       ///< of the widest interval, in the plane [m]
   bool symmetric;                          ///< whether that one ends at a plane or axis of symmetry
@@ -76,6 +81,11 @@ struct LevelRecord {
   double peak_pressure;                         ///< [Pa]
   double change;          ///< relative change of the peak pressure from the mesh before
   double error_estimate;  ///< relative, of the peak pressure
+  /// In space: greatest pressure in the middle half of the contact's length, and beyond it [Pa].
+  double mid_length_pressure;
+  double end_pressure;
+  double mid_length_change;  ///< relative change of the former from the mesh before
+  unsigned int halvings;     ///< of the contact's cells since the mesh before
   unsigned int active_nodes;
   unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close
@@ -90,8 +100,22 @@ enum class Outcome {
   dof_limit,
   memory_limit,
   active_set_limit,
-  unbounded_pressure  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
-                      ///< edge
+  unbounded_pressure,  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
+                       ///< edge
+  unbounded_edge  ///< so does that at an end of the contact's length, and the rest has converged
+};
+
+/// Whether all was reached that linear elasticity has to give.
+inline bool is_success(const Outcome outcome) {
+  return outcome == Outcome::converged || outcome == Outcome::unbounded_edge;
+}
+
+/// Pressure at the ends of a contact's length.
+struct EdgePressure {
+  bool is_bounded;
+  double
+      growth_exponent;  ///< gamma of p ~ h^-gamma over the last two meshes, h being the cell size
+  double pressure;      ///< greatest beyond the middle half of the length [Pa]
 };
 
 /// The converged elastic state; the mesh and the displacement are in the units of `scales`.
@@ -110,7 +134,9 @@ struct Solution {
   Components<dim> applied_force{};       ///< of body forces and surface loads [N]
   Moment<dim> applied_moment{};          ///< about the origin [N m]
   std::vector<LevelRecord> history;
-  double error_estimate = 0.;  ///< relative, of the peak contact pressure
+  double error_estimate = 0.;  ///< relative, of the peak contact pressure; where an edge pressure
+                               ///< is not bounded, of that in the middle half of the length
+  std::optional<EdgePressure> edge;  ///< in space
   Outcome outcome = Outcome::converged;
   std::string message;  ///< what ended the refinement early and what to try; empty when converged
 };

@@ -19,34 +19,72 @@ struct ContactColumn {
   std::vector<double> values;
 };
 
-std::vector<ContactColumn> contact_columns(const fem::ContactResult<2>& contact,
-                                           const ContactAnalysis& analysis,
+double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node) {
+  return analysis.hertz ? analysis.hertz->pressure(node.arc_length) : std::nan("");
+}
+
+double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node) {
+  if (!analysis.hertz) return std::nan("");
+  const dealii::Point<3> place(node.position[0], node.position[1], node.position[2]);
+  return analysis.hertz->pressure(analysis.frame.distance_across(place),
+                                  place[2] - analysis.frame.centre[2]);
+}
+
+template <int dim>
+std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contact,
+                                           const ContactAnalysis<dim>& analysis,
                                            const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
-  std::vector<ContactColumn> columns{
-      {"arc_length", length.name, {}},       {"x", length.name, {}},   {"y", length.name, {}},
-      {"contact_pressure", stress.name, {}}, {"gap", length.name, {}}, {"status", "", {}},
-      {"hertz_pressure", stress.name, {}}};
-  for (const fem::ContactNode<2>& node : contact.nodes) {
-    const double hertz = analysis.hertz ? analysis.hertz->pressure(node.arc_length) : std::nan("");
-    const std::array<double, 7> row{node.arc_length * length.factor,
-                                    node.position[0] * length.factor,
-                                    node.position[1] * length.factor,
-                                    node.pressure * stress.factor,
-                                    node.gap * length.factor,
-                                    node.active ? 1. : 0.,
-                                    hertz * stress.factor};
+  std::vector<ContactColumn> columns;
+  if (dim == 2) columns.push_back({"arc_length", length.name, {}});
+  for (const char* axis : {"x", "y", "z"})
+    if (columns.size() < 3) columns.push_back({axis, length.name, {}});
+  columns.insert(columns.end(), {{"contact_pressure", stress.name, {}},
+                                 {"gap", length.name, {}},
+                                 {"status", "", {}},
+                                 {"hertz_pressure", stress.name, {}}});
+  for (const fem::ContactNode<dim>& node : contact.nodes) {
+    std::vector<double> row;
+    if (dim == 2) row.push_back(node.arc_length * length.factor);
+    for (const double component : node.position) row.push_back(component * length.factor);
+    row.insert(row.end(), {node.pressure * stress.factor, node.gap * length.factor,
+                           node.active ? 1. : 0., hertz_pressure(analysis, node) * stress.factor});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
   return columns;
 }
 
-void write_contact_csv(const fem::Solution<2>& solution, const Results& results,
-                       const UnitSystem units, const fs::path& file) {
+std::vector<ContactColumn> section_columns(const ContactAnalysis<3>& analysis,
+                                           const UnitSystem units) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const OutputUnit line_load = output_unit(units, Dimension::force_per_length);
+  std::vector<ContactColumn> columns{{"z", length.name, {}},
+                                     {"line_load", line_load.name, {}},
+                                     {"peak_pressure", stress.name, {}},
+                                     {"half_width", length.name, {}},
+                                     {"max_shear", stress.name, {}},
+                                     {"max_shear_depth", length.name, {}}};
+  for (const ContactSection& section : analysis.sections) {
+    const std::array<double, 6> row{section.z * length.factor,
+                                    section.line_load * line_load.factor,
+                                    section.peak_pressure * stress.factor,
+                                    section.half_width * length.factor,
+                                    section.max_shear * stress.factor,
+                                    section.max_shear_depth * length.factor};
+    for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
+  }
+  return columns;
+}
+
+/// A table with one block of rows for each contact pair.
+template <int dim, typename ColumnsOf>
+void write_csv(const fem::Solution<dim>& solution, const ColumnsOf& columns_of,
+               const fs::path& file) {
   std::ofstream stream = open_output(file);
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
-    const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair], units);
+    const std::vector<ContactColumn> columns = columns_of(pair);
     if (pair == 0) {
       stream << "pair";
       for (const ContactColumn& column : columns)
@@ -65,16 +103,48 @@ void write_contact_csv(const fem::Solution<2>& solution, const Results& results,
   close_output(stream, file);
 }
 
-/// Contact nodes joined by lines along each source surface, as a VTK unstructured grid.
-void write_contact_vtu(const fem::Solution<2>& solution, const Results& results,
-                       const UnitSystem units, const fs::path& file) {
-  std::string points;
+/// Cells of a VTK unstructured grid as text.
+struct VtkCells {
   std::string connectivity;
   std::string offsets;
   std::string types;
+  std::size_t count = 0;
+  std::size_t n_corners = 0;
+
+  template <typename Corners>
+  void add(const Corners& corners, const std::size_t first_point, const int type) {
+    for (const std::size_t corner : corners) {
+      connectivity += fmt::format("{} ", first_point + corner);
+      ++n_corners;
+    }
+    connectivity += '\n';
+    offsets += fmt::format("{}\n", n_corners);
+    types += fmt::format("{}\n", type);
+    ++count;
+  }
+};
+
+/// Lines from node to node in the plane, quadrilaterals in space.
+void add_cells(const fem::ContactResult<2>& contact, const std::size_t first_point,
+               VtkCells& cells) {
+  constexpr int line = 3;
+  for (std::size_t i = 0; i + 1 < contact.nodes.size(); ++i)
+    cells.add(std::array<std::size_t, 2>{i, i + 1}, first_point, line);
+}
+void add_cells(const fem::ContactResult<3>& contact, const std::size_t first_point,
+               VtkCells& cells) {
+  constexpr int quadrilateral = 9;
+  for (const auto& face : contact.faces) cells.add(face, first_point, quadrilateral);
+}
+
+/// The source surfaces with what they carry, as a VTK unstructured grid.
+template <int dim>
+void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& results,
+                       const UnitSystem units, const fs::path& file) {
+  std::string points;
+  VtkCells cells;
   std::vector<ContactColumn> all;
   std::size_t n_points = 0;
-  std::size_t n_cells = 0;
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
     const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair], units);
     if (all.empty()) all.assign(columns.begin(), columns.end());
@@ -83,22 +153,22 @@ void write_contact_vtu(const fem::Solution<2>& solution, const Results& results,
         all[i].values.insert(all[i].values.end(), columns[i].values.begin(),
                              columns[i].values.end());
     const std::size_t rows = columns.front().values.size();
-    for (std::size_t row = 0; row < rows; ++row) {
-      points += fmt::format("{:.9g} {:.9g} 0\n", columns[1].values[row], columns[2].values[row]);
-      if (row + 1 == rows) continue;
-      connectivity += fmt::format("{} {}\n", n_points + row, n_points + row + 1);
-      offsets += fmt::format("{}\n", 2 * (++n_cells));
-      types += "3\n";
-    }
+    for (std::size_t row = 0; row < rows; ++row)
+      if (dim == 2)
+        points += fmt::format("{:.9g} {:.9g} 0\n", columns[1].values[row], columns[2].values[row]);
+      else
+        points += fmt::format("{:.9g} {:.9g} {:.9g}\n", columns[0].values[row],
+                              columns[1].values[row], columns[2].values[row]);
+    add_cells(solution.contacts[pair], n_points, cells);
     n_points += rows;
   }
   std::ofstream stream = open_output(file);
   stream << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
             "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
          << fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n",
-                        n_points, n_cells);
+                        n_points, cells.count);
   for (const ContactColumn& column : all) {
-    if (column.name == "x" || column.name == "y") continue;
+    if (column.name == "x" || column.name == "y" || column.name == "z") continue;
     stream << fmt::format("<DataArray type=\"Float64\" Name=\"{}\" format=\"ascii\">\n",
                           column.name);
     for (const double value : column.values) stream << fmt::format("{:.12g}\n", value);
@@ -112,19 +182,36 @@ void write_contact_vtu(const fem::Solution<2>& solution, const Results& results,
             "format=\"ascii\">\n"
          << points << "</DataArray>\n</Points>\n<Cells>\n"
          << "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n"
-         << connectivity
+         << cells.connectivity
          << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n"
-         << offsets << "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n"
-         << types << "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+         << cells.offsets
+         << "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n"
+         << cells.types << "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   close_output(stream, file);
 }
 
 }  // namespace
 
-void write_contact(const fem::Solution<2>& solution, const Results& results, const UnitSystem units,
-                   const fs::path& directory) {
-  write_contact_csv(solution, results, units, directory / "contact.csv");
+template <int dim>
+void write_contact(const fem::Solution<dim>& solution, const Results<dim>& results,
+                   const UnitSystem units, const fs::path& directory) {
+  write_csv(
+      solution,
+      [&](const std::size_t pair) {
+        return contact_columns(solution.contacts[pair], results.contacts[pair], units);
+      },
+      directory / "contact.csv");
   write_contact_vtu(solution, results, units, directory / "contact.vtu");
+  if constexpr (dim == 3)
+    write_csv(
+        solution,
+        [&](const std::size_t pair) { return section_columns(results.contacts[pair], units); },
+        directory / "sections.csv");
 }
+
+template void write_contact(const fem::Solution<2>&, const Results<2>&, UnitSystem,
+                            const fs::path&);
+template void write_contact(const fem::Solution<3>&, const Results<3>&, UnitSystem,
+                            const fs::path&);
 
 }  // namespace geneva::post

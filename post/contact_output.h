@@ -7,10 +7,12 @@
 
 namespace geneva::post {
 
-/// Writes contact.vtu and contact.csv: arc length, contact pressure, gap, status and Hertz's
-/// pressure at the source nodes. One rank calls it.
+/// Writes contact.vtu and contact.csv: place (in the plane with the arc length), contact pressure,
+/// gap, status and Hertz's pressure at the source nodes; in space also sections.csv with line load,
+/// peak pressure, half-width and greatest shear along z. One rank calls it.
 /// @throws std::runtime_error if a file cannot be written
-void write_contact(const fem::Solution<2>& solution, const Results& results, UnitSystem units,
-                   const std::filesystem::path& directory);
+template <int dim>
+void write_contact(const fem::Solution<dim>& solution, const Results<dim>& results,
+                   UnitSystem units, const std::filesystem::path& directory);
 
 }  // namespace geneva::post

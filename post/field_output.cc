@@ -30,10 +30,11 @@ constexpr Interpretation tensor_part =
     dealii::DataComponentInterpretation::component_is_part_of_tensor;
 
 /// DataOut in the units of the output instead of those of the triangulation.
-class ScaledDataOut : public dealii::DataOut<2> {
+template <int dim>
+class ScaledDataOut : public dealii::DataOut<dim> {
  public:
   void scale_positions(const double factor) {
-    for (auto& patch : patches)
+    for (auto& patch : this->patches)
       for (auto& vertex : patch.vertices) vertex *= factor;
   }
 
@@ -43,18 +44,18 @@ class ScaledDataOut : public dealii::DataOut<2> {
 
  protected:
   [[nodiscard]] std::vector<std::string> get_dataset_names() const override {
-    std::vector<std::string> names = dealii::DataOut<2>::get_dataset_names();
+    std::vector<std::string> names = dealii::DataOut<dim>::get_dataset_names();
     if (!tensors_apart_) return names;
-    constexpr std::array<const char*, 4> components{"_xx", "_xy", "_yx", "_yy"};
-    for (const auto& range : dealii::DataOut<2>::get_nonscalar_data_ranges())
+    const std::string axes = "xyz";
+    for (const auto& range : dealii::DataOut<dim>::get_nonscalar_data_ranges())
       if (std::get<3>(range) == tensor_part)
-        for (unsigned int i = 0; i < components.size(); ++i)
-          names[std::get<0>(range) + i] += components[i];
+        for (unsigned int i = 0; i < dim * dim; ++i)
+          names[std::get<0>(range) + i] += std::string("_") + axes[i / dim] + axes[i % dim];
     return names;
   }
 
   [[nodiscard]] NonscalarRanges get_nonscalar_data_ranges() const override {
-    NonscalarRanges ranges = dealii::DataOut<2>::get_nonscalar_data_ranges();
+    NonscalarRanges ranges = dealii::DataOut<dim>::get_nonscalar_data_ranges();
     if (tensors_apart_)
       ranges.erase(
           std::remove_if(ranges.begin(), ranges.end(),
@@ -68,16 +69,17 @@ class ScaledDataOut : public dealii::DataOut<2> {
 };
 
 /// Displacement in output units.
-class DisplacementOutput : public dealii::DataPostprocessorVector<2> {
+template <int dim>
+class DisplacementOutput : public dealii::DataPostprocessorVector<dim> {
  public:
   explicit DisplacementOutput(const double factor)
-      : dealii::DataPostprocessorVector<2>("displacement", dealii::update_values),
+      : dealii::DataPostprocessorVector<dim>("displacement", dealii::update_values),
         factor_(factor) {}
 
-  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2>& inputs,
+  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim>& inputs,
                              std::vector<dealii::Vector<double>>& outputs) const override {
     for (unsigned int q = 0; q < outputs.size(); ++q)
-      for (unsigned int component = 0; component < 2; ++component)
+      for (unsigned int component = 0; component < dim; ++component)
         outputs[q][component] = factor_ * inputs.solution_values[q](component);
   }
 
@@ -85,49 +87,86 @@ class DisplacementOutput : public dealii::DataPostprocessorVector<2> {
   double factor_;
 };
 
-/// A named stress output with as many numbers as its interpretation says.
+enum class ArrayKind { number, tensor };
+
+/// A named stress output.
 struct StressArray {
   const char* name;
-  unsigned int components;
+  ArrayKind kind;
+  bool only_in_plane;
 };
-constexpr std::array<StressArray, 10> stress_arrays{{{"stress", 4},
-                                                     {"stress_out_of_plane", 1},
-                                                     {"von_mises", 1},
-                                                     {"principal_stress_1", 1},
-                                                     {"principal_stress_2", 1},
-                                                     {"principal_stress_3", 1},
-                                                     {"max_shear", 1},
-                                                     {"mcewen_stress", 4},
-                                                     {"mcewen_difference", 4},
-                                                     {"mcewen_zone", 1}}};
+constexpr std::array<StressArray, 10> all_stress_arrays{
+    {{"stress", ArrayKind::tensor, false},
+     {"stress_out_of_plane", ArrayKind::number, true},
+     {"von_mises", ArrayKind::number, false},
+     {"principal_stress_1", ArrayKind::number, false},
+     {"principal_stress_2", ArrayKind::number, false},
+     {"principal_stress_3", ArrayKind::number, false},
+     {"max_shear", ArrayKind::number, false},
+     {"mcewen_stress", ArrayKind::tensor, true},
+     {"mcewen_difference", ArrayKind::tensor, true},
+     {"mcewen_zone", ArrayKind::number, true}}};
 
-fem::PlaneStress to_stress(const dealii::Vector<double>& values) {
-  fem::PlaneStress stress;
-  stress.in_plane[0][0] = values[0];
-  stress.in_plane[1][1] = values[1];
-  stress.in_plane[0][1] = values[3];
-  stress.out_of_plane = values[2];
-  return stress;
+template <int dim>
+std::vector<StressArray> stress_arrays() {
+  std::vector<StressArray> arrays;
+  for (const StressArray& array : all_stress_arrays)
+    if (dim == 2 || !array.only_in_plane) arrays.push_back(array);
+  return arrays;
+}
+
+template <int dim>
+unsigned int n_components(const StressArray& array) {
+  return array.kind == ArrayKind::tensor ? dim * dim : 1;
+}
+
+/// Writes numbers one after the other.
+class Writer {
+ public:
+  Writer(dealii::Vector<double>& output, const double factor) : output_(output), factor_(factor) {}
+
+  void plain(const double value) { output_[next_++] = value; }
+  void scaled(const double value) { plain(factor_ * value); }
+  template <int dim>
+  void scaled(const dealii::SymmetricTensor<2, dim>& tensor) {
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j) scaled(tensor[i][j]);
+  }
+
+ private:
+  dealii::Vector<double>& output_;
+  double factor_;
+  unsigned int next_ = 0;
+};
+
+/// What all dimensions have after the stress itself.
+template <typename Stress>
+void write_invariants(const Stress& stress, Writer& writer) {
+  const auto principal = principal_stresses(stress);
+  writer.scaled(von_mises(principal));
+  for (const double value : principal) writer.scaled(value);
+  writer.scaled(max_shear(principal));
 }
 
 /// All stress arrays of a node, from its recovered stress.
-class StressOutput : public dealii::DataPostprocessor<2> {
+template <int dim>
+class StressOutput : public dealii::DataPostprocessor<dim> {
  public:
-  StressOutput(const fem::Solution<2>& solution, const Results& results, const double factor)
+  StressOutput(const fem::Solution<dim>& solution, const Results<dim>& results, const double factor)
       : solution_(solution), results_(results), factor_(factor) {}
 
   [[nodiscard]] std::vector<std::string> get_names() const override {
     std::vector<std::string> names;
-    for (const StressArray& array : stress_arrays)
-      names.insert(names.end(), array.components, array.name);
+    for (const StressArray& array : stress_arrays<dim>())
+      names.insert(names.end(), n_components<dim>(array), array.name);
     return names;
   }
 
   [[nodiscard]] std::vector<Interpretation> get_data_component_interpretation() const override {
     std::vector<Interpretation> interpretation;
-    for (const StressArray& array : stress_arrays)
-      interpretation.insert(interpretation.end(), array.components,
-                            array.components == 4 ? tensor_part : scalar);
+    for (const StressArray& array : stress_arrays<dim>())
+      interpretation.insert(interpretation.end(), n_components<dim>(array),
+                            array.kind == ArrayKind::tensor ? tensor_part : scalar);
     return interpretation;
   }
 
@@ -135,20 +174,23 @@ class StressOutput : public dealii::DataPostprocessor<2> {
     return dealii::update_values | dealii::update_quadrature_points;
   }
 
-  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<2>& inputs,
+  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim>& inputs,
                              std::vector<dealii::Vector<double>>& outputs) const override {
-    const unsigned int body = inputs.get_cell<2>()->material_id();
+    const unsigned int body = inputs.template get_cell<dim>()->material_id();
     for (unsigned int q = 0; q < outputs.size(); ++q) {
-      const fem::PlaneStress stress = to_stress(inputs.solution_values[q]);
-      const Point<2> place = solution_.scales.length * inputs.evaluation_points[q];
-      write(stress, closed_form_at(body, place), outputs[q]);
+      const auto& values = inputs.solution_values[q];
+      const auto stress =
+          assembled_stress<dim>([&](const unsigned int component) { return values[component]; });
+      const Point<dim> place = solution_.scales.length * inputs.evaluation_points[q];
+      Writer writer(outputs[q], factor_);
+      write(stress, body, place, writer);
     }
   }
 
  private:
   [[nodiscard]] std::optional<fem::PlaneStress> closed_form_at(const unsigned int body,
                                                                const Point<2>& place) const {
-    for (const ContactAnalysis& contact : results_.contacts)
+    for (const auto& contact : results_.contacts)
       if (contact.hertz) {
         const double poissons_ratio = solution_.problem.bodies[body].material.poissons_ratio;
         const auto stress =
@@ -158,27 +200,24 @@ class StressOutput : public dealii::DataPostprocessor<2> {
     return std::nullopt;
   }
 
-  void write(const fem::PlaneStress& stress, const std::optional<fem::PlaneStress>& exact,
-             dealii::Vector<double>& output) const {
-    unsigned int next = 0;
-    const auto put = [&](const double value) { output[next++] = value; };
-    const auto put_tensor = [&](const dealii::SymmetricTensor<2, 2>& tensor) {
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j) put(factor_ * tensor[i][j]);
-    };
-    const auto principal = principal_stresses(stress);
-    put_tensor(stress.in_plane);
-    put(factor_ * stress.out_of_plane);
-    put(factor_ * von_mises(principal));
-    for (const double value : principal) put(factor_ * value);
-    put(factor_ * max_shear(principal));
-    put_tensor(exact ? exact->in_plane : dealii::SymmetricTensor<2, 2>());
-    put_tensor(exact ? stress.in_plane - exact->in_plane : dealii::SymmetricTensor<2, 2>());
-    put(exact ? 1. : 0.);
+  void write(const Stress<dim>& stress, [[maybe_unused]] const unsigned int body,
+             [[maybe_unused]] const Point<dim>& place, Writer& writer) const {
+    if constexpr (dim == 3) {
+      writer.scaled(stress);
+      write_invariants(stress, writer);
+    } else {
+      const auto exact = closed_form_at(body, place);
+      writer.scaled(stress.in_plane);
+      writer.scaled(stress.out_of_plane);
+      write_invariants(stress, writer);
+      writer.scaled(exact ? exact->in_plane : dealii::SymmetricTensor<2, 2>());
+      writer.scaled(exact ? stress.in_plane - exact->in_plane : dealii::SymmetricTensor<2, 2>());
+      writer.plain(exact ? 1. : 0.);
+    }
   }
 
-  const fem::Solution<2>& solution_;
-  const Results& results_;
+  const fem::Solution<dim>& solution_;
+  const Results<dim>& results_;
   double factor_;
 };
 
@@ -186,20 +225,23 @@ dealii::DataOutBase::VtkFlags vtk_flags(const UnitSystem units) {
   dealii::DataOutBase::VtkFlags flags;
   flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
   flags.physical_units["displacement"] = output_unit(units, Dimension::length).name;
-  for (const StressArray& array : stress_arrays)
+  for (const StressArray& array : all_stress_arrays)
     if (std::string(array.name) != "mcewen_zone")
       flags.physical_units[array.name] = output_unit(units, Dimension::stress).name;
   return flags;
 }
 
-dealii::Vector<double> bodies(const fem::Solution<2>& solution) {
+template <int dim>
+dealii::Vector<double> bodies(const fem::Solution<dim>& solution) {
   dealii::Vector<double> body(solution.triangulation->n_active_cells());
   for (const auto& cell : solution.triangulation->active_cell_iterators())
     body[cell->active_cell_index()] = cell->material_id();
   return body;
 }
 
-void write_vtu(const ScaledDataOut& data, const MPI_Comm communicator, const fs::path& directory) {
+template <int dim>
+void write_vtu(const ScaledDataOut<dim>& data, const MPI_Comm communicator,
+               const fs::path& directory) {
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const auto piece_name = [](const unsigned int i) { return fmt::format("solution.{}.vtu", i); };
@@ -221,10 +263,10 @@ void write_vtu(const ScaledDataOut& data, const MPI_Comm communicator, const fs:
 }
 
 /// The history of the refinement as one data set a column.
-void append_history(const fem::Solution<2>& solution, const MPI_Comm communicator,
+void append_history(const std::vector<fem::LevelRecord>& levels, const MPI_Comm communicator,
                     const fs::path& file) {
   std::map<std::string, std::vector<double>> columns;
-  for (const fem::LevelRecord& level : solution.history) {
+  for (const fem::LevelRecord& level : levels) {
     columns["cells"].push_back(level.cells);
     columns["dofs"].push_back(level.dofs);
     columns["peak_pressure_Pa"].push_back(level.peak_pressure);
@@ -238,7 +280,8 @@ void append_history(const fem::Solution<2>& solution, const MPI_Comm communicato
 }
 
 /// @throws std::runtime_error if the disk is full
-void write_hdf5(const ScaledDataOut& data, const fem::Solution<2>& solution,
+template <int dim>
+void write_hdf5(const ScaledDataOut<dim>& data, const std::vector<fem::LevelRecord>& levels,
                 const MPI_Comm communicator, const fs::path& directory) try {
   H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // failures are said below, not as a stack of calls
   // Duplicate vertices stay: the two bodies touch, and merging their vertices would average their
@@ -249,7 +292,7 @@ void write_hdf5(const ScaledDataOut& data, const fem::Solution<2>& solution,
   data.write_hdf5_parallel(filter, file.string(), communicator);
   const dealii::XDMFEntry entry = data.create_xdmf_entry(filter, "results.h5", 0., communicator);
   data.write_xdmf_file({entry}, (directory / "results.xdmf").string(), communicator);
-  append_history(solution, communicator, file);
+  append_history(levels, communicator, file);
 } catch (const dealii::ExceptionBase&) {
   throw std::runtime_error("cannot write all of " + (directory / "results.h5").string() +
                            ": is the disk full?");
@@ -257,25 +300,29 @@ void write_hdf5(const ScaledDataOut& data, const fem::Solution<2>& solution,
 
 }  // namespace
 
-void write_fields(const fem::Solution<2>& solution, const Results& results, const UnitSystem units,
-                  const fs::path& directory) {
+template <int dim>
+void write_fields(const fem::Solution<dim>& solution, const Results<dim>& results,
+                  const UnitSystem units, const fs::path& directory) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   const double length = solution.scales.length * output_unit(units, Dimension::length).factor;
-  const DisplacementOutput displacement(length);
-  const StressOutput stress(solution, results, output_unit(units, Dimension::stress).factor);
+  const DisplacementOutput<dim> displacement(length);
+  const StressOutput<dim> stress(solution, results, output_unit(units, Dimension::stress).factor);
   const dealii::Vector<double> body = bodies(solution);
 
-  ScaledDataOut data;
+  ScaledDataOut<dim> data;
   data.set_flags(vtk_flags(units));
   data.attach_triangulation(*solution.triangulation);
   data.add_data_vector(*solution.dof_handler, solution.displacement, displacement);
   data.add_data_vector(*results.nodal.dof_handler, results.nodal.values, stress);
-  data.add_data_vector(body, "body", dealii::DataOut<2>::type_cell_data);
+  data.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
   data.build_patches();
   data.scale_positions(length);
   write_vtu(data, communicator, directory);
   data.take_tensors_apart();
-  write_hdf5(data, solution, communicator, directory);
+  write_hdf5(data, solution.history, communicator, directory);
 }
+
+template void write_fields(const fem::Solution<2>&, const Results<2>&, UnitSystem, const fs::path&);
+template void write_fields(const fem::Solution<3>&, const Results<3>&, UnitSystem, const fs::path&);
 
 }  // namespace geneva::post

@@ -9,10 +9,11 @@ namespace geneva::post {
 
 /// Writes solution.pvd, solution.pvtu, solution.N.vtu and results.h5, results.xdmf into a
 /// directory: displacement, stress tensor, out-of-plane stress, von Mises, principal stresses,
-/// greatest shear, body, McEwen's stress near the contact and the difference from it. Every rank
-/// takes part.
+/// greatest shear, body; in the plane McEwen's stress near the contact and the difference from it.
+/// Every rank takes part.
 /// @throws std::runtime_error if a file cannot be written
-void write_fields(const fem::Solution<2>& solution, const Results& results, UnitSystem units,
+template <int dim>
+void write_fields(const fem::Solution<dim>& solution, const Results<dim>& results, UnitSystem units,
                   const std::filesystem::path& directory);
 
 }  // namespace geneva::post

@@ -11,22 +11,32 @@ using dealii::Point;
 
 namespace {
 
-Equilibrium equilibrium(const fem::Solution<2>& solution) {
-  const bool axisymmetric = solution.problem.plane == fem::PlaneKind::axisymmetric;
-  std::array<double, 2> force = solution.applied_force;
-  double moment = solution.applied_moment;
-  for (const fem::Reaction<2>& reaction : solution.reactions) {
-    force[0] += reaction.force[0];
-    force[1] += reaction.force[1];
+template <int dim>
+double norm(const fem::Components<dim>& vector) {
+  double square = 0.;
+  for (const double component : vector) square += component * component;
+  return std::sqrt(square);
+}
+
+double norm(const double moment) { return std::abs(moment); }
+double norm(const dealii::Tensor<1, 3>& moment) { return moment.norm(); }
+
+template <int dim>
+Equilibrium equilibrium(const fem::Solution<dim>& solution) {
+  const bool axisymmetric = dim == 2 && solution.problem.plane == fem::PlaneKind::axisymmetric;
+  fem::Components<dim> force = solution.applied_force;
+  fem::Moment<dim> moment = solution.applied_moment;
+  for (const fem::Reaction<dim>& reaction : solution.reactions) {
+    for (unsigned int i = 0; i < dim; ++i) force[i] += reaction.force[i];
     moment += reaction.moment;
   }
   double contact_force = 0.;
-  for (const fem::ContactResult<2>& contact : solution.contacts)
-    contact_force = std::max(contact_force, std::hypot(contact.force[0], contact.force[1]));
+  for (const fem::ContactResult<dim>& contact : solution.contacts)
+    contact_force = std::max(contact_force, norm<dim>(contact.force));
   if (contact_force == 0.) return {0., 0.};
-  const double defect = axisymmetric ? std::abs(force[1]) : std::hypot(force[0], force[1]);
+  const double defect = axisymmetric ? std::abs(force[1]) : norm<dim>(force);
   const double arm = solution.scales.length;
-  return {defect / contact_force, axisymmetric ? 0. : std::abs(moment) / (contact_force * arm)};
+  return {defect / contact_force, axisymmetric ? 0. : norm(moment) / (contact_force * arm)};
 }
 
 double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
@@ -36,10 +46,10 @@ double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
 /// Sides of the contact are told apart by the sign of the distance along the target's normal.
 std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution,
                                                 const ClosedForm& form,
-                                                const std::vector<CellStress>& cells) {
+                                                const std::vector<CellStress<2>>& cells) {
   if (!form.line) return std::nullopt;
   std::array<double, 4> sums{0., 0., 0., 0.};
-  for (const CellStress& cell : cells) {
+  for (const CellStress<2>& cell : cells) {
     const double b = form.half_width();
     if (std::abs(form.along(cell.centre)) >= 2. * b || form.depth(cell.centre) >= 3. * b) continue;
     const auto exact =
@@ -47,8 +57,8 @@ std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution
                       solution.problem.bodies[cell.body].material.poissons_ratio, cell.centre);
     if (!exact) continue;
     const std::size_t side = (cell.centre - form.centre) * form.normal > 0. ? 0 : 2;
-    sums[side] += cell.area * square_difference(cell.stress, *exact);
-    sums[side + 1] += cell.area;
+    sums[side] += cell.measure * square_difference(cell.stress, *exact);
+    sums[side + 1] += cell.measure;
   }
   for (double& sum : sums)
     sum = dealii::Utilities::MPI::sum(sum, solution.dof_handler->get_communicator());
@@ -58,10 +68,10 @@ std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution
   return FieldDifference{root_mean_square(0), root_mean_square(2)};
 }
 
-ContactAnalysis analyse_contact(const fem::Solution<2>& solution,
-                                const fem::ContactResult<2>& contact,
-                                const std::vector<CellStress>& cells) {
-  ContactAnalysis analysis{
+ContactAnalysis<2> analyse_contact(const fem::Solution<2>& solution,
+                                   const fem::ContactResult<2>& contact,
+                                   const std::vector<CellStress<2>>& cells) {
+  ContactAnalysis<2> analysis{
       pressure_centre(solution, contact), closed_form(solution, contact), {}, 0., {}};
   const double half_width = std::max(contact.half_width, 1e-12 * solution.scales.length);
   analysis.max_shear = peak_shear(solution, cells, analysis.centre.place, 3. * half_width);
@@ -71,25 +81,59 @@ ContactAnalysis analyse_contact(const fem::Solution<2>& solution,
   return analysis;
 }
 
+ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
+                                   const fem::ContactResult<3>& contact,
+                                   const std::vector<CellStress<3>>& cells) {
+  ContactAnalysis<3> analysis{};
+  analysis.frame = contact_frame(contact);
+  analysis.hertz = closed_form(solution, contact);
+  analysis.sections = contact_sections(solution, contact, cells);
+  if (analysis.sections.empty()) return analysis;
+  const auto peak =
+      std::max_element(contact.nodes.begin(), contact.nodes.end(),
+                       [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
+  analysis.peak_place = peak->position;
+  const bool is_ellipse = analysis.hertz && analysis.hertz->ellipse;
+  // A semi-ellipsoid of pressure has the mean squares a^2/5 and b^2/5.
+  analysis.half_width = is_ellipse ? std::sqrt(5. * analysis.frame.mean_square_across)
+                                   : middle_section(contact, analysis.sections).half_width;
+  analysis.half_length = is_ellipse
+                             ? std::sqrt(5. * analysis.frame.mean_square_along)
+                             : (analysis.sections.back().z - analysis.sections.front().z) / 2.;
+  for (const ContactSection& section : analysis.sections)
+    if (section.max_shear > analysis.max_shear) {
+      analysis.max_shear = section.max_shear;
+      analysis.max_shear_depth = section.max_shear_depth;
+    }
+  return analysis;
+}
+
 }  // namespace
 
-std::size_t leading_contact(const fem::Solution<2>& solution) {
+template <int dim>
+std::size_t leading_contact(const fem::Solution<dim>& solution) {
   const auto leading = std::max_element(
       solution.contacts.begin(), solution.contacts.end(),
       [](const auto& a, const auto& b) { return a.peak_pressure < b.peak_pressure; });
   return static_cast<std::size_t>(leading - solution.contacts.begin());
 }
 
-Results analyse(const fem::Solution<2>& solution) {
-  const std::vector<CellStress> cells = cell_stresses(solution);
-  Results results;
+template <int dim>
+Results<dim> analyse(const fem::Solution<dim>& solution) {
+  Results<dim> results;
+  results.cells = cell_stresses(solution);
   results.nodal = nodal_stress(solution);
-  for (const fem::ContactResult<2>& contact : solution.contacts)
-    results.contacts.push_back(analyse_contact(solution, contact, cells));
+  for (const fem::ContactResult<dim>& contact : solution.contacts)
+    results.contacts.push_back(analyse_contact(solution, contact, results.cells));
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));
   results.equilibrium = equilibrium(solution);
   return results;
 }
+
+template std::size_t leading_contact(const fem::Solution<2>&);
+template std::size_t leading_contact(const fem::Solution<3>&);
+template Results<2> analyse(const fem::Solution<2>&);
+template Results<3> analyse(const fem::Solution<3>&);
 
 }  // namespace geneva::post

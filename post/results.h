@@ -5,6 +5,7 @@
 
 #include "fem/solution.h"
 #include "post/closed_form.h"
+#include "post/contact_in_space.h"
 #include "post/stress.h"
 
 namespace geneva::post {
@@ -24,25 +25,45 @@ struct FieldDifference {
 };
 
 /// One contact pair beside its closed form.
-struct ContactAnalysis {
+template <int dim>
+struct ContactAnalysis;
+
+template <>
+struct ContactAnalysis<2> {
   PressureCentre centre;
   std::optional<ClosedForm> hertz;
-  StressPeak max_shear;    ///< greatest in-plane shear [Pa] below the contact
-  double max_shear_depth;  ///< [m]
+  StressPeak<2> max_shear;  ///< greatest in-plane shear [Pa] below the contact
+  double max_shear_depth;   ///< [m]
   std::optional<FieldDifference> difference;
 };
 
+template <>
+struct ContactAnalysis<3> {
+  ContactFrame frame;
+  std::optional<ClosedFormInSpace> hertz;
+  std::vector<ContactSection> sections;  ///< by ascending z
+  fem::Components<3> peak_place;         ///< of the contact pressure [m]
+  double half_width;                     ///< across z: of the middle section; of an ellipse [m]
+  double half_length;                    ///< along z [m]
+  double max_shear;                      ///< greatest shear [Pa] below the contact
+  double max_shear_depth;                ///< [m]
+};
+
 /// What the program reports of a solution.
+template <int dim>
 struct Results {
-  NodalStress nodal;
-  std::vector<ContactAnalysis> contacts;  ///< by contact pair
-  std::vector<StressPeak> max_von_mises;  ///< by body
+  std::vector<CellStress<dim>> cells;  ///< of this rank
+  NodalStress<dim> nodal;
+  std::vector<ContactAnalysis<dim>> contacts;  ///< by contact pair
+  std::vector<StressPeak<dim>> max_von_mises;  ///< by body
   Equilibrium equilibrium;
 };
 
-Results analyse(const fem::Solution<2>& solution);
+template <int dim>
+Results<dim> analyse(const fem::Solution<dim>& solution);
 
 /// The contact pair with the greatest pressure.
-std::size_t leading_contact(const fem::Solution<2>& solution);
+template <int dim>
+std::size_t leading_contact(const fem::Solution<dim>& solution);
 
 }  // namespace geneva::post

@@ -8,6 +8,9 @@
 #include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -20,37 +23,41 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 namespace {
 
 /// Evaluates the stress of one cell at the points of a quadrature; strains need no scaling.
+template <int dim>
 class StressEvaluator {
  public:
-  StressEvaluator(const fem::Solution<2>& solution, const dealii::Quadrature<2>& points)
+  StressEvaluator(const fem::Solution<dim>& solution, const dealii::Quadrature<dim>& points)
       : solution_(solution),
         values_(*solution.element, points,
                 dealii::update_values | dealii::update_gradients |
                     dealii::update_quadrature_points | dealii::update_JxW_values),
         strains_(points.size()),
         displacements_(points.size()) {
-    for (const fem::Body<2>& body : solution.problem.bodies)
+    for (const fem::Body<dim>& body : solution.problem.bodies)
       lame_.push_back(fem::lame(body.material, solution.problem.plane));
   }
 
-  std::vector<fem::PlaneStress> operator()(
-      const dealii::DoFHandler<2>::active_cell_iterator& cell) {
+  std::vector<Stress<dim>> operator()(
+      const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
     const dealii::FEValuesExtractors::Vector all(0);
     values_.reinit(cell);
     values_[all].get_function_symmetric_gradients(solution_.displacement, strains_);
     if (axisymmetric()) values_[all].get_function_values(solution_.displacement, displacements_);
-    std::vector<fem::PlaneStress> stresses;
+    std::vector<Stress<dim>> stresses;
     for (unsigned int q = 0; q < strains_.size(); ++q)
-      stresses.push_back(fem::stress(lame_[cell->material_id()], solution_.problem.plane,
-                                     strains_[q], hoop_strain(q)));
+      if constexpr (dim == 2)
+        stresses.push_back(fem::stress(lame_[cell->material_id()], solution_.problem.plane,
+                                       strains_[q], hoop_strain(q)));
+      else
+        stresses.push_back(fem::stress(lame_[cell->material_id()], strains_[q]));
     return stresses;
   }
 
-  [[nodiscard]] const dealii::FEValues<2>& values() const { return values_; }
+  [[nodiscard]] const dealii::FEValues<dim>& values() const { return values_; }
 
  private:
   [[nodiscard]] bool axisymmetric() const {
-    return solution_.problem.plane == fem::PlaneKind::axisymmetric;
+    return dim == 2 && solution_.problem.plane == fem::PlaneKind::axisymmetric;
   }
 
   /// u_r/r; on the axis, where it equals the radial strain, that one.
@@ -60,23 +67,27 @@ class StressEvaluator {
     return radius > 1e-12 ? displacements_[q][0] / radius : strains_[q][0][0];
   }
 
-  const fem::Solution<2>& solution_;
-  dealii::FEValues<2> values_;
-  std::vector<dealii::SymmetricTensor<2, 2>> strains_;
-  std::vector<dealii::Tensor<1, 2>> displacements_;
+  const fem::Solution<dim>& solution_;
+  dealii::FEValues<dim> values_;
+  std::vector<dealii::SymmetricTensor<2, dim>> strains_;
+  std::vector<dealii::Tensor<1, dim>> displacements_;
   std::vector<fem::Lame> lame_;
 };
 
 std::array<double, 4> components(const fem::PlaneStress& stress) {
   return {stress.in_plane[0][0], stress.in_plane[1][1], stress.out_of_plane, stress.in_plane[0][1]};
 }
+std::array<double, 6> components(const dealii::SymmetricTensor<2, 3>& stress) {
+  return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[0][2], stress[1][2]};
+}
 
 /// The greatest of the ranks' peaks, with its place, on every rank.
-StressPeak greatest(const MPI_Comm communicator, const StressPeak& local) {
-  StressPeak peak = local;
-  const std::array<double, 3> record{local.value, local.place[0], local.place[1]};
-  for (const auto& other : dealii::Utilities::MPI::all_gather(communicator, record))
-    if (other[0] > peak.value) peak = {other[0], {other[1], other[2]}};
+template <int dim>
+StressPeak<dim> greatest(const MPI_Comm communicator, const StressPeak<dim>& local) {
+  StressPeak<dim> peak = local;
+  const std::pair record(local.value, local.place);
+  for (const auto& [value, place] : dealii::Utilities::MPI::all_gather(communicator, record))
+    if (value > peak.value) peak = {value, place};
   return peak;
 }
 
@@ -104,8 +115,8 @@ Monomials monomials(const double x, const double y, const int degree) {
 
 /// Top of the polynomial fitted to the samples within a radius of the greatest one (cubic where
 /// there are enough of them), or that sample itself if the polynomial has none nearby.
-StressPeak fitted_top(const std::vector<Sample>& samples, const StressPeak& peak,
-                      const double radius) {
+StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>& peak,
+                         const double radius) {
   const int degree = samples.size() >= 20 ? 3 : 2;
   if (samples.size() < 9) return peak;
   const auto n = static_cast<Eigen::Index>(samples.size());
@@ -147,15 +158,17 @@ StressPeak fitted_top(const std::vector<Sample>& samples, const StressPeak& peak
 
 }  // namespace
 
-std::vector<CellStress> cell_stresses(const fem::Solution<2>& solution) {
-  StressEvaluator evaluate(solution, dealii::QMidpoint<2>());
+template <int dim>
+std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution) {
+  StressEvaluator<dim> evaluate(solution, dealii::QMidpoint<dim>());
   const double length = solution.scales.length;
-  std::vector<CellStress> stresses;
+  std::vector<CellStress<dim>> stresses;
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const fem::PlaneStress stress = evaluate(cell).front();
-    stresses.push_back({Point<2>(length * evaluate.values().quadrature_point(0)),
-                        length * length * evaluate.values().JxW(0), cell->material_id(), stress});
+    const Stress<dim> stress = evaluate(cell).front();
+    stresses.push_back({Point<dim>(length * evaluate.values().quadrature_point(0)),
+                        std::pow(length, dim) * evaluate.values().JxW(0),
+                        length * cell->extent_in_direction(dim - 1), cell->material_id(), stress});
   }
   return stresses;
 }
@@ -167,6 +180,10 @@ std::array<double, 3> principal_stresses(const fem::PlaneStress& stress) {
   std::array<double, 3> principal{mean + radius, mean - radius, stress.out_of_plane};
   std::sort(principal.rbegin(), principal.rend());
   return principal;
+}
+
+std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress) {
+  return dealii::eigenvalues(stress);
 }
 
 double von_mises(const std::array<double, 3>& principal) {
@@ -182,10 +199,12 @@ double in_plane_shear(const fem::PlaneStress& stress) {
   return std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
 }
 
-NodalStress nodal_stress(const fem::Solution<2>& solution) {
-  NodalStress result;
-  result.element = std::make_unique<dealii::FESystem<2>>(dealii::FE_Q<2>(1), 4);
-  result.dof_handler = std::make_unique<dealii::DoFHandler<2>>(*solution.triangulation);
+template <int dim>
+NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
+  NodalStress<dim> result;
+  result.element =
+      std::make_unique<dealii::FESystem<dim>>(dealii::FE_Q<dim>(1), n_stress_components<dim>);
+  result.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution.triangulation);
   result.dof_handler->distribute_dofs(*result.element);
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   const dealii::IndexSet owned = result.dof_handler->locally_owned_dofs();
@@ -196,7 +215,7 @@ NodalStress nodal_stress(const fem::Solution<2>& solution) {
   sum.reinit(owned, relevant, communicator, true);
   weight.reinit(owned, relevant, communicator, true);
 
-  StressEvaluator evaluate(solution, dealii::QTrapezoid<2>());
+  StressEvaluator<dim> evaluate(solution, dealii::QTrapezoid<dim>());
   std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
   dealii::Vector<double> values(result.element->n_dofs_per_cell());
   dealii::Vector<double> weights(result.element->n_dofs_per_cell());
@@ -204,12 +223,12 @@ NodalStress nodal_stress(const fem::Solution<2>& solution) {
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (cell->is_locally_owned()) {
       const auto stresses = evaluate(cell);
-      const double area = cell->measure();
+      const double measure = cell->measure();
       stress_cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < dofs.size(); ++i) {
         const auto [component, vertex] = result.element->system_to_component_index(i);
-        values[i] = area * components(stresses[vertex])[component];
-        weights[i] = area;
+        values[i] = measure * components(stresses[vertex])[component];
+        weights[i] = measure;
       }
       sum.add(dofs, values);
       weight.add(dofs, weights);
@@ -231,44 +250,41 @@ NodalStress nodal_stress(const fem::Solution<2>& solution) {
   return result;
 }
 
-StressPeak peak_von_mises(const fem::Solution<2>& solution, const NodalStress& stress,
-                          const unsigned int body) {
-  StressPeak peak;
+template <int dim>
+StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
+                               const unsigned int body) {
+  StressPeak<dim> peak;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->material_id() != body) continue;
     for (const unsigned int vertex : cell->vertex_indices()) {
-      const auto value = [&](const unsigned int component) {
+      const auto at_node = assembled_stress<dim>([&](const unsigned int component) {
         return stress.values(cell->vertex_dof_index(vertex, component));
-      };
-      fem::PlaneStress at_node;
-      at_node.in_plane[0][0] = value(0);
-      at_node.in_plane[1][1] = value(1);
-      at_node.out_of_plane = value(2);
-      at_node.in_plane[0][1] = value(3);
+      });
       const double equivalent = von_mises(principal_stresses(at_node));
-      if (equivalent > peak.value)
-        peak = {equivalent,
-                {cell->vertex(vertex)[0] * solution.scales.length,
-                 cell->vertex(vertex)[1] * solution.scales.length}};
+      if (equivalent <= peak.value) continue;
+      peak.value = equivalent;
+      for (unsigned int i = 0; i < dim; ++i)
+        peak.place[i] = cell->vertex(vertex)[i] * solution.scales.length;
     }
   }
   return greatest(solution.dof_handler->get_communicator(), peak);
 }
 
-StressPeak peak_shear(const fem::Solution<2>& solution, const std::vector<CellStress>& stresses,
-                      const Point<2>& around, const double distance) {
+StressPeak<2> peak_shear(const fem::Solution<2>& solution,
+                         const std::vector<CellStress<2>>& stresses, const Point<2>& around,
+                         const double distance) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
-  StressPeak local;
-  for (const CellStress& cell : stresses) {
+  StressPeak<2> local;
+  for (const CellStress<2>& cell : stresses) {
     const double shear = in_plane_shear(cell.stress);
     if (cell.centre.distance(around) < distance && shear > local.value)
       local = {shear, {cell.centre[0], cell.centre[1]}};
   }
-  const StressPeak peak = greatest(communicator, local);
+  const StressPeak<2> peak = greatest(communicator, local);
   const double radius = 0.15 * distance;
   const Point<2> place(peak.place[0], peak.place[1]);
   std::vector<Sample> samples;
-  for (const CellStress& cell : stresses)
+  for (const CellStress<2>& cell : stresses)
     if (cell.centre.distance(place) < radius)
       samples.push_back({cell.centre[0], cell.centre[1], in_plane_shear(cell.stress)});
   std::vector<Sample> all;
@@ -276,5 +292,12 @@ StressPeak peak_shear(const fem::Solution<2>& solution, const std::vector<CellSt
     all.insert(all.end(), part.begin(), part.end());
   return fitted_top(all, peak, radius);
 }
+
+template std::vector<CellStress<2>> cell_stresses(const fem::Solution<2>&);
+template std::vector<CellStress<3>> cell_stresses(const fem::Solution<3>&);
+template NodalStress<2> nodal_stress(const fem::Solution<2>&);
+template NodalStress<3> nodal_stress(const fem::Solution<3>&);
+template StressPeak<2> peak_von_mises(const fem::Solution<2>&, const NodalStress<2>&, unsigned int);
+template StressPeak<3> peak_von_mises(const fem::Solution<3>&, const NodalStress<3>&, unsigned int);
 
 }  // namespace geneva::post

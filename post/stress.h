@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "fem/elasticity.h"
@@ -13,19 +14,27 @@
 
 namespace geneva::post {
 
+/// Stress at a point, tension positive.
+template <int dim>
+using Stress = std::conditional_t<dim == 2, fem::PlaneStress, dealii::SymmetricTensor<2, 3>>;
+
 /// Stress in the middle of a cell, where that of a bilinear element is most accurate; SI units.
+template <int dim>
 struct CellStress {
-  dealii::Point<2> centre;  ///< [m]
-  double area;              ///< [m^2]
+  dealii::Point<dim> centre;  ///< [m]
+  double measure;             ///< area [m^2] or volume [m^3]
+  double height;              ///< extent along the last axis [m]
   unsigned int body;
-  fem::PlaneStress stress;  ///< [Pa]
+  Stress<dim> stress;  ///< [Pa]
 };
 
 /// Stresses of this rank's cells.
-std::vector<CellStress> cell_stresses(const fem::Solution<2>& solution);
+template <int dim>
+std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution);
 
 /// Principal stresses [same unit], greatest first; the out-of-plane stress is one of them.
 std::array<double, 3> principal_stresses(const fem::PlaneStress& stress);
+std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress);
 /// sqrt(((s1-s2)^2 + (s2-s3)^2 + (s3-s1)^2)/2)
 double von_mises(const std::array<double, 3>& principal);
 /// (s1 - s3)/2
@@ -33,29 +42,56 @@ double max_shear(const std::array<double, 3>& principal);
 /// Greatest shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
 double in_plane_shear(const fem::PlaneStress& stress);
 
+/// Independent components of a stress: xx, yy, out of plane, xy; in space xx, yy, zz, xy, xz, yz.
+template <int dim>
+constexpr unsigned int n_stress_components = dim == 2 ? 4 : 6;
+
 /// Stress at the nodes [Pa], continuous within each body: the average of the cells' stresses at the
-/// node, weighted with their area. Components xx, yy, out of plane, xy.
+/// node, weighted with their measure.
+template <int dim>
 struct NodalStress {
-  std::unique_ptr<dealii::FESystem<2>> element;
-  std::unique_ptr<dealii::DoFHandler<2>> dof_handler;
+  std::unique_ptr<dealii::FESystem<dim>> element;
+  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
   dealii::TrilinosWrappers::MPI::Vector values;  ///< ghosted
 };
 
-NodalStress nodal_stress(const fem::Solution<2>& solution);
+template <int dim>
+NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution);
+
+/// The stress whose components, in the order of NodalStress, component(i) gives.
+template <int dim, typename Component>
+Stress<dim> assembled_stress(const Component& component) {
+  Stress<dim> stress;
+  if constexpr (dim == 2) {
+    stress.in_plane[0][0] = component(0);
+    stress.in_plane[1][1] = component(1);
+    stress.out_of_plane = component(2);
+    stress.in_plane[0][1] = component(3);
+  } else {
+    for (unsigned int i = 0; i < 3; ++i) stress[i][i] = component(i);
+    stress[0][1] = component(3);
+    stress[0][2] = component(4);
+    stress[1][2] = component(5);
+  }
+  return stress;
+}
 
 /// A stress maximum and where it is; SI units.
+template <int dim>
 struct StressPeak {
   double value = 0.;
-  std::array<double, 2> place{0., 0.};
+  std::array<double, static_cast<std::size_t>(dim)> place{};
 };
 
 /// Greatest von Mises stress at the nodes of a body, over all ranks.
-StressPeak peak_von_mises(const fem::Solution<2>& solution, const NodalStress& stress,
-                          unsigned int body);
+template <int dim>
+StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
+                               unsigned int body);
 
 /// Greatest in-plane shear stress within a distance of a point, over all ranks: the top of the
 /// paraboloid fitted to the cell middles around the greatest one.
-StressPeak peak_shear(const fem::Solution<2>& solution, const std::vector<CellStress>& stresses,
-                      const dealii::Point<2>& around, double distance);
+StressPeak<2> peak_shear(const fem::Solution<2>& solution,
+                         const std::vector<CellStress<2>>& stresses, const dealii::Point<2>& around,
+                         double distance);
 
 }  // namespace geneva::post

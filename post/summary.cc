@@ -14,9 +14,16 @@ namespace {
 
 json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
 
-json place(const std::array<double, 2>& at) {
-  return {{"x", quantity(at[0], "m")}, {"y", quantity(at[1], "m")}};
+template <std::size_t dim>
+json place(const std::array<double, dim>& at) {
+  json result;
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < dim; ++i) result[axes[i]] = quantity(at[i], "m");
+  return result;
 }
+
+double size_of(const fem::Components<2>& force) { return std::hypot(force[0], force[1]); }
+double size_of(const fem::Components<3>& force) { return std::hypot(force[0], force[1], force[2]); }
 
 json hertz_section(const ClosedForm& form) {
   return {{"peak_pressure", quantity(form.peak_pressure(), "Pa")},
@@ -27,18 +34,81 @@ json hertz_section(const ClosedForm& form) {
           {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
 }
 
+json hertz_section(const ClosedFormInSpace& form) {
+  json section{{"peak_pressure", quantity(form.peak_pressure(), "Pa")},
+               {"half_width", quantity(form.half_width(), "m")},
+               {"relative_radius", quantity(form.radius_across, "m")},
+               {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
+  if (form.line) {
+    section["length"] = quantity(form.length, "m");
+    section["max_shear"] = quantity(form.line->max_shear, "Pa");
+    section["max_shear_depth"] = quantity(form.line->max_shear_depth, "m");
+  } else {
+    section["relative_radius_along"] = quantity(form.radius_along, "m");
+    section["half_length"] = quantity(form.half_length(), "m");
+  }
+  return section;
+}
+
+template <int dim>
+json common_contact_section(const fem::Solution<dim>& solution,
+                            const fem::ContactResult<dim>& contact) {
+  return {{"source", contact.source},
+          {"target", contact.target},
+          {"force", quantity(size_of(contact.force), "N")},
+          {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
+          {"peak_pressure_error", solution.error_estimate},
+          {"max_penetration", quantity(contact.max_penetration, "m")},
+          {"active_nodes", contact.active_nodes}};
+}
+
+json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
+                     const ContactAnalysis<3>& analysis) {
+  json section = common_contact_section(solution, contact);
+  section["peak_pressure_place"] = place(analysis.peak_place);
+  section["half_width"] = quantity(analysis.half_width, "m");
+  section["half_length"] = quantity(analysis.half_length, "m");
+  section["max_shear"] = quantity(analysis.max_shear, "Pa");
+  section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
+  section["mid_length_pressure"] =
+      quantity(middle_section(contact, analysis.sections).peak_pressure, "Pa");
+  if (solution.edge)
+    section["edge"] = {{"bounded", solution.edge->is_bounded},
+                       {"growth_exponent", solution.edge->growth_exponent},
+                       {"pressure", quantity(solution.edge->pressure, "Pa")}};
+  return section;
+}
+
+json line_load_section(const LineLoad& load) {
+  return {{"end", quantity(load.end, "N/m")},
+          {"middle", quantity(load.middle, "N/m")},
+          {"ratio", load.ratio()}};
+}
+
+json pin_section(const PinReport& pin) {
+  json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
+               {"slope", quantity(pin.bending.slope, "rad")},
+               {"root_stress", quantity(pin.bending.root_stress, "Pa")}};
+  if (pin.beam) {
+    section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
+    section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
+    section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
+  }
+  return section;
+}
+
+json crown_section(const PinReport& pin) {
+  json section{{"profile", pin.profile}, {"amplitude", quantity(pin.amplitude, "m")}};
+  if (pin.crown_radius > 0.) section["radius"] = quantity(pin.crown_radius, "m");
+  return section;
+}
+
 json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
-                     const ContactAnalysis& analysis) {
-  json section{{"source", contact.source},
-               {"target", contact.target},
-               {"force", quantity(std::hypot(contact.force[0], contact.force[1]), "N")},
-               {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
-               {"peak_pressure_error", solution.error_estimate},
-               {"half_width", quantity(contact.half_width, "m")},
-               {"max_shear", quantity(analysis.max_shear.value, "Pa")},
-               {"max_shear_depth", quantity(analysis.max_shear_depth, "m")},
-               {"max_penetration", quantity(contact.max_penetration, "m")},
-               {"active_nodes", contact.active_nodes}};
+                     const ContactAnalysis<2>& analysis) {
+  json section = common_contact_section(solution, contact);
+  section["half_width"] = quantity(contact.half_width, "m");
+  section["max_shear"] = quantity(analysis.max_shear.value, "Pa");
+  section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
   if (analysis.difference) {
     section["stress_difference_source"] = analysis.difference->source_body;
     section["stress_difference_target"] = analysis.difference->target_body;
@@ -59,7 +129,8 @@ json load_section(const loads::PinLoad& load) {
           {"slip_speed", quantity(load.slip_speed, "m/s")}};
 }
 
-json bodies_section(const fem::Solution<2>& solution, const Results& results) {
+template <int dim>
+json bodies_section(const fem::Solution<dim>& solution, const Results<dim>& results) {
   json bodies = json::object();
   for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
     bodies[solution.problem.bodies[i].name] = {
@@ -68,7 +139,8 @@ json bodies_section(const fem::Solution<2>& solution, const Results& results) {
   return bodies;
 }
 
-json wheel_section(const fem::Solution<2>& solution, const Results& results,
+template <int dim>
+json wheel_section(const fem::Solution<dim>& solution, const Results<dim>& results,
                    const MechanismReport& mechanism) {
   json wheel{{"inertia_used", quantity(mechanism.inertia_used, "kg m^2")}};
   if (mechanism.inertia_from_geometry)
@@ -81,7 +153,8 @@ json wheel_section(const fem::Solution<2>& solution, const Results& results,
   return wheel;
 }
 
-json equilibrium_section(const Results& results, const RunReport& report) {
+template <int dim>
+json equilibrium_section(const Results<dim>& results, const RunReport& report) {
   json section{{"force_defect", results.equilibrium.force_defect},
                {"moment_defect", results.equilibrium.moment_defect}};
   if (report.mechanism && report.mechanism->bore_torque) {
@@ -91,7 +164,8 @@ json equilibrium_section(const Results& results, const RunReport& report) {
   return section;
 }
 
-json solver_section(const fem::Solution<2>& solution) {
+template <int dim>
+json solver_section(const fem::Solution<dim>& solution) {
   json levels = json::array();
   double assemble_and_solve = 0.;
   for (const fem::LevelRecord& level : solution.history) {
@@ -107,14 +181,16 @@ json solver_section(const fem::Solution<2>& solution) {
     assemble_and_solve = level.one_solve_seconds;
   }
   return {{"levels", levels},
-          {"converged", solution.outcome == fem::Outcome::converged},
+          {"converged", fem::is_success(solution.outcome)},
           {"message", solution.message},
           {"finest_assembly_and_solve", quantity(assemble_and_solve, "s")}};
 }
 
 }  // namespace
 
-json summary(const fem::Solution<2>& solution, const Results& results, const RunReport& report) {
+template <int dim>
+json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
+             const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   json result{
       {"case", {{"name", report.case_name}, {"title", report.title}}},
@@ -134,6 +210,13 @@ json summary(const fem::Solution<2>& solution, const Results& results, const Run
   result["contact_pairs"] = pairs;
   if (results.contacts[leading].hertz)
     result["hertz"] = hertz_section(*results.contacts[leading].hertz);
+  if constexpr (dim == 3)
+    result["line_load"] = line_load_section(
+        line_load(solution.contacts[leading], results.contacts[leading].sections));
+  if (report.mechanism && report.mechanism->pin) {
+    result["pin"] = pin_section(*report.mechanism->pin);
+    result["crown"] = crown_section(*report.mechanism->pin);
+  }
   if (report.mechanism) {
     result["load"] = load_section(report.mechanism->load);
     result["wheel"] = wheel_section(solution, results, *report.mechanism);
@@ -152,82 +235,7 @@ json summary(const fem::Solution<2>& solution, const Results& results, const Run
   return result;
 }
 
-namespace {
-
-/// One line of the closing table; missing values are shown as a dash.
-struct TableRow {
-  std::string name;
-  std::optional<double> computed;
-  std::optional<double> closed_form;
-  std::optional<double> published;
-};
-
-std::string cell(const std::optional<double>& value) {
-  return value ? fmt::format("{:.5g}", *value) : std::string("-");
-}
-
-std::string difference(const TableRow& row) {
-  if (!row.computed || !row.closed_form || *row.closed_form == 0.) return "-";
-  const double percent = 100. * (*row.computed / *row.closed_form - 1.);
-  return std::abs(percent) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", percent);
-}
-
-std::vector<TableRow> contact_rows(const fem::ContactResult<2>& contact,
-                                   const ContactAnalysis& analysis, const RunReport& report,
-                                   const UnitSystem units) {
-  const OutputUnit stress = output_unit(units, Dimension::stress);
-  const OutputUnit length = output_unit(units, Dimension::length);
-  const auto closed = [&](const double value, const OutputUnit& unit) {
-    return analysis.hertz ? std::optional(value * unit.factor) : std::nullopt;
-  };
-  const ClosedForm form =
-      analysis.hertz.value_or(ClosedForm{loads::HertzLine{}, {}, 0., 0., 0., {}, 0., {}});
-  const auto published = report.published_peak_pressure
-                             ? std::optional(*report.published_peak_pressure * stress.factor)
-                             : std::nullopt;
-  return {{"peak contact pressure [" + stress.name + "]", contact.peak_pressure * stress.factor,
-           closed(form.peak_pressure(), stress), published},
-          {(form.point ? "contact radius [" : "half-width [") + length.name + "]",
-           contact.half_width * length.factor, closed(form.half_width(), length), std::nullopt},
-          {"greatest shear [" + stress.name + "]", analysis.max_shear.value * stress.factor,
-           closed(form.max_shear(), stress), std::nullopt},
-          {"its depth [" + length.name + "]", analysis.max_shear_depth * length.factor,
-           closed(form.max_shear_depth(), length), std::nullopt}};
-}
-
-}  // namespace
-
-std::string comparison_table(const fem::Solution<2>& solution, const Results& results,
-                             const RunReport& report, const UnitSystem units) {
-  const std::size_t leading = leading_contact(solution);
-  const fem::ContactResult<2>& contact = solution.contacts[leading];
-  const OutputUnit force = output_unit(units, Dimension::force);
-  const OutputUnit moment = output_unit(units, Dimension::moment);
-  std::vector<TableRow> rows;
-  const double contact_force = std::hypot(contact.force[0], contact.force[1]) * force.factor;
-  rows.push_back(
-      {"contact force [" + force.name + "]", contact_force,
-       report.mechanism ? std::optional(report.mechanism->load.force * force.factor) : std::nullopt,
-       std::nullopt});
-  for (const TableRow& row : contact_rows(contact, results.contacts[leading], report, units))
-    rows.push_back(row);
-  if (report.mechanism && report.mechanism->bore_torque)
-    rows.push_back({report.mechanism->held_surface + " torque [" + moment.name + "]",
-                    *report.mechanism->bore_torque * moment.factor,
-                    report.mechanism->expected_bore_torque * moment.factor, std::nullopt});
-
-  std::string table = fmt::format("{:<32}{:>14}{:>14}{:>14}{:>14}\n", "", "this program",
-                                  "closed form", "published", "difference");
-  for (const TableRow& row : rows)
-    table += fmt::format("{:<32}{:>14}{:>14}{:>14}{:>14}\n", row.name, cell(row.computed),
-                         cell(row.closed_form), cell(row.published), difference(row));
-  table += solution.error_estimate < 1.
-               ? fmt::format("estimated error of the peak contact pressure: {:.2g} %\n",
-                             100. * solution.error_estimate)
-               : "estimated error of the peak contact pressure: unknown, the mesh is too coarse\n";
-  table += fmt::format("force balance: defect {:.1e} of the contact force\n",
-                       results.equilibrium.force_defect);
-  return table;
-}
+template json summary(const fem::Solution<2>&, const Results<2>&, const RunReport&);
+template json summary(const fem::Solution<3>&, const Results<3>&, const RunReport&);
 
 }  // namespace geneva::post

@@ -5,10 +5,21 @@
 #include <string>
 
 #include "loads/motion/pin_load.h"
+#include "loads/pin/pin_beam.h"
+#include "post/pin_bending.h"
 #include "post/results.h"
 #include "post/units.h"
 
 namespace geneva::post {
+
+/// The pin of a mechanism in space.
+struct PinReport {
+  PinBending bending;
+  std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
+  std::string profile;                     ///< as the case names it
+  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
+  double crown_radius;                     ///< [m]; 0: other ones
+};
 
 /// What the mechanism asks of the contact, SI units.
 struct MechanismReport {
@@ -18,6 +29,7 @@ struct MechanismReport {
   double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
   std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
   std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
+  std::optional<PinReport> pin;       ///< in space
 };
 
 /// What a run is about and what it cost.
@@ -38,11 +50,8 @@ struct RunReport {
 };
 
 /// The machine-readable summary, always in SI units; doc/results.md lists the keys.
-nlohmann::json summary(const fem::Solution<2>& solution, const Results& results,
+template <int dim>
+nlohmann::json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
                        const RunReport& report);
-
-/// The table that ends a run: this program, closed form, published value, difference.
-std::string comparison_table(const fem::Solution<2>& solution, const Results& results,
-                             const RunReport& report, UnitSystem units);
 
 }  // namespace geneva::post

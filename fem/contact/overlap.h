@@ -13,6 +13,7 @@ template <int dim>
 struct MortarData {
   std::function<double(const dealii::Point<dim>&)> measure;  ///< out-of-plane measure at a point
   double source_share;  ///< of the source body in the compliance of both, 0..1
+  std::function<double(double)> clearance = {};  ///< added to the gap by z, in space; may be empty
 };
 
 /// Nodes of a face.

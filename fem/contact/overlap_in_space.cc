@@ -123,7 +123,7 @@ double missed(const Surface<3>& source, const SurfaceFace<3>& source_face, const
 OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& source_face,
                               const std::array<double, 2>& xi, const Surface<3>& target,
                               const SurfaceFace<3>& target_face, const std::array<double, 2>& eta,
-                              const double weight, const double source_share) {
+                              const double weight, const MortarData<3>& data) {
   const Point<3> source_point =
       true_point(source, source_face, face_point(source, source_face, xi));
   const Point<3> target_point =
@@ -137,8 +137,9 @@ OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& so
           bilinear_shapes(eta),
           target_face.nodes,
           normal,
-          (source_point - target_point) * normal + source_share * of_source +
-              (1. - source_share) * of_target,
+          (source_point - target_point) * normal + data.source_share * of_source +
+              (1. - data.source_share) * of_target +
+              (data.clearance ? data.clearance(source_point[2]) : 0.),
           weight};
 }
 
@@ -188,8 +189,7 @@ std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const Surf
         const std::array<double, 2> eta = inverse_bilinear(target_polygon, at);
         const double weight =
             rule.weight(q) * cross(first, second) * data.measure(face_point(source, face, xi));
-        points.push_back(
-            overlap_point(source, face, xi, target, target_face, eta, weight, data.source_share));
+        points.push_back(overlap_point(source, face, xi, target, target_face, eta, weight, data));
       }
     }
   }

@@ -127,6 +127,17 @@ void add_intervals(ContactResult<2>& result) {
     }
 }
 
+void add_faces(const ContactInterface<3>& interface, ContactResult<3>& result) {
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> index(interface.source.nodes.size(), none);
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) index[interface.rows[i].node] = i;
+  for (const SurfaceFace<3>& face : interface.source.faces) {
+    std::array<std::size_t, 4> nodes{};
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = index[face.nodes[i]];
+    if (std::find(nodes.begin(), nodes.end(), none) == nodes.end()) result.faces.push_back(nodes);
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -154,7 +165,10 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
       peak = interface.source.nodes[interface.rows[i].node].position;
     }
   }
-  if constexpr (dim == 2) add_intervals(result);
+  if constexpr (dim == 2)
+    add_intervals(result);
+  else
+    add_faces(interface, result);
   std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
   std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
   return result;

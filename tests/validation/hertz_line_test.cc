@@ -34,7 +34,7 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderOnBlock) {
 
 TEST(JohnsonContactMechanics, ClosedFormOfTheSolutionIsThatOfItsInput) {
   const LineContact contact;
-  const post::Results results = post::analyse(solve(contact));
+  const post::Results<2> results = post::analyse(solve(contact));
   ASSERT_TRUE(results.contacts[0].hertz.has_value());
   const post::ClosedForm& form = *results.contacts[0].hertz;
   // The force comes from the solution, which carries it to the solver's 1e-10.
@@ -86,7 +86,7 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderInConcaveGroove) {
 /// twice that: b/R = 0.54 %.
 TEST(McEwen, Eq449StressFieldBelowTheContact) {
   const LineContact contact;
-  const post::Results results = post::analyse(solve(contact));
+  const post::Results<2> results = post::analyse(solve(contact));
   ASSERT_TRUE(results.contacts[0].difference.has_value());
   const double finite_size = hertz(contact).half_width / contact.radius;
   EXPECT_LT(results.contacts[0].difference->target_body, 0.005) << "block";
@@ -98,7 +98,7 @@ TEST(McEwen, Eq449StressFieldBelowTheContact) {
 /// value: the shear falls by 0.3 (dz/z)^2, and 0.05 % of the value is 4 % of the depth.
 TEST(McEwen, Eq449GreatestShearAndItsDepth) {
   const LineContact contact;
-  const post::Results results = post::analyse(solve(contact));
+  const post::Results<2> results = post::analyse(solve(contact));
   const double finite_size = hertz(contact).half_width / contact.radius;
   const auto& analysis = results.contacts[0];
   EXPECT_NEAR(error_of(analysis.max_shear.value, hertz(contact).max_shear), 0.,

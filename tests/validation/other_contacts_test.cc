@@ -143,7 +143,7 @@ TEST(TaylorPapadopoulos, ContactPatchTestOnMeshesThatDoNotMatch) {
                 three_blocks_problem(pressure, stiffness, upper_is_source), settings);
       EXPECT_EQ(solution.outcome, fem::Outcome::converged);
       expect_uniform_pressure(solution, pressure);
-      for (const post::CellStress& cell : post::cell_stresses(solution)) {
+      for (const post::CellStress<2>& cell : post::cell_stresses(solution)) {
         // Free to expand to one side, held in the thickness: uniaxial compression.
         EXPECT_NEAR(cell.stress.in_plane[1][1], -pressure, 1e-9 * pressure);
         EXPECT_NEAR(cell.stress.in_plane[0][0], 0., 1e-9 * pressure);
@@ -180,7 +180,7 @@ TEST(Limits, OfLevelsIsSaidAndTheSolutionIsOfUse) {
   EXPECT_LE(solution.history.size(), 7U);
   ASSERT_EQ(solution.contacts.size(), 1U);
   EXPECT_NEAR(solution.contacts[0].force[1], LineContact().force, 1e-8 * LineContact().force);
-  const post::Results results = post::analyse(solution);
+  const post::Results<2> results = post::analyse(solution);
   EXPECT_TRUE(results.contacts[0].hertz.has_value());
   EXPECT_LT(results.equilibrium.force_defect, 1e-8);
 }

@@ -180,6 +180,15 @@ TEST(MortarInSpace, UniformAndLinearGapsAreThoseOfTheNodes) {
     EXPECT_NEAR(row.initial_gap / row.weight, tilted.nodes[row.node].position[1], round_off);
 }
 
+TEST(MortarInSpace, ClearanceIsAddedToTheGapWhereItIs) {
+  MortarData<3> with_slope = data();
+  with_slope.clearance = [](const double z) { return 0.01 + 0.2 * z; };
+  const Surface<3> level = underside(4, 3, 1., 1., 0.1);
+  for (const MortarRow<3>& row : mortar_rows(level, plate(5, 7, 1.2, 1.3), with_slope))
+    EXPECT_NEAR(row.initial_gap / row.weight, 0.11 + 0.2 * level.nodes[row.node].position[2],
+                round_off);
+}
+
 /// M reproduces linear displacements of flat surfaces: turning both bodies together, or shearing
 /// both in the same way, opens no gap.
 TEST(MortarInSpace, RigidMotionOfBothBodiesOpensNoFlatGap) {

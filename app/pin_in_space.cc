@@ -1,0 +1,170 @@
+#include "app/pin_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/parameters.h"
+#include "loads/hertz.h"
+#include "loads/pi.h"
+
+namespace geneva::app {
+
+namespace {
+
+using Hold = PinCase::Hold;
+using Profile = PinCase::Profile;
+
+/// Cells in the contact are this much longer than wide: the pressure changes slowly along the pin.
+constexpr double aspect_ratio = 6.;
+/// Free lengths beside the wheel over the pin diameter, unless the case gives them.
+constexpr double default_free_length = 0.25;
+
+/// Adds planes from the last one to `end`, in layers of about the given height.
+void add_layers(std::vector<double>& planes, const double end, const double height) {
+  const double start = planes.back();
+  const double rounding = 1e-9 * height;
+  if (end - start <= rounding) return;
+  const int layers = std::max(1, static_cast<int>(std::lround((end - start) / height)));
+  for (int i = 1; i <= layers; ++i)
+    planes.push_back(i == layers ? end : start + (end - start) * i / layers);
+}
+
+loads::PinProfile profile_of(const MechanismCase& mechanism, const MechanismState& state) {
+  const PinCase& pin = *mechanism.space;
+  switch (pin.profile) {
+    case Profile::crown:
+      return loads::Crown{pin.crown_radius};
+    case Profile::table:
+      return pin.table;
+    case Profile::cylindrical:
+      return loads::Cylinder{};
+    case Profile::logarithmic:
+      break;
+  }
+  const double length = pin.profile_length.value_or(state.sizes.thickness);
+  const auto elastic = [](const CaseMaterial& material) {
+    return loads::Elastic{material.youngs_modulus, material.poissons_ratio};
+  };
+  const double modulus = loads::contact_modulus(elastic(mechanism.pin), elastic(mechanism.wheel));
+  double load = pin.profile_load.value_or(state.load.force);
+  if (pin.profile_amplitude) load = *pin.profile_amplitude * loads::pi * length * modulus;
+  const loads::HertzLine hertz =
+      loads::hertz_line(load / length, state.sizes.pin_diameter / 2., modulus);
+  return loads::logarithmic_profile(load, length, modulus, hertz.half_width);
+}
+
+const char* name_of(const Profile profile) {
+  switch (profile) {
+    case Profile::crown:
+      return names::crown;
+    case Profile::logarithmic:
+      return names::logarithmic;
+    case Profile::table:
+      return names::table;
+    case Profile::cylindrical:
+      break;
+  }
+  return names::cylindrical;
+}
+
+}  // namespace
+
+PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes) {
+  const double usual = default_free_length * sizes.pin_diameter;
+  const double gap = pin.root_gap.value_or(pin.hold == Hold::core ? 0. : usual);
+  if (pin.hold == Hold::both_ends) return {gap, 0.};
+  const double free_ends = pin.hold == Hold::core ? 2. : 1.;
+  if (pin.length) return {gap, (*pin.length - gap - sizes.thickness) / free_ends};
+  return {gap, pin.overhang.value_or(usual)};
+}
+
+loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state) {
+  const PinCase& pin = *mechanism.space;
+  const PinLengths lengths = pin_lengths(pin, state.sizes);
+  const double half = state.sizes.thickness / 2.;
+  loads::PinClearance clearance;
+  clearance.profile = profile_of(mechanism, state);
+  clearance.tilt = pin.tilt;
+  clearance.wall_half = half;
+  clearance.wall_edge = pin.slot_edge;
+  const bool held_twice = pin.hold == Hold::both_ends;
+  clearance.lower_end = -half - (held_twice ? lengths.root_gap : lengths.overhang);
+  clearance.upper_is_free = pin.hold == Hold::core;
+  clearance.upper_end = half + (clearance.upper_is_free ? lengths.overhang : lengths.root_gap);
+  clearance.pin_chamfer = held_twice ? 0. : pin.end_chamfer;
+  loads::check(clearance.profile, std::max(-clearance.lower_end, clearance.upper_end));
+  return clearance;
+}
+
+std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
+                                       const MechanismSizes& sizes) {
+  const PinCase& pin = *mechanism.space;
+  if (pin.hold == Hold::core) return std::nullopt;
+  const PinLengths lengths = pin_lengths(pin, sizes);
+  return loads::PinBeam{sizes.pin_diameter,
+                        sizes.thickness,
+                        lengths.root_gap,
+                        lengths.overhang,
+                        pin.hold == Hold::both_ends,
+                        mechanism.pin.youngs_modulus,
+                        mechanism.pin.poissons_ratio};
+}
+
+std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies, const PinCase& pin,
+                                        const MechanismSizes& sizes, const double cell) {
+  const PinLengths lengths = pin_lengths(pin, sizes);
+  const double half = sizes.thickness / 2.;
+  const double height = aspect_ratio * cell;
+  const bool held_twice = pin.hold == Hold::both_ends;
+  mesh::Extrusion wheel{{-half}, "faces", "faces"};
+  add_layers(wheel.planes, half, height);
+  mesh::Extrusion rod{{-half - (held_twice ? lengths.root_gap : lengths.overhang)},
+                      held_twice ? "pin root" : "pin tip",
+                      pin.hold == Hold::core ? "pin tip" : "pin root"};
+  add_layers(rod.planes, -half, height);
+  add_layers(rod.planes, half, height);
+  add_layers(rod.planes, half + (pin.hold == Hold::core ? lengths.overhang : lengths.root_gap),
+             height);
+  std::vector<mesh::Extrusion> result;
+  for (const std::string& body : bodies) result.push_back(body == "wheel" ? wheel : rod);
+  return result;
+}
+
+std::string pin_holder(const PinCase& pin) {
+  return pin.hold == Hold::core ? "pin core" : "pin root";
+}
+
+post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState& state,
+                           const fem::Solution<3>& solution,
+                           const std::vector<post::CellStress<3>>& cells) {
+  const PinCase& pin = *mechanism.space;
+  const loads::PinClearance clearance = pin_clearance(mechanism, state);
+  post::PinReport report{};
+  report.profile = name_of(pin.profile);
+  if (const auto* crown = std::get_if<loads::Crown>(&clearance.profile))
+    report.crown_radius = crown->radius;
+  if (const auto* profile = std::get_if<loads::LogarithmicProfile>(&clearance.profile))
+    report.amplitude = profile->amplitude;
+  const auto beam = pin_beam(mechanism, state.sizes);
+  if (!beam) return report;
+  report.beam = loads::beam_bending(*beam, state.load.force);
+  const auto face = std::find_if(
+      solution.mesh.faces.begin(), solution.mesh.faces.end(), [&](const mesh::Face<3>& candidate) {
+        return solution.mesh.surfaces[candidate.surface] == "pin" && candidate.circle >= 0;
+      });
+  const mesh::Circle& circle = solution.mesh.circles[static_cast<std::size_t>(face->circle)];
+  const bool held_twice = pin.hold == Hold::both_ends;
+  report.bending = post::pin_bending(solution,
+                                     {"pin",
+                                      circle.centre[0],
+                                      circle.centre[1],
+                                      state.sizes.pin_diameter,
+                                      held_twice ? 0. : clearance.lower_end,
+                                      0.,
+                                      clearance.upper_end,
+                                      {0., 1., 0.}},
+                                     cells);
+  return report;
+}
+
+}  // namespace geneva::app

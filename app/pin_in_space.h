@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/mechanism_state.h"
+#include "loads/pin/pin_beam.h"
+#include "loads/pin/pin_profile.h"
+#include "mesh/extrusion.h"
+#include "post/summary.h"
+
+namespace geneva::app {
+
+/// Lengths of the pin beside the wheel, whose middle plane is z = 0; the pin is held above it.
+struct PinLengths {
+  double root_gap;  ///< [m], >= 0
+  double overhang;  ///< [m]; negative if the pin ends within the slot; 0 if held at both ends
+};
+
+PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
+
+/// What profile, tilt and edge breaks add to the gap.
+/// @throws std::invalid_argument where the loads room does
+loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state);
+
+/// The pin as a beam; none if its core is held.
+std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
+
+/// How wheel (or block) and pin are drawn out along z. Surfaces: "faces" of the wheel, "pin root",
+/// "pin tip".
+/// @param cell greatest size of the plane cells at the contact [m]
+/// @return by the names of the bodies
+std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies, const PinCase& pin,
+                                        const MechanismSizes& sizes, double cell);
+
+/// Name of the surface that holds the pin: "pin root" or "pin core".
+std::string pin_holder(const PinCase& pin);
+
+/// What is reported of the pin.
+post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState& state,
+                           const fem::Solution<3>& solution,
+                           const std::vector<post::CellStress<3>>& cells);
+
+}  // namespace geneva::app

@@ -1,0 +1,136 @@
+#include "post/pin_bending.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/fe_values_extractors.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace geneva::post {
+
+namespace {
+
+/// Slices reach this share of the pin's diameter to either side.
+constexpr double slice = 0.15;
+/// The stress is fitted from the root to this share of the diameter.
+constexpr double root_zone = 0.5;
+
+/// A weighted least-squares fit whose sums run over all ranks.
+template <int n>
+class Fit {
+ public:
+  using Row = Eigen::Matrix<double, n, 1>;
+
+  void add(const double weight, const Row& row, const double value) {
+    matrix_ += weight * row * row.transpose();
+    right_ += weight * value * row;
+  }
+
+  [[nodiscard]] Row solve(const MPI_Comm communicator) const {
+    std::vector<double> sums(matrix_.data(), matrix_.data() + n * n);
+    sums.insert(sums.end(), right_.data(), right_.data() + n);
+    dealii::Utilities::MPI::sum(sums, communicator, sums);
+    const Eigen::Map<const Eigen::Matrix<double, n, n>> matrix(sums.data());
+    const Eigen::Map<const Row> right(sums.data() + n * n);
+    return matrix.colPivHouseholderQr().solve(right);
+  }
+
+ private:
+  Eigen::Matrix<double, n, n> matrix_ = Eigen::Matrix<double, n, n>::Zero();
+  Row right_ = Row::Zero();
+};
+
+/// Displacement of the pin in a slice around z: mean along the force, and the cross-section's turn.
+struct SliceMotion {
+  double along_force;
+  double turn;
+};
+
+class PinMotion {
+ public:
+  PinMotion(const fem::Solution<3>& solution, const PinPlace& pin)
+      : solution_(solution), pin_(pin) {
+    const auto& bodies = solution.problem.bodies;
+    body_ = static_cast<unsigned int>(
+        std::find_if(bodies.begin(), bodies.end(),
+                     [&](const fem::Body<3>& body) { return body.name == pin.body; }) -
+        bodies.begin());
+  }
+
+  /// Fits u = u0 + u' (z - z0) along the force and w = w0 - turn eta along the axis over all
+  /// quadrature points within a slice.
+  [[nodiscard]] SliceMotion at(const double z, const double from, const double to) const {
+    const double length = solution_.scales.length;
+    dealii::FEValues<3> values(
+        *solution_.element, dealii::QGauss<3>(2),
+        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    const dealii::FEValuesExtractors::Vector all(0);
+    std::vector<dealii::Tensor<1, 3>> u(values.n_quadrature_points);
+    Fit<2> along;
+    Fit<2> axial;
+    for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
+      if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
+      const double middle = cell->center()[2] * length;
+      const double reach = cell->diameter() * length;
+      if (middle + reach < from || middle - reach > to) continue;
+      values.reinit(cell);
+      values[all].get_function_values(solution_.displacement, u);
+      for (unsigned int q = 0; q < u.size(); ++q) {
+        const dealii::Point<3> x = length * values.quadrature_point(q);
+        if (x[2] < from || x[2] > to) continue;
+        along.add(values.JxW(q), {1., (x[2] - z) / pin_.diameter}, along_force(u[q]) * length);
+        axial.add(values.JxW(q), {1., eta(x) / pin_.diameter}, u[q][2] * length);
+      }
+    }
+    const MPI_Comm communicator = solution_.dof_handler->get_communicator();
+    return {along.solve(communicator)(0), axial.solve(communicator)(1) / pin_.diameter};
+  }
+
+  /// Distance from the pin's axis along the force.
+  [[nodiscard]] double eta(const dealii::Point<3>& x) const {
+    return (x[0] - pin_.x) * pin_.direction[0] + (x[1] - pin_.y) * pin_.direction[1];
+  }
+  [[nodiscard]] unsigned int body() const { return body_; }
+
+ private:
+  [[nodiscard]] double along_force(const dealii::Tensor<1, 3>& u) const {
+    return u[0] * pin_.direction[0] + u[1] * pin_.direction[1];
+  }
+
+  const fem::Solution<3>& solution_;
+  const PinPlace& pin_;
+  unsigned int body_;
+};
+
+/// sigma_zz = (c0 + c1 (root - z)) eta near the root: c0 d/2 is the stress at its outermost point.
+double root_stress(const fem::Solution<3>& solution, const PinPlace& pin, const PinMotion& motion,
+                   const std::vector<CellStress<3>>& cells) {
+  const double reach = std::min(root_zone * pin.diameter, 0.5 * (pin.root - pin.middle));
+  Fit<2> fit;
+  for (const CellStress<3>& cell : cells) {
+    const double inwards = pin.root - cell.centre[2];
+    if (cell.body != motion.body() || inwards > reach) continue;
+    const double eta = motion.eta(cell.centre) / pin.diameter;
+    fit.add(cell.measure / std::pow(pin.diameter, 3), {eta, eta * inwards / pin.diameter},
+            cell.stress[2][2]);
+  }
+  return std::abs(fit.solve(solution.dof_handler->get_communicator())(0)) / 2.;
+}
+
+}  // namespace
+
+PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
+                       const std::vector<CellStress<3>>& cells) {
+  const PinMotion motion(solution, pin);
+  const double reach = slice * pin.diameter;
+  const SliceMotion tip = motion.at(pin.tip, pin.tip - reach, pin.tip + reach);
+  const SliceMotion root = motion.at(pin.root, pin.root - reach, pin.root);
+  const SliceMotion middle = motion.at(pin.middle, pin.middle - reach, pin.middle + reach);
+  return {std::abs(tip.along_force - root.along_force), std::abs(middle.turn),
+          root_stress(solution, pin, motion, cells)};
+}
+
+}  // namespace geneva::post

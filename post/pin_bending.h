@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "fem/solution.h"
+#include "post/stress.h"
+
+namespace geneva::post {
+
+/// A round pin along z in a solution, and what bends it.
+struct PinPlace {
+  std::string body;
+  double x;  ///< of its axis [m]
+  double y;
+  double diameter;               ///< [m]
+  double tip;                    ///< z of the free end; of a pin held twice its middle [m]
+  double middle;                 ///< z of the middle of the wheel [m]
+  double root;                   ///< z of the end where it is held, above the wheel [m]
+  fem::Components<3> direction;  ///< of the force that its holder exerts, unit vector
+};
+
+/// How a pin bends; SI units.
+struct PinBending {
+  double tip_deflection;  ///< mean displacement of the section at the tip against the force, less
+                          ///< that of the root [m]
+  double slope;           ///< turn of the cross-section in the middle of the wheel [rad]
+  double root_stress;     ///< bending stress at the root: line through the axial stresses [Pa]
+};
+
+/// Over all ranks. Each value is a least-squares fit over the cells of a slice of the pin: the
+/// stress concentration of a clamped face does not enter.
+PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
+                       const std::vector<CellStress<3>>& cells);
+
+}  // namespace geneva::post
