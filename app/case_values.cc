@@ -246,7 +246,9 @@ CaseSection::CaseSection(const CaseValues& values, SectionPath path)
 
 std::string CaseSection::text(const std::string& name) const { return values_->text(path_, name); }
 
-bool CaseSection::is_changed(const std::string& name) const { return values_->is_changed(path_, name); }
+bool CaseSection::is_changed(const std::string& name) const {
+  return values_->is_changed(path_, name);
+}
 
 bool CaseSection::is_given(const std::string& name) const { return !text(name).empty(); }
 
