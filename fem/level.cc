@@ -167,24 +167,57 @@ std::vector<std::vector<bool>> active_sets(const Level<dim>& level) {
   return sets;
 }
 
-/// Takes over the next active sets. A set that has been there before means cycling: from then on
+/// While the active set still moves, the residual need not be reduced further than this.
+constexpr double loose_reduction = 0.02;
+
+/// The active sets seen on one mesh. A set that has been there before means cycling: from then on
 /// nodes only close, so that the iteration ends, and the next mesh starts from there.
-template <int dim>
-bool advance(Level<dim>& level, const std::vector<ContactState>& states,
-             std::set<std::vector<std::vector<bool>>>& seen, bool& only_closing) {
-  const auto before = active_sets(level);
-  seen.insert(before);
-  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-    ContactInterface<dim>& interface = level.interfaces[i];
-    std::vector<bool> next = updated(interface, states[i]);
-    if (only_closing)
-      for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
-    interface.active = next;
+class ActiveSetSearch {
+ public:
+  /// Takes over the next active sets. @return whether they changed
+  template <int dim>
+  bool advance(Level<dim>& level, const std::vector<ContactState>& states) {
+    const auto before = active_sets(level);
+    seen_.insert(before);
+    for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+      ContactInterface<dim>& interface = level.interfaces[i];
+      std::vector<bool> next = updated(interface, states[i]);
+      if (only_closes_)
+        for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
+      interface.active = next;
+    }
+    const auto after = active_sets(level);
+    if (after == before) return false;
+    if (seen_.count(after) > 0) only_closes_ = true;
+    return true;
   }
-  const auto after = active_sets(level);
-  if (after == before) return false;
-  if (seen.count(after) > 0) only_closing = true;
-  return true;
+
+  /// Forgets what was seen with loosely solved systems.
+  void start_again() {
+    seen_.clear();
+    only_closes_ = false;
+  }
+
+  [[nodiscard]] bool only_closes() const { return only_closes_; }
+
+ private:
+  std::set<std::vector<std::vector<bool>>> seen_;
+  bool only_closes_ = false;
+};
+
+/// Solves the system of the current active sets to a reduction of its residual (0: to the settings'
+/// tolerance) and evaluates the contacts.
+template <int dim>
+void solve_step(const LinearSystem& system, const Level<dim>& level, const double reduction,
+                const Settings& settings, const MPI_Comm communicator, Vector& displacement,
+                LevelState& state) {
+  state.linear_iterations.back() +=
+      system.solve(displacement, settings.linear_tolerance, reduction);
+  state.displacement = displacement;
+  state.residual = residual_of(level, communicator, state.displacement);
+  state.contacts.clear();
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
 }
 
 }  // namespace
@@ -217,25 +250,27 @@ std::optional<LevelState> solve_level(
   LevelState state;
   state.displacement.reinit(level.owned, level.ghosts, communicator);
   Vector displacement = guess;
-  std::set<std::vector<std::vector<bool>>> seen;
-  bool only_closing = false;
+  ActiveSetSearch search;
   std::unique_ptr<LinearSystem> system;
+  double reduction = loose_reduction;
   for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {
     const dealii::Timer timer;
     system = std::make_unique<LinearSystem>(
         dof_handler, level.ghosts, make_constraints(dof_handler, level.ghosts, all_lines(level)),
         level.cells, level.tie_forces, system.get());
-    state.linear_iterations.push_back(system->solve(displacement, settings.linear_tolerance));
-    state.displacement = displacement;
+    state.linear_iterations.push_back(0);
+    solve_step(*system, level, reduction, settings, communicator, displacement, state);
+    bool changed = search.advance(level, state.contacts);
+    if (!changed && reduction > 0.) {
+      reduction = 0.;
+      search.start_again();
+      system->set_up_multigrid(dof_handler);
+      solve_step(*system, level, reduction, settings, communicator, displacement, state);
+      changed = search.advance(level, state.contacts);
+    }
     if (step == 1) state.assemble_and_solve_seconds = timer.wall_time();
-
-    state.residual = residual_of(level, communicator, state.displacement);
-    state.contacts.clear();
-    for (const ContactInterface<dim>& interface : level.interfaces)
-      state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
     report(step, state.linear_iterations.back());
-    const bool changed = advance(level, state.contacts, seen, only_closing);
-    state.cycled = only_closing;
+    state.cycled = search.only_closes();
     if (!changed) return state;
   }
   return std::nullopt;

@@ -5,6 +5,7 @@
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <array>
 
 namespace geneva::fem {
@@ -83,6 +84,24 @@ std::shared_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid(
   return result;
 }
 
+/// A preconditioner whose corrections vanish where constraints give the values: taken over from a
+/// system with other constraints, it would correct unknowns that are none now.
+class OnFreeUnknowns {
+ public:
+  OnFreeUnknowns(const dealii::TrilinosWrappers::PreconditionAMG& multigrid,
+                 const dealii::AffineConstraints<double>& constraints)
+      : multigrid_(multigrid), constraints_(constraints) {}
+
+  void vmult(Vector& correction, const Vector& residual) const {
+    multigrid_.vmult(correction, residual);
+    constraints_.set_zero(correction);
+  }
+
+ private:
+  const dealii::TrilinosWrappers::PreconditionAMG& multigrid_;
+  const dealii::AffineConstraints<double>& constraints_;
+};
+
 }  // namespace
 
 template <int dim>
@@ -103,13 +122,19 @@ LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
   load_.reinit(owned, ghosts, communicator, true);
   assemble(constraints, cells, nodal_forces, *matrix_, load_);
 
-  if (similar != nullptr) {
-    multigrid_matrix_ = similar->multigrid_matrix_;
-    multigrid_ = similar->multigrid_;
+  if (similar == nullptr) {
+    set_up_multigrid(dof_handler);
     return;
   }
+  multigrid_matrix_ = similar->multigrid_matrix_;
+  multigrid_ = similar->multigrid_;
+}
+
+template <int dim>
+void LinearSystem::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
+  if (multigrid_matrix_ == matrix_) return;
   multigrid_matrix_ = matrix_;
-  multigrid_ = multigrid<dim>(*multigrid_matrix_, rigid_body_modes(dof_handler, constraints));
+  multigrid_ = multigrid<dim>(*multigrid_matrix_, rigid_body_modes(dof_handler, constraints_));
 }
 
 template LinearSystem::LinearSystem(const dealii::DoFHandler<2>&, const dealii::IndexSet&,
@@ -121,13 +146,23 @@ template LinearSystem::LinearSystem(const dealii::DoFHandler<3>&, const dealii::
                                     const std::vector<CellSystem>&, const std::vector<NodalForce>&,
                                     const LinearSystem*);
 
-unsigned int LinearSystem::solve(Vector& displacement, const double tolerance) const {
+template void LinearSystem::set_up_multigrid(const dealii::DoFHandler<2>&);
+template void LinearSystem::set_up_multigrid(const dealii::DoFHandler<3>&);
+
+unsigned int LinearSystem::solve(Vector& displacement, const double tolerance,
+                                 const double reduction) const {
+  constexpr unsigned int most_iterations = 1000;
   Vector load(displacement);
   load = load_;
-  dealii::SolverControl control(1000, tolerance * load.l2_norm());
-  dealii::SolverCG<Vector> solver(control);
   constraints_.set_zero(displacement);
-  solver.solve(*matrix_, displacement, load, *multigrid_);
+  double goal = tolerance * load.l2_norm();
+  if (reduction > 0.) {
+    Vector residual(displacement);
+    goal = std::max(goal, reduction * matrix_->residual(residual, displacement, load));
+  }
+  dealii::SolverControl control(most_iterations, goal);
+  dealii::SolverCG<Vector> solver(control);
+  solver.solve(*matrix_, displacement, load, OnFreeUnknowns(*multigrid_, constraints_));
   constraints_.distribute(displacement);
   return control.last_step();
 }

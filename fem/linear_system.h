@@ -34,13 +34,18 @@ class LinearSystem {
                const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces,
                const LinearSystem* similar);
 
-  /// Conjugate gradients until the residual is below tolerance times the load, from the given first
-  /// guess.
+  /// Sets up the system's own algebraic multigrid, if it has taken over another's.
+  template <int dim>
+  void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler);
+
+  /// Conjugate gradients from the given first guess until the residual is below tolerance times the
+  /// load, or below reduction times that of the first guess.
   /// @param displacement in: first guess; out: solution, with the constraints distributed (no
   /// ghosts)
   /// @return number of iterations
   /// @throws dealii::SolverControl::NoConvergence after 1000 iterations
-  unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance) const;
+  unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance,
+                     double reduction) const;
 
  private:
   dealii::AffineConstraints<double> constraints_;

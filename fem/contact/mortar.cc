@@ -47,13 +47,14 @@ struct RowSum {
 };
 
 template <int dim>
-void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face, const Surface<dim>& target,
-              const MortarData<dim>& data, std::vector<RowSum<dim>>& rows) {
+void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
+              const FaceSearch<dim>& search, const MortarData<dim>& data,
+              std::vector<RowSum<dim>>& rows) {
   constexpr std::size_t n = n_face_nodes<dim>;
   const double share = face_weight(source, face, data) / n;
   for (const unsigned int node : face.nodes) rows[node].full_weight += share;
 
-  const auto points = overlap_points(source, face, target, data);
+  const auto points = overlap_points(source, face, search, data);
   const auto basis = dual_basis<dim>(points);
   if (!basis) return;
   for (const OverlapPoint<dim>& p : points)
@@ -77,7 +78,8 @@ template <int dim>
 std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
                                         const MortarData<dim>& data) {
   std::vector<RowSum<dim>> sums(source.nodes.size());
-  for (const SurfaceFace<dim>& face : source.faces) add_face(source, face, target, data, sums);
+  const FaceSearch<dim> search(target);
+  for (const SurfaceFace<dim>& face : source.faces) add_face(source, face, search, data, sums);
 
   std::vector<MortarRow<dim>> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/numerics/rtree.h>
+
 #include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "fem/contact/surface.h"
@@ -31,13 +35,45 @@ struct OverlapPoint {
   double weight;                  ///< share of the source face's area, times the measure
 };
 
+/// Finds the target faces that may lie over a source face.
+template <int dim>
+class FaceSearch;
+
+/// In the plane there are few: all of them.
+template <>
+class FaceSearch<2> {
+ public:
+  explicit FaceSearch(const Surface<2>& surface) : target(surface) {}
+
+  const Surface<2>& target;
+};
+
+/// In space by a tree of the boxes around the target faces.
+template <>
+class FaceSearch<3> {
+ public:
+  explicit FaceSearch(const Surface<3>& surface);
+
+  /// Indices of the target faces whose boxes meet that around a source face drawn out along its
+  /// normal to both sides by the target's length, in ascending order.
+  [[nodiscard]] std::vector<unsigned int> near(const Surface<3>& source,
+                                               const SurfaceFace<3>& face) const;
+
+  const Surface<3>& target;
+
+ private:
+  dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> tree_;
+};
+
 /// Gauss points on all overlaps of one source face with the target. In the plane the source edge is
 /// split where target nodes project on it; in space both faces are projected on the source face's
 /// plane and cut with each other (Puso and Laursen 2004).
 std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source, const SurfaceFace<2>& face,
-                                            const Surface<2>& target, const MortarData<2>& data);
+                                            const FaceSearch<2>& search,
+                                            const MortarData<2>& data);
 std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const SurfaceFace<3>& face,
-                                            const Surface<3>& target, const MortarData<3>& data);
+                                            const FaceSearch<3>& search,
+                                            const MortarData<3>& data);
 
 /// The whole face's area (length of the chord in the plane) times the measure at its middle.
 double face_weight(const Surface<2>& surface, const SurfaceFace<2>& face,

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "fem/contact/overlap.h"
@@ -157,26 +158,45 @@ std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& sourc
   return polygon;
 }
 
-/// Whether the circles around two faces meet in the plane of the source face.
-bool may_overlap(const AuxiliaryPlane& plane, const double source_radius, const Surface<3>& target,
-                 const SurfaceFace<3>& face) {
-  const Point<3>& one = target.nodes[face.nodes[0]].position;
-  const Point<3>& opposite = target.nodes[face.nodes[2]].position;
-  const Point<2> middle = plane.project(one + 0.5 * (opposite - one));
-  return middle.norm() <= source_radius + one.distance(opposite);
-}
-
 }  // namespace
 
+FaceSearch<3>::FaceSearch(const Surface<3>& surface) : target(surface) {
+  std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>> boxes;
+  for (unsigned int face = 0; face < target.faces.size(); ++face) {
+    std::vector<Point<3>> corners;
+    for (const unsigned int node : target.faces[face].nodes)
+      corners.push_back(target.nodes[node].position);
+    boxes.emplace_back(dealii::BoundingBox<3>(corners), face);
+  }
+  tree_ = dealii::pack_rtree(boxes);
+}
+
+std::vector<unsigned int> FaceSearch<3>::near(const Surface<3>& source,
+                                              const SurfaceFace<3>& face) const {
+  const Tensor<1, 3> reach = target.length * flat_normal(source, face);
+  std::vector<Point<3>> corners;
+  for (const unsigned int node : face.nodes)
+    for (const double side : {-1., 1.})
+      corners.push_back(source.nodes[node].position + side * reach);
+  std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>> found;
+  tree_.query(boost::geometry::index::intersects(dealii::BoundingBox<3>(corners)),
+              std::back_inserter(found));
+  std::vector<unsigned int> faces;
+  for (const auto& [box, index] : found) faces.push_back(index);
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
 std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const SurfaceFace<3>& face,
-                                            const Surface<3>& target, const MortarData<3>& data) {
+                                            const FaceSearch<3>& search,
+                                            const MortarData<3>& data) {
+  const Surface<3>& target = search.target;
   static const dealii::QGaussSimplex<2> rule(3);  // exact to degree 5
   const AuxiliaryPlane plane(source, face);
   const Polygon source_polygon = plane.project(source, face);
-  const double radius = source_polygon[0].distance(source_polygon[2]);
   std::vector<OverlapPoint<3>> points;
-  for (const SurfaceFace<3>& target_face : target.faces) {
-    if (!may_overlap(plane, radius, target, target_face)) continue;
+  for (const unsigned int index : search.near(source, face)) {
+    const SurfaceFace<3>& target_face = target.faces[index];
     const Polygon target_polygon = plane.project(target, target_face);
     const auto polygon = overlap(plane, source_polygon, target, target_face, target_polygon);
     if (!polygon) continue;

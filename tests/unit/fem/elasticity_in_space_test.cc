@@ -166,7 +166,7 @@ double tip_deflection(const double length, const unsigned int refinements) {
                             {{tie.master, tie.master_force}}, nullptr);
   dealii::TrilinosWrappers::MPI::Vector displacement(grid.dof_handler->locally_owned_dofs(),
                                                      MPI_COMM_WORLD);
-  system.solve(displacement, 1e-10);
+  system.solve(displacement, 1e-10, 0.);
   const bool is_owner = grid.dof_handler->locally_owned_dofs().is_element(tie.master);
   return dealii::Utilities::MPI::sum(is_owner ? displacement(tie.master) : 0., MPI_COMM_WORLD);
 }

@@ -161,7 +161,7 @@ TEST(MortarInSpace, OverlapsLieOnBothFacesHoweverWideTheGap) {
   const Surface<3> source = pin(0.5, 3, 2);
   const Surface<3> target = plate(9, 14, 1., 1., 0.2);
   for (const SurfaceFace<3>& face : source.faces)
-    for (const OverlapPoint<3>& point : overlap_points(source, face, target, data()))
+    for (const OverlapPoint<3>& point : overlap_points(source, face, FaceSearch<3>(target), data()))
       for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_GT(point.source_shapes[i], -round_off);
         EXPECT_GT(point.target_shapes[i], -round_off);
