@@ -14,8 +14,12 @@ namespace {
 using Hold = PinCase::Hold;
 using Profile = PinCase::Profile;
 
-/// Cells in the contact are this much longer than wide: the pressure changes slowly along the pin.
-constexpr double aspect_ratio = 6.;
+/// Cells in a line contact are this much longer than wide: the pressure changes slowly along the
+/// pin.
+constexpr double longest_cells = 6.;
+constexpr double cells_at_an_end = 2.;
+/// Longest cells of the pin's free lengths over its diameter, which bend.
+constexpr double longest_bent_cells = 0.4;
 /// Free lengths beside the wheel over the pin diameter, unless the case gives them.
 constexpr double default_free_length = 0.25;
 
@@ -27,6 +31,13 @@ void add_layers(std::vector<double>& planes, const double end, const double heig
   const int layers = std::max(1, static_cast<int>(std::lround((end - start) / height)));
   for (int i = 1; i <= layers; ++i)
     planes.push_back(i == layers ? end : start + (end - start) * i / layers);
+}
+
+double modulus_of(const MechanismCase& mechanism) {
+  const auto elastic = [](const CaseMaterial& material) {
+    return loads::Elastic{material.youngs_modulus, material.poissons_ratio};
+  };
+  return loads::contact_modulus(elastic(mechanism.pin), elastic(mechanism.wheel));
 }
 
 loads::PinProfile profile_of(const MechanismCase& mechanism, const MechanismState& state) {
@@ -42,15 +53,25 @@ loads::PinProfile profile_of(const MechanismCase& mechanism, const MechanismStat
       break;
   }
   const double length = pin.profile_length.value_or(state.sizes.thickness);
-  const auto elastic = [](const CaseMaterial& material) {
-    return loads::Elastic{material.youngs_modulus, material.poissons_ratio};
-  };
-  const double modulus = loads::contact_modulus(elastic(mechanism.pin), elastic(mechanism.wheel));
+  const double modulus = modulus_of(mechanism);
   double load = pin.profile_load.value_or(state.load.force);
   if (pin.profile_amplitude) load = *pin.profile_amplitude * loads::pi * length * modulus;
   const loads::HertzLine hertz =
       loads::hertz_line(load / length, state.sizes.pin_diameter / 2., modulus);
   return loads::logarithmic_profile(load, length, modulus, hertz.half_width);
+}
+
+/// How much longer than wide the cells are. The pressure changes faster along a crowned pin (half
+/// of the ratio of its elliptical contact's axes) and along a tilted one, which touches at an end.
+double aspect_ratio(const MechanismCase& mechanism, const MechanismState& state) {
+  const PinCase& pin = *mechanism.space;
+  if (pin.profile != Profile::crown) return pin.tilt == 0. ? longest_cells : cells_at_an_end;
+  const double radius = state.sizes.pin_diameter / 2.;
+  const loads::HertzEllipse ellipse =
+      loads::hertz_ellipse(state.load.force, std::max(pin.crown_radius, radius),
+                           std::min(pin.crown_radius, radius), modulus_of(mechanism));
+  const double ratio = ellipse.semi_axis_long / ellipse.semi_axis_short;
+  return std::clamp(ratio / 2., 1., longest_cells);
 }
 
 const char* name_of(const Profile profile) {
@@ -110,21 +131,25 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
                         mechanism.pin.poissons_ratio};
 }
 
-std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies, const PinCase& pin,
-                                        const MechanismSizes& sizes, const double cell) {
+std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
+                                        const MechanismCase& mechanism, const MechanismState& state,
+                                        const double cell) {
+  const PinCase& pin = *mechanism.space;
+  const MechanismSizes& sizes = state.sizes;
   const PinLengths lengths = pin_lengths(pin, sizes);
   const double half = sizes.thickness / 2.;
-  const double height = aspect_ratio * cell;
+  const double height = aspect_ratio(mechanism, state) * cell;
+  const double bent = std::min(height, longest_bent_cells * sizes.pin_diameter);
   const bool held_twice = pin.hold == Hold::both_ends;
   mesh::Extrusion wheel{{-half}, "faces", "faces"};
   add_layers(wheel.planes, half, height);
   mesh::Extrusion rod{{-half - (held_twice ? lengths.root_gap : lengths.overhang)},
                       held_twice ? "pin root" : "pin tip",
                       pin.hold == Hold::core ? "pin tip" : "pin root"};
-  add_layers(rod.planes, -half, height);
+  add_layers(rod.planes, -half, bent);
   add_layers(rod.planes, half, height);
   add_layers(rod.planes, half + (pin.hold == Hold::core ? lengths.overhang : lengths.root_gap),
-             height);
+             bent);
   std::vector<mesh::Extrusion> result;
   for (const std::string& body : bodies) result.push_back(body == "wheel" ? wheel : rod);
   return result;

@@ -30,8 +30,9 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const Mec
 /// "pin tip".
 /// @param cell greatest size of the plane cells at the contact [m]
 /// @return by the names of the bodies
-std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies, const PinCase& pin,
-                                        const MechanismSizes& sizes, double cell);
+std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
+                                        const MechanismCase& mechanism, const MechanismState& state,
+                                        double cell);
 
 /// Name of the surface that holds the pin: "pin root" or "pin core".
 std::string pin_holder(const PinCase& pin);

@@ -179,7 +179,7 @@ class NestedIteration {
     if (progress_.level) progress_.level(record);
   }
 
-  /// Pressures in the middle half of each contact's length and beyond it.
+  /// Pressures in the middle half of each contact's length and at its ends.
   void record_lengthwise([[maybe_unused]] LevelRecord& record) const {
     if constexpr (dim == 3)
       for (const ContactResult<3>& contact : solution_.contacts) {
@@ -187,11 +187,13 @@ class NestedIteration {
             contact.nodes.begin(), contact.nodes.end(),
             [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
         const double middle = (lowest->position[2] + highest->position[2]) / 2.;
-        const double quarter = (highest->position[2] - lowest->position[2]) / 4.;
+        const double half = (highest->position[2] - lowest->position[2]) / 2.;
         for (const ContactNode<3>& node : contact.nodes) {
-          const bool is_inside = std::abs(node.position[2] - middle) <= quarter * (1. + 1e-9);
-          double& greatest = is_inside ? record.mid_length_pressure : record.end_pressure;
-          greatest = std::max(greatest, node.pressure);
+          const double share = std::abs(node.position[2] - middle) / half;
+          if (share <= 0.5 * (1. + 1e-9))
+            record.mid_length_pressure = std::max(record.mid_length_pressure, node.pressure);
+          if (share >= 1. - 1e-9)
+            record.end_pressure = std::max(record.end_pressure, node.pressure);
         }
       }
   }

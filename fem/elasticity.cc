@@ -5,7 +5,9 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace geneva::fem {
@@ -112,7 +114,9 @@ class CellIntegrator {
                          dealii::update_quadrature_points),
         face_values_(dof_handler.get_fe(), dealii::QGauss<dim - 1>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_JxW_values |
-                         dealii::update_normal_vectors | dealii::update_quadrature_points) {
+                         dealii::update_normal_vectors | dealii::update_quadrature_points),
+        centre_values_(dof_handler.get_fe(), dealii::QMidpoint<dim>(),
+                       dealii::update_jacobians | dealii::update_inverse_jacobians) {
     for (const Body<dim>& body : problem.bodies)
       lame_.push_back(lame(body.material, problem.plane));
     for (const SurfaceLoad<dim>& load : problem.loads)
@@ -127,6 +131,10 @@ class CellIntegrator {
     cell->get_dof_indices(system.dofs);
     cell_values_.reinit(cell);
     add_stiffness(cell->material_id(), system.stiffness);
+    if constexpr (dim == 3) {
+      centre_values_.reinit(cell);
+      add_incompatible_modes(cell->material_id(), system.stiffness);
+    }
     add_body_force(cell->material_id(), system.load);
     if (cell->at_boundary())
       for (const auto& face : cell->face_iterators())
@@ -160,6 +168,45 @@ class CellIntegrator {
     }
     for (unsigned int i = 0; i < stiffness.m(); ++i)
       for (unsigned int j = 0; j < i; ++j) stiffness(j, i) = stiffness(i, j);
+  }
+
+  /// Incompatible modes (Taylor, Beresford and Wilson 1976), condensed in the cell: trilinear cells
+  /// that are long along a bent pin would be far too stiff without them. Their gradients
+  /// (1 - 2 xi_k) det J0/det J grad0 xi_k, J0 being the Jacobian in the cell's middle, have no
+  /// mean, so that uniform stress stays exact.
+  void add_incompatible_modes(const unsigned int body,
+                              dealii::FullMatrix<double>& stiffness) const {
+    constexpr int n_modes = dim * dim;
+    const auto& element = cell_values_.get_fe();
+    const auto n_dofs = static_cast<Eigen::Index>(stiffness.m());
+    const double determinant = centre_values_.jacobian(0).determinant();
+    const auto inner = [&](const unsigned int c, const Tensor<1, dim>& one, const unsigned int d,
+                           const Tensor<1, dim>& other) {
+      return lame_[body].lambda * one[c] * other[d] +
+             lame_[body].mu * (one[d] * other[c] + (c == d ? one * other : 0.));
+    };
+    Eigen::Matrix<double, n_modes, n_modes> own = Eigen::Matrix<double, n_modes, n_modes>::Zero();
+    Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(n_dofs, n_modes);
+    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
+      const double weight = cell_values_.JxW(q);
+      const double ratio = determinant * cell_values_.get_quadrature().weight(q) / weight;
+      std::array<Tensor<1, dim>, static_cast<std::size_t>(dim)> gradients;
+      for (unsigned int k = 0; k < dim; ++k)
+        gradients[k] = ratio * (1. - 2. * cell_values_.get_quadrature().point(q)[k]) *
+                       Tensor<1, dim>(centre_values_.inverse_jacobian(0)[k]);
+      for (unsigned int mode = 0; mode < n_modes; ++mode) {
+        const unsigned int c = mode % dim;
+        const Tensor<1, dim>& gradient = gradients[mode / dim];
+        for (unsigned int other = 0; other < n_modes; ++other)
+          own(mode, other) += weight * inner(c, gradient, other % dim, gradients[other / dim]);
+        for (const unsigned int i : cell_values_.dof_indices())
+          mixed(i, mode) += weight * inner(element.system_to_component_index(i).first,
+                                           cell_values_.shape_grad(i, q), c, gradient);
+      }
+    }
+    const Eigen::MatrixXd condensed = mixed * own.llt().solve(mixed.transpose());
+    for (unsigned int i = 0; i < stiffness.m(); ++i)
+      for (unsigned int j = 0; j < stiffness.n(); ++j) stiffness(i, j) -= condensed(i, j);
   }
 
   void add_body_force(const unsigned int body, dealii::Vector<double>& load) const {
@@ -198,6 +245,7 @@ class CellIntegrator {
   std::vector<double> densities_;  ///< by body
   dealii::FEValues<dim> cell_values_;
   dealii::FEFaceValues<dim> face_values_;
+  dealii::FEValues<dim> centre_values_;
   std::vector<Lame> lame_;
   std::multimap<unsigned int, SurfaceLoad<dim>> surface_loads_;
 };

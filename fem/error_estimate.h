@@ -28,8 +28,8 @@ double error_estimate(double change, double previous_error, double grading,
 /// @param history levels so far, the newest last
 bool grows_without_bound(const std::vector<LevelRecord>& history);
 
-/// What the pressures at the ends of a contact's length say of its edges: that at a sharp one grows
-/// by the same power of the cell size from mesh to mesh, and never settles.
+/// What the pressures at the ends of a contact's length say of its edges: at a sharp one it is the
+/// greatest of all, and grows from mesh to mesh by a power of the cells' fineness.
 /// @param history levels so far, the newest last
 EdgePressure edge_pressure(const std::vector<LevelRecord>& history);
 

@@ -81,7 +81,8 @@ struct LevelRecord {
   double peak_pressure;                         ///< [Pa]
   double change;          ///< relative change of the peak pressure from the mesh before
   double error_estimate;  ///< relative, of the peak pressure
-  /// In space: greatest pressure in the middle half of the contact's length, and beyond it [Pa].
+  /// In space: greatest pressure in the middle half of the surfaces' common length, and at its two
+  /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
   double mid_length_change;  ///< relative change of the former from the mesh before

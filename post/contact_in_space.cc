@@ -18,6 +18,9 @@ namespace {
 
 using Node = fem::ContactNode<3>;
 
+/// Up to which relative change of its second difference a profile counts as a parabola.
+constexpr double parabolic = 0.05;
+
 Point<3> place_of(const Node& node) {
   return {node.position[0], node.position[1], node.position[2]};
 }
@@ -136,15 +139,26 @@ double curvature(const fem::Solution<3>& solution, const int circle, const bool 
   return is_convex ? 1. / radius : -1. / radius;
 }
 
-/// Second derivative of the clearance along z.
+/// Second difference of the clearance along z over a distance to both sides.
 double curvature_along(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
-                       const double z, const double length) {
-  const double step = 0.02 * length;
+                       const double z, const double step) {
   for (const fem::ContactPair& pair : solution.problem.pairs)
     if (pair.source == contact.source && pair.clearance)
       return (pair.clearance(z + step) - 2. * pair.clearance(z) + pair.clearance(z - step)) /
              (step * step);
   return 0.;
+}
+
+/// Length along z over which the contact carries load.
+double loaded_length(const fem::ContactResult<3>& contact) {
+  double lowest = std::numeric_limits<double>::max();
+  double highest = std::numeric_limits<double>::lowest();
+  for (const Node& node : contact.nodes)
+    if (node.active) {
+      lowest = std::min(lowest, node.position[2]);
+      highest = std::max(highest, node.position[2]);
+    }
+  return highest - lowest;
 }
 
 }  // namespace
@@ -207,29 +221,34 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact) {
   const ContactFrame frame = contact_frame(contact);
   if (frame.normal.norm() == 0.) return std::nullopt;
-  const auto [lowest, highest] = extent_along(contact);
   ClosedFormInSpace form{};
-  form.length = highest - lowest;
+  form.length = loaded_length(contact);
   for (const double component : contact.force) form.force += component * component;
   form.force = std::sqrt(form.force);
   const double across = curvature(solution, contact.source_circle, contact.source_is_convex) +
                         curvature(solution, contact.target_circle, contact.target_is_convex);
-  const double along = curvature_along(solution, contact, frame.centre[2], form.length);
+  const double z = frame.centre[2];
+  const double along = curvature_along(solution, contact, z, 0.02 * form.length);
   if (across * solution.scales.length <= 1e-9 || form.length <= 0.) return std::nullopt;
   form.radius_across = 1. / across;
   form.radius_along = std::numeric_limits<double>::infinity();
   form.contact_modulus = loads::contact_modulus(material_of(solution, contact.source),
                                                 material_of(solution, contact.target));
   if (along * form.length > 1e-9) {
-    const auto [small, large] = std::minmax(form.radius_across, 1. / along);
-    const auto ellipse = loads::hertz_ellipse(form.force, large, small, form.contact_modulus);
-    const double half_length =
-        1. / along > form.radius_across ? ellipse.semi_axis_long : ellipse.semi_axis_short;
-    if (half_length < form.length / 2.) {
-      form.ellipse = ellipse;
-      form.radius_along = 1. / along;
+    form.radius_along = 1. / along;
+    form.ellipse =
+        loads::hertz_ellipse(form.force, std::max(form.radius_across, 1. / along),
+                             std::min(form.radius_across, 1. / along), form.contact_modulus);
+    // Hertz's ellipse needs a profile that is a parabola as far as the contact reaches, and a
+    // contact that ends before the surfaces do.
+    const auto [lowest, highest] = extent_along(contact);
+    const double half_length = form.half_length();
+    const double over_all = curvature_along(solution, contact, z, half_length);
+    if (std::abs(over_all / along - 1.) < parabolic && z - half_length > lowest &&
+        z + half_length < highest)
       return form;
-    }
+    form.radius_along = std::numeric_limits<double>::infinity();
+    form.ellipse.reset();
   }
   form.line = loads::hertz_line(form.force / form.length, form.radius_across, form.contact_modulus);
   return form;

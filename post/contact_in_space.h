@@ -39,10 +39,10 @@ ContactFrame contact_frame(const fem::ContactResult<3>& contact);
 
 /// Hertz's solution of a contact in space for the force that it carries.
 struct ClosedFormInSpace {
-  std::optional<loads::HertzLine> line;        ///< evenly loaded over the length
+  std::optional<loads::HertzLine> line;        ///< evenly loaded over the loaded length
   std::optional<loads::HertzEllipse> ellipse;  ///< where the contact ends before the surfaces do
   double force;                                ///< [N]
-  double length;                               ///< of the surfaces along z [m]
+  double length;                               ///< along z that carries load [m]
   double radius_across;                        ///< relative radii [m]
   double radius_along;                         ///< infinite for a line
   double contact_modulus;                      ///< E* [Pa]

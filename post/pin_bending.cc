@@ -15,8 +15,10 @@ namespace {
 
 /// Slices reach this share of the pin's diameter to either side.
 constexpr double slice = 0.15;
-/// The stress is fitted from the root to this share of the diameter.
-constexpr double root_zone = 0.5;
+/// The stress is fitted between these shares of the diameter from the root and followed to it: the
+/// clamped face itself disturbs it.
+constexpr double root_zone_begin = 0.25;
+constexpr double root_zone_end = 1.25;
 
 /// A weighted least-squares fit whose sums run over all ranks.
 template <int n>
@@ -106,13 +108,15 @@ class PinMotion {
 };
 
 /// sigma_zz = (c0 + c1 (root - z)) eta near the root: c0 d/2 is the stress at its outermost point.
+/// A short pin is fitted as far as the middle of the wheel.
 double root_stress(const fem::Solution<3>& solution, const PinPlace& pin, const PinMotion& motion,
                    const std::vector<CellStress<3>>& cells) {
-  const double reach = std::min(root_zone * pin.diameter, 0.5 * (pin.root - pin.middle));
+  const double reach = std::min(root_zone_end * pin.diameter, pin.root - pin.middle);
+  const double begin = root_zone_begin / root_zone_end * reach;
   Fit<2> fit;
   for (const CellStress<3>& cell : cells) {
     const double inwards = pin.root - cell.centre[2];
-    if (cell.body != motion.body() || inwards > reach) continue;
+    if (cell.body != motion.body() || inwards < begin || inwards > reach) continue;
     const double eta = motion.eta(cell.centre) / pin.diameter;
     fit.add(cell.measure / std::pow(pin.diameter, 3), {eta, eta * inwards / pin.diameter},
             cell.stress[2][2]);

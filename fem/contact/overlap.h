@@ -69,11 +69,9 @@ class FaceSearch<3> {
 /// split where target nodes project on it; in space both faces are projected on the source face's
 /// plane and cut with each other (Puso and Laursen 2004).
 std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source, const SurfaceFace<2>& face,
-                                            const FaceSearch<2>& search,
-                                            const MortarData<2>& data);
+                                            const FaceSearch<2>& search, const MortarData<2>& data);
 std::vector<OverlapPoint<3>> overlap_points(const Surface<3>& source, const SurfaceFace<3>& face,
-                                            const FaceSearch<3>& search,
-                                            const MortarData<3>& data);
+                                            const FaceSearch<3>& search, const MortarData<3>& data);
 
 /// The whole face's area (length of the chord in the plane) times the measure at its middle.
 double face_weight(const Surface<2>& surface, const SurfaceFace<2>& face,

@@ -42,7 +42,8 @@ OverlapPoint<2> overlap_point(const Surface<2>& source, const SurfaceFace<2>& so
 
 std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source,
                                             const SurfaceFace<2>& source_face,
-                                            const FaceSearch<2>& search, const MortarData<2>& data) {
+                                            const FaceSearch<2>& search,
+                                            const MortarData<2>& data) {
   const Surface<2>& target = search.target;
   static const dealii::QGauss<1> rule(4);
   const double length = source.nodes[source_face.nodes[0]].position.distance(
