@@ -187,6 +187,9 @@ post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState&
                                       held_twice ? 0. : clearance.lower_end,
                                       0.,
                                       clearance.upper_end,
+                                      pin_lengths(pin, state.sizes).root_gap,
+                                      pin_holder(pin),
+                                      held_twice,
                                       {0., 1., 0.}},
                                      cells);
   return report;

@@ -111,7 +111,8 @@ class PinMotion {
 /// A short pin is fitted as far as the middle of the wheel.
 double root_stress(const fem::Solution<3>& solution, const PinPlace& pin, const PinMotion& motion,
                    const std::vector<CellStress<3>>& cells) {
-  const double reach = std::min(root_zone_end * pin.diameter, pin.root - pin.middle);
+  const double length = std::max(pin.free_length, 0.5 * (pin.root - pin.middle));
+  const double reach = std::min(root_zone_end * pin.diameter, length);
   const double begin = root_zone_begin / root_zone_end * reach;
   Fit<2> fit;
   for (const CellStress<3>& cell : cells) {
@@ -124,17 +125,31 @@ double root_stress(const fem::Solution<3>& solution, const PinPlace& pin, const 
   return std::abs(fit.solve(solution.dof_handler->get_communicator())(0)) / 2.;
 }
 
+/// 32 M/(pi d^3) for the moment that the holder exerts about the middle of the root face.
+double stress_of_reaction(const fem::Solution<3>& solution, const PinPlace& pin) {
+  constexpr double pi = 3.14159265358979323846;
+  const auto reaction = std::find_if(
+      solution.reactions.begin(), solution.reactions.end(),
+      [&](const fem::Reaction<3>& candidate) { return candidate.surface == pin.root_surface; });
+  const dealii::Tensor<1, 3> arm({pin.x, pin.y, pin.root});
+  const dealii::Tensor<1, 3> force({reaction->force[0], reaction->force[1], reaction->force[2]});
+  const dealii::Tensor<1, 3> moment = reaction->moment - dealii::cross_product_3d(arm, force);
+  return 32. * std::hypot(moment[0], moment[1]) / (pi * std::pow(pin.diameter, 3));
+}
+
 }  // namespace
 
 PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
                        const std::vector<CellStress<3>>& cells) {
+  const bool is_short = pin.free_length < 0.5 * pin.diameter;
   const PinMotion motion(solution, pin);
   const double reach = slice * pin.diameter;
   const SliceMotion tip = motion.at(pin.tip, pin.tip - reach, pin.tip + reach);
   const SliceMotion root = motion.at(pin.root, pin.root - reach, pin.root);
   const SliceMotion middle = motion.at(pin.middle, pin.middle - reach, pin.middle + reach);
   return {std::abs(tip.along_force - root.along_force), std::abs(middle.turn),
-          root_stress(solution, pin, motion, cells)};
+          is_short && !pin.held_at_both_ends ? stress_of_reaction(solution, pin)
+                                             : root_stress(solution, pin, motion, cells)};
 }
 
 }  // namespace geneva::post

@@ -1,0 +1,132 @@
+"""Pin and wheel in space: closed forms, invariants and refusals on a soft pin and block, which need few unknowns."""
+
+import csv
+import json
+
+import geneva_cli
+from geneva_cli import CliTest, look_up, number
+
+CASE = """set Model        = mechanism
+set Dimension    = {dimension}
+set Output units = mm-N
+set Accuracy     = {accuracy}
+subsection Mechanism
+  set Stations        = 4
+  set Wheel diameter  = {diameter}
+  set Pin diameter    = {pin_diameter}
+  set Wheel thickness = {thickness}
+  set Driver speed    = 600 rpm
+  set Friction moment = 0.2 N.m
+  set Load inertia    = 0.00052 kg.m^2
+  set Wheel inertia   = 0.0008 kg.m^2
+  set Contact model   = {model}
+{more}  subsection Pin material
+    set Young's modulus = {modulus}
+  end
+  subsection Wheel material
+    set Young's modulus = {modulus}
+  end
+{pin}end
+"""
+
+
+class Space(CliTest):
+
+    def write(self, name, pin=(), dimension=3, accuracy="5 %", thickness="17 mm", modulus="1 GPa", diameter="115 mm",
+              pin_diameter="17 mm", model="local", more=""):
+        lines = "".join(f"    set {line}\n" for line in pin)
+        section = f"  subsection Pin\n{lines}  end\n" if pin else ""
+        case = self.directory / name
+        case.mkdir()
+        (case / "case.prm").write_text(CASE.format(
+            dimension=dimension, accuracy=accuracy, thickness=thickness, modulus=modulus, diameter=diameter,
+            pin_diameter=pin_diameter, model=model, more=more, pin=section))
+        return case
+
+    def run_case(self, case, ranks=None):
+        run = self.geneva("run", case, ranks=ranks)
+        self.assertEqual(run.code, 0, run.describe())
+        return json.loads((case / "results" / "summary.json").read_text())
+
+    def sections(self, case):
+        with open(case / "results" / "sections.csv", newline="", encoding="utf-8") as stream:
+            return [{name: float(value) for name, value in row.items() if name != "pair"}
+                    for row in csv.DictReader(stream)]
+
+    def refused(self, *parts, **given):
+        case = self.write(f"bad-{len(list(self.directory.iterdir()))}", **given)
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 1, run.describe())
+        for part in ("case.prm", *parts):
+            self.assertIn(part, run.err)
+
+    def value(self, summary, key):
+        return number(look_up(summary, key))
+
+    def test_a_pin_held_at_its_core_is_nearly_the_plane_model_in_the_middle(self):
+        # The ends carry less and the middle 2 to 4 % more, the pressure half of that (p ~ sqrt(w)).
+        flush = self.run_case(self.write("flush", ["Held at = core", "Overhang = 0 mm"], accuracy="2 %"))
+        plane = self.run_case(self.write("plane", dimension=2))
+        ratio = self.value(flush, "contact.mid_length_pressure") / self.value(plane, "contact.peak_pressure")
+        self.assertGreater(ratio, 1.)
+        self.assertLess(ratio, 1.02)
+        self.assertTrue(flush["contact"]["edge"]["bounded"], "both bodies end together")
+        self.assertLess(self.value(flush, "line_load.ratio"), 1.)
+        self.assertLess(flush["equilibrium"]["force_defect"], 1e-8)
+
+    def test_line_load_adds_up_to_the_pin_force(self):
+        case = self.write("sum", ["Held at = core", "Overhang = 0 mm"])
+        summary = self.run_case(case)
+        sections = self.sections(case)
+        force = sum((b["z [mm]"] - a["z [mm]"]) * (a["line_load [N/mm]"] + b["line_load [N/mm]"]) / 2
+                    for a, b in zip(sections, sections[1:]))
+        self.assertAlmostEqual(force / self.value(summary, "contact.force"), 1., delta=2e-3)
+
+    def test_a_crowned_pin_touches_in_hertz_s_ellipse(self):
+        summary = self.run_case(self.write("crown", ["Held at = core", "Profile = crown", "Crown radius = 60 mm"],
+                                           modulus="20 GPa"))
+        for key, tolerance in (("peak_pressure", 0.025), ("half_width", 0.02), ("half_length", 0.02)):
+            ratio = self.value(summary, f"contact.{key}") / self.value(summary, f"hertz.{key}")
+            self.assertAlmostEqual(ratio, 1., delta=tolerance, msg=key)
+        self.assertTrue(summary["contact"]["edge"]["bounded"])
+
+    def test_inches_and_metres_and_any_number_of_ranks_give_the_same(self):
+        pin = ["Held at = one end", "Profile = crown", "Crown radius = 100 mm", "Tilt = 0.2 deg"]
+        metres = self.run_case(self.write("metres", pin, accuracy="20 %"))
+        inches = self.run_case(self.write("inches", pin, accuracy="20 %", thickness=f"{17 / 25.4!r} in",
+                                          diameter=f"{115 / 25.4!r} in", pin_diameter=f"{17 / 25.4!r} in"))
+        others = {"inches": (inches, 1e-9)}
+        for ranks in (2, 3, 4):
+            case = self.write(f"ranks-{ranks}", pin, accuracy="20 %")
+            others[f"{ranks} ranks"] = (self.run_case(case, ranks=ranks), 1e-7)
+        for key in ("contact.peak_pressure", "contact.half_width", "pin.tip_deflection", "pin.root_stress"):
+            expected = self.value(metres, key)
+            for name, (other, tolerance) in others.items():
+                with self.subTest(key=key, other=name):
+                    self.assertAlmostEqual(self.value(other, key) / expected, 1., delta=tolerance)
+
+    def test_limits_end_the_run_on_the_last_good_mesh(self):
+        case = self.write("limit", ["Held at = core"], accuracy="0.1 %")
+        text = (case / "case.prm").read_text()
+        (case / "case.prm").write_text("set Maximum unknowns = 5000\n" + text)
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 2, run.describe())
+        self.assertIn("Maximum unknowns", run.err)
+        summary = json.loads((case / "results" / "summary.json").read_text())
+        self.assertLessEqual(summary["mesh"]["dofs"], 5000)
+
+    def test_a_pin_that_does_not_fit_is_refused(self):
+        self.refused("'Pin/Length'", "ends within the slot", pin=["Length = 15 mm"])
+        self.refused("'Pin/Tilt'", "touches the other wall", pin=["Tilt = 0.5 deg"], model="full wheel",
+                     more="  set Slot clearance = 0.05 mm\n")
+        self.refused("'Pin/Crown radius'", "at least the", pin=["Profile = crown", "Crown radius = 5 mm"])
+        self.refused("'Crown radius' is missing", "needs it", pin=["Profile = crown"])
+        self.refused("'Pin/Slot edge size'", "half of the wheel's thickness",
+                     pin=["Slot edge = rounded", "Slot edge size = 9 mm"])
+        self.refused("'Pin/Overhang'", "no free end", pin=["Held at = both ends", "Overhang = 1 mm"])
+        self.refused("'Pin/Tilt'", "Dimension = 3 only", dimension=2, pin=["Tilt = 1 deg"])
+        self.refused("'Pin/Profile load'", "Profile = logarithmic only", pin=["Profile load = 5 N"])
+
+
+if __name__ == "__main__":
+    geneva_cli.main()
