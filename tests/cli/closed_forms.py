@@ -410,6 +410,62 @@ def run_values(case, angle=None):
     return load_values(mover, mover.peak_force() if angle is None else angle, mover.inertia if is_drawn else None)
 
 
+def elliptic_integrals(parameter):
+    """Complete elliptic integrals K and E of the parameter m = e^2 by the arithmetic-geometric mean."""
+    a, b, weight = 1.0, math.sqrt(1 - parameter), 0.5
+    deficit = parameter / 2
+    while a - b > 1e-16:
+        a, b, half = (a + b) / 2, math.sqrt(a * b), (a - b) / 2
+        weight *= 2
+        deficit += weight * half * half
+    complete = math.pi / (2 * a)
+    return complete, complete * (1 - deficit)
+
+
+def hertz_ellipse(force, larger, smaller, modulus):
+    """Johnson, Contact Mechanics, 4.2c: peak pressure and semi-axes; the ratio of the axes by bisection (Eq. 4.28)."""
+    low, high = math.log(1e-16), 0.0
+    for _ in range(200):
+        middle = (low + high) / 2
+        square = math.exp(middle)
+        first, second = elliptic_integrals(1 - square)
+        if (second / square - first) / (first - second) > larger / smaller:
+            low = middle
+        else:
+            high = middle
+    square = math.exp((low + high) / 2)
+    first, second = elliptic_integrals(1 - square)
+    a = (3 * force * larger * (first - second) / (math.pi * modulus * (1 - square)))**(1 / 3)
+    b = a * math.sqrt(square)
+    return {"peak_pressure": 1.5 * force / (math.pi * a * b), "half_length": a, "half_width": b}
+
+
+def cantilever(force, diameter, thickness, gap, overhang, young, poisson):
+    """Timoshenko's beam under an even load: deflection of its tip and bending stress at its root."""
+    bending = young * math.pi * diameter**4 / 64
+    shear = 6 * (1 + poisson) / (7 + 6 * poisson) * young / (2 * (1 + poisson)) * math.pi * diameter**2 / 4
+    near, far, tip, load = gap, gap + thickness, gap + thickness + overhang, force / thickness
+    deflection = (load / 6 * (tip * (far**3 - near**3) - (far**4 - near**4) / 4) / bending +
+                  load / 2 * (far**2 - near**2) / shear)
+    stress = 32 * load / 2 * (far**2 - near**2) / (math.pi * diameter**3)
+    return {"tip_deflection": deflection, "root_stress": stress}
+
+
+def johnson_in_space(crown_radius=None):
+    """Johnson's optimum wheel with a cantilever pin, held 0.15 in beside the wheel and 0.1 in longer."""
+    plane = johnson_wheel(4.53 * INCH)
+    force, diameter, young = plane["load.force"], 0.15 * 4.53 * INCH, 30e6 * PSI
+    beam = cantilever(force, diameter, diameter, 0.15 * INCH, 0.1 * INCH, young, 0.3)
+    hertz = ({"peak_pressure": plane["hertz.peak_pressure"]} if crown_radius is None else
+             hertz_ellipse(force, crown_radius, diameter / 2, contact_modulus((young, 0.3), (young, 0.3))))
+    kept = {key: plane[key] for key in ("load.force", "contact.force", "equilibrium.bore_torque")}
+    return {**kept, "contact.mid_length_pressure": hertz["peak_pressure"],
+            **{f"{section}.{key}": value for section in ("contact", "hertz") for key, value in hertz.items()},
+            "pin.tip_deflection": beam["tip_deflection"],
+            "pin.tip_deflection_beam_theory": beam["tip_deflection"],
+            "pin.root_stress_beam_theory": beam["root_stress"]}
+
+
 def quick_return(stations, wheel_speed, frame):
     """Lecture 4, slides 13, 14 and 23; angles of the crank from the line AD."""
     ratio = math.sin(math.pi / stations)
@@ -464,6 +520,9 @@ def values():
         "johnson-optimum-wheel": johnson_wheel(4.53 * INCH),
         "johnson-small-wheel": johnson_wheel(2 * INCH),
         "johnson-large-wheel": johnson_wheel(6 * INCH),
+        "johnson-optimum-3d": johnson_in_space(),
+        "crowned-pin": johnson_in_space(crown_radius=120 * INCH),
+        "tilted-pin": johnson_in_space(crown_radius=80 * INCH),
         "six-station-360rpm": six_stations(),
         "internal-six-station": run_values("internal-six-station", -math.pi / 2),
         "spherical-eight-station": run_values("spherical-eight-station", -math.pi / 3),
