@@ -94,6 +94,7 @@ fem::Settings read_settings(const CaseSection& section) {
   settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
   settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
   settings.max_memory = section.value("Maximum memory");
+  settings.max_seconds = section.value("Maximum time");
   settings.max_active_set_steps =
       static_cast<unsigned int>(section.value("Maximum active-set steps"));
   settings.linear_tolerance = section.value("Linear tolerance");

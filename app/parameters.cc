@@ -505,13 +505,18 @@ std::vector<Parameter> settings_parameters() {
        "How much memory all processes together may use (B, kB, MB, GB, TB, or the powers of 1024 "
        "KiB, MiB, GiB, TiB)."},
       {{},
+       "Maximum time",
+       "24 h",
+       positive(Dimension::time),
+       "How long the contact solve may take: no mesh is begun that would end later."},
+      {{},
        "Maximum active-set steps",
        "50",
        whole(1, 10000, "from 1 to 10000"),
        "How many steps the search for the surface in contact may take on each mesh."},
       {{},
        "Linear tolerance",
-       "1e-10",
+       "1e-11",
        quantity(Dimension::dimensionless, between(1e-15, 1e-3, "from 1e-15 to 0.001")),
        "Where the conjugate gradients stop, relative to the load."}};
 }

@@ -245,24 +245,50 @@ class NestedIteration {
                  fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "
                              "refinement levels'",
                              settings_.max_levels));
-    dealii::Utilities::System::MemoryStats memory{};
-    dealii::Utilities::System::get_memory_stats(memory);
-    const double peak_memory =
-        dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator_);
-    if (peak_memory > settings_.max_memory)
+    const double flagged = flag(state_.displacement);
+    const LevelRecord& now = solution_.history.back();
+    const double growth = 1. + grading_overhead * ((1 << dim) - 1) * flagged / now.cells;
+    if (growth * now.dofs > settings_.max_dofs)
+      return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
+                                                 "the limit is {}; raise 'Maximum unknowns'",
+                                                 growth * now.dofs, settings_.max_dofs));
+    return out_of_memory(growth) || out_of_time(growth);
+  }
+
+  /// Whether the memory is used up, or would be by a mesh that is larger by a factor.
+  bool out_of_memory(const double growth) {
+    const double peak = peak_memory();
+    if (peak > settings_.max_memory)
       return end(Outcome::memory_limit,
                  fmt::format("the memory limit of {:.0f} MB was reached ({:.0f} MB are in use); "
                              "raise 'Maximum memory'",
-                             settings_.max_memory / 1e6, peak_memory / 1e6));
-    const double flagged = flag(state_.displacement);
-    const double next_dofs =
-        (1. + grading_overhead * ((1 << dim) - 1) * flagged / solution_.history.back().cells) *
-        solution_.history.back().dofs;
-    if (next_dofs > settings_.max_dofs)
-      return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
-                                                 "the limit is {}; raise 'Maximum unknowns'",
-                                                 next_dofs, settings_.max_dofs));
-    return false;
+                             settings_.max_memory / 1e6, peak / 1e6));
+    const double next = memory_at_start_ + growth * (peak - memory_at_start_);
+    if (next <= settings_.max_memory) return false;
+    return end(Outcome::memory_limit,
+               fmt::format("the next mesh would need about {:.0f} MB, the memory limit is {:.0f} "
+                           "MB; raise 'Maximum memory'",
+                           next / 1e6, settings_.max_memory / 1e6));
+  }
+
+  /// Whether a mesh that is larger by a factor would be solved too late: it takes at least as much
+  /// longer than the last one.
+  bool out_of_time(const double growth) {
+    const auto& history = solution_.history;
+    const double before = history.size() > 1 ? history[history.size() - 2].seconds : 0.;
+    const double next = history.back().seconds + growth * (history.back().seconds - before);
+    const double latest = dealii::Utilities::MPI::max(next, communicator_);
+    if (latest <= settings_.max_seconds) return false;
+    return end(Outcome::time_limit,
+               fmt::format("the next mesh would be solved after about {:.2g} s, "
+                           "the time limit is {:.2g} s; raise 'Maximum time'",
+                           latest, settings_.max_seconds));
+  }
+
+  [[nodiscard]] double peak_memory() const {
+    dealii::Utilities::System::MemoryStats memory{};
+    dealii::Utilities::System::get_memory_stats(memory);
+    return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator_);
   }
 
   bool end(const Outcome outcome, const std::string& message) {
@@ -380,6 +406,7 @@ class NestedIteration {
   LevelState state_;
   Vector guess_;
   double mid_length_error_ = 1.;
+  double memory_at_start_ = peak_memory();
 };
 
 }  // namespace

@@ -100,8 +100,9 @@ struct Settings {
   unsigned int max_levels = 20;     ///< refinements of the coarse mesh
   unsigned int max_dofs = 2000000;  ///< displacement unknowns
   double max_memory = 16e9;         ///< peak resident memory of all ranks together [bytes]
+  double max_seconds = 86400.;      ///< wall time of the contact solve [s]
   unsigned int max_active_set_steps = 50;
-  double linear_tolerance = 1e-10;  ///< of the conjugate gradients, relative to the load
+  double linear_tolerance = 1e-11;  ///< of the conjugate gradients, relative to the load
 };
 
 }  // namespace geneva::fem

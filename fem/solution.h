@@ -100,6 +100,7 @@ enum class Outcome {
   level_limit,
   dof_limit,
   memory_limit,
+  time_limit,
   active_set_limit,
   unbounded_pressure,  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
                        ///< edge

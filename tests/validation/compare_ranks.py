@@ -3,7 +3,7 @@
 
     compare_ranks.py MPIEXEC PROGRAM
 
-Counts must be equal and figures agree to 1e-8: conjugate gradients stop at 1e-10 of the load, and the order of the
+Counts must be equal and figures agree to 1e-8: conjugate gradients stop at 1e-11 of the load, and the order of the
 unknowns, which depends on the ranks, changes where in that range they stop.
 """
 
