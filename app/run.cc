@@ -75,6 +75,28 @@ std::vector<std::string> validity_notices(const fem::Solution<dim>& solution) {
       ratio)};
 }
 
+/// What the user should know of a contact that ends before the surfaces do.
+std::vector<std::string> length_notices(const fem::Solution<2>& /*unused*/,
+                                        const post::Results<2>& /*unused*/,
+                                        const post::UnitSystem /*unused*/) {
+  return {};
+}
+std::vector<std::string> length_notices(const fem::Solution<3>& solution,
+                                        const post::Results<3>& results,
+                                        const post::UnitSystem units) {
+  constexpr double nearly_all = 0.95;
+  const std::size_t leading = post::leading_contact(solution);
+  const auto& sections = results.contacts[leading].sections;
+  const double common = post::common_length(solution.contacts[leading]);
+  const double loaded = sections.empty() ? 0. : sections.back().z - sections.front().z;
+  if (loaded > nearly_all * common) return {};
+  const auto length = post::output_unit(units, post::Dimension::length);
+  return {
+      fmt::format("the contact is {:.4g} {} long, the surfaces face each other over {:.4g} {}: "
+                  "their ends carry nothing",
+                  loaded * length.factor, length.name, common * length.factor, length.name)};
+}
+
 /// What was reached, what was wanted and why the refinement ended; empty if it converged.
 template <int dim>
 std::string shortfall(const fem::Solution<dim>& solution, const double accuracy) {
@@ -152,6 +174,8 @@ void present(const Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report, const bool is_first,
              ProgressDisplay& progress) {
   for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
+  for (const std::string& notice : length_notices(solution, results, given.units))
+    progress.line("note: " + notice);
   if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
     progress.line(why);
     if (is_first) std::cerr << "geneva: " << why << '\n';

@@ -277,6 +277,11 @@ const ContactSection& middle_section(const fem::ContactResult<3>& contact,
                            });
 }
 
+double common_length(const fem::ContactResult<3>& contact) {
+  const auto [lowest, highest] = extent_along(contact);
+  return highest - lowest;
+}
+
 LineLoad line_load(const fem::ContactResult<3>& contact,
                    const std::vector<ContactSection>& sections) {
   if (sections.empty()) return {0., 0.};

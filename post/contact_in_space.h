@@ -61,6 +61,9 @@ struct ClosedFormInSpace {
 std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact);
 
+/// Length along z over which source and target face each other [m].
+double common_length(const fem::ContactResult<3>& contact);
+
 /// The sections through all layers of contact nodes with one in contact, by ascending z.
 std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,

@@ -89,6 +89,8 @@ class Space(CliTest):
             ratio = self.value(summary, f"contact.{key}") / self.value(summary, f"hertz.{key}")
             self.assertAlmostEqual(ratio, 1., delta=tolerance, msg=key)
         self.assertTrue(summary["contact"]["edge"]["bounded"])
+        log = (self.directory / "crown" / "results" / "log.txt").read_text()
+        self.assertIn("the surfaces face each other over 17 mm: their ends carry nothing", log)
 
     def test_inches_and_metres_and_any_number_of_ranks_give_the_same(self):
         pin = ["Held at = one end", "Profile = crown", "Crown radius = 100 mm", "Tilt = 0.2 deg"]
@@ -106,14 +108,16 @@ class Space(CliTest):
                     self.assertAlmostEqual(self.value(other, key) / expected, 1., delta=tolerance)
 
     def test_limits_end_the_run_on_the_last_good_mesh(self):
-        case = self.write("limit", ["Held at = core"], accuracy="0.1 %")
-        text = (case / "case.prm").read_text()
-        (case / "case.prm").write_text("set Maximum unknowns = 5000\n" + text)
-        run = self.geneva("run", case)
-        self.assertEqual(run.code, 2, run.describe())
-        self.assertIn("Maximum unknowns", run.err)
-        summary = json.loads((case / "results" / "summary.json").read_text())
-        self.assertLessEqual(summary["mesh"]["dofs"], 5000)
+        for name, limit in (("unknowns", "5000"), ("memory", "400 MB"), ("time", "3 s")):
+            case = self.write(name, ["Held at = core"], accuracy="0.1 %")
+            text = (case / "case.prm").read_text()
+            (case / "case.prm").write_text(f"set Maximum {name} = {limit}\n" + text)
+            run = self.geneva("run", case)
+            self.assertEqual(run.code, 2, run.describe())
+            self.assertIn(f"Maximum {name}", run.err)
+            summary = json.loads((case / "results" / "summary.json").read_text())
+            self.assertLess(summary["mesh"]["dofs"], 200000)
+            self.assertGreater(self.value(summary, "contact.peak_pressure"), 0)
 
     def test_a_pin_that_does_not_fit_is_refused(self):
         self.refused("'Pin/Length'", "ends within the slot", pin=["Length = 15 mm"])

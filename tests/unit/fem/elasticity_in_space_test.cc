@@ -87,6 +87,24 @@ TEST(ElasticityInSpace, HasTheEnergyOfUniformStrain) {
   EXPECT_NEAR(internal_work(grid, mesh, field, field), expected, 1e-13 * expected);
 }
 
+/// One cell six times as long as wide, bent about x: the trilinear displacement alone would be
+/// nine times as stiff.
+TEST(ElasticityInSpace, OneLongCellHasTheEnergyOfPureBending) {
+  mesh::MeshData<2> plane = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(plane, "beam", {-0.5, 0.5}, {-0.5, 0.5}, {"", "", "", ""});
+  const mesh::MeshData<3> mesh = extruded(plane, {{{-3., 3.}, "lower", "upper"}});
+  const Discretisation<3> grid(mesh, 0);
+  constexpr double curvature = 0.1;
+  const double nu = steel.poissons_ratio;
+  const Field<3> bent = [&](const Point<3>& x) {
+    return curvature *
+           Tensor<1, 3>({nu * x[0] * x[1], (x[2] * x[2] + nu * (x[1] * x[1] - x[0] * x[0])) / 2.,
+                         -x[1] * x[2]});
+  };
+  const double expected = steel.youngs_modulus * curvature * curvature * 6. / 12.;
+  EXPECT_NEAR(internal_work(grid, mesh, bent, bent), expected, 1e-13 * expected) << "E I kappa^2 l";
+}
+
 TEST(ElasticityInSpace, SpreadsTheGivenInertiaOverABodyAndLoadsItAboutZ) {
   const mesh::MeshData<3> mesh = sector();
   const Discretisation<3> grid(mesh, 1);
