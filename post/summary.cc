@@ -85,15 +85,14 @@ json line_load_section(const LineLoad& load) {
           {"ratio", load.ratio()}};
 }
 
+/// Only of a pin that is a beam: nothing bends one that is held at its core.
 json pin_section(const PinReport& pin) {
   json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
                {"slope", quantity(pin.bending.slope, "rad")},
                {"root_stress", quantity(pin.bending.root_stress, "Pa")}};
-  if (pin.beam) {
-    section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
-    section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
-    section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
-  }
+  section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
+  section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
+  section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
   return section;
 }
 
@@ -214,7 +213,7 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     result["line_load"] = line_load_section(
         line_load(solution.contacts[leading], results.contacts[leading].sections));
   if (report.mechanism && report.mechanism->pin) {
-    result["pin"] = pin_section(*report.mechanism->pin);
+    if (report.mechanism->pin->beam) result["pin"] = pin_section(*report.mechanism->pin);
     result["crown"] = crown_section(*report.mechanism->pin);
   }
   if (report.mechanism) {

@@ -73,6 +73,7 @@ class Space(CliTest):
         self.assertTrue(flush["contact"]["edge"]["bounded"], "both bodies end together")
         self.assertLess(self.value(flush, "line_load.ratio"), 1.)
         self.assertLess(flush["equilibrium"]["force_defect"], 1e-8)
+        self.assertNotIn("pin", flush, "nothing bends a pin that is held at its core")
 
     def test_line_load_adds_up_to_the_pin_force(self):
         case = self.write("sum", ["Held at = core", "Overhang = 0 mm"])
