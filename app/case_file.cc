@@ -125,7 +125,7 @@ Case read_case(const fs::path& directory) {
     if (model == "mechanism")
       result.mechanism = read_mechanism(values, result.directory);
     else
-      result.geometry = read_geometry_case(values, result.directory);
+      result.geometry = read_geometry_case(values, result.directory, result.dimension);
   }
   result.completed = values.completed();
   return result;

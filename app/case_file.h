@@ -108,11 +108,11 @@ struct MechanismCase {
   [[nodiscard]] bool is_drawn() const { return kind == Kind::external || kind == Kind::internal; }
 };
 
-/// Model = geometry: the user's own plane geometry.
+/// Model = geometry: the user's own geometry.
 struct GeometryCase {
   std::filesystem::path file;  ///< .geo or .msh file in the case directory
   double length_unit;          ///< metres per unit of the file
-  fem::Problem<2> problem;
+  std::variant<fem::Problem<2>, fem::Problem<3>> problem;  ///< by the dimension
 };
 
 /// A path generator wanted, and the file in the case directory that holds its points.

@@ -34,9 +34,11 @@ void check_no_pin(const CaseValues& values);
 DesignCase read_design(const CaseValues& values);
 
 /// Reads the subsection Geometry.
+/// @param dimension 2 or 3
 /// @throws std::invalid_argument if values contradict each other or the file is missing or outside
 /// of the case directory
-GeometryCase read_geometry_case(const CaseValues& values, const std::filesystem::path& directory);
+GeometryCase read_geometry_case(const CaseValues& values, const std::filesystem::path& directory,
+                                int dimension);
 
 /// What a geometry case may set depends on its own lists: the names of its bodies and loads, and
 /// the file found in its directory.

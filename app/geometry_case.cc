@@ -86,38 +86,77 @@ double read_thickness(const CaseSection& section, fem::PlaneKind plane) {
   return *thickness;
 }
 
-fem::Body<2> read_body(const CaseValues& values, const std::string& name) {
+/// Refuses values that describe what a plane stands for.
+void check_no_plane(const CaseSection& section) {
+  for (const char* const name : {"Plane", "Thickness"})
+    if (section.is_changed(name))
+      section.refuse(name, "this has an effect with Dimension = 2 only: delete it");
+}
+
+/// The components of a vector; nothing if it is not given and has no default.
+template <int dim>
+std::optional<fem::Components<dim>> read_vector(const CaseSection& section, const char* name) {
+  const std::vector<double> given = section.values(name);
+  if (given.empty()) return std::nullopt;
+  fem::Components<dim> vector{};
+  if (section.is_changed(name) && given.size() != vector.size())
+    section.refuse(name, fmt::format("{} components are wanted with Dimension = {}",
+                                     dim == 2 ? "two" : "three", dim));
+  std::copy(given.begin(), given.end(), vector.begin());
+  return vector;
+}
+
+template <int dim>
+fem::Body<dim> read_body(const CaseValues& values, const std::string& name) {
   const CaseSection section(values, body_section(name));
-  fem::Body<2> body;
+  fem::Body<dim> body;
   body.name = name;
   body.material = {section.value("Young's modulus"), section.value("Poisson's ratio")};
-  const std::vector<double> force = section.values("Body force");
-  const std::vector<double> gravity = section.values("Gravity");
+  const fem::Components<dim> force = *read_vector<dim>(section, "Body force");
+  const fem::Components<dim> gravity = *read_vector<dim>(section, "Gravity");
   const double density = section.value("Density");
-  body.force.uniform = {force.at(0) + density * gravity.at(0),
-                        force.at(1) + density * gravity.at(1)};
+  for (std::size_t i = 0; i < force.size(); ++i)
+    body.force.uniform[i] = force[i] + density * gravity[i];
   return body;
 }
 
-std::vector<fem::Support<2>> read_supports(const CaseSection& section) {
-  std::vector<fem::Support<2>> supports;
+/// Directions that "x y" names; nothing if it is something else.
+template <int dim>
+std::optional<std::set<std::size_t>> directions_of(const std::string& text) {
+  std::set<std::size_t> directions;
+  if (text == "fixed")
+    for (std::size_t i = 0; i < dim; ++i) directions.insert(i);
+  else
+    for (const char letter : text) {
+      if (letter == ' ') continue;
+      const std::size_t direction = std::string("xyz").substr(0, dim).find(letter);
+      if (direction == std::string::npos || !directions.insert(direction).second)
+        return std::nullopt;
+    }
+  return directions.empty() ? std::nullopt : std::optional(directions);
+}
+
+template <int dim>
+std::vector<fem::Support<dim>> read_supports(const CaseSection& section) {
+  std::vector<fem::Support<dim>> supports;
   if (!section.is_given("Supports")) return supports;
   std::set<std::string> seen;
   for (const std::string& part : split_list(section.text("Supports"))) {
     const std::size_t colon = part.rfind(':');
     const std::string surface = trimmed(part.substr(0, colon));
     const std::string kind = colon == std::string::npos ? "" : trimmed(part.substr(colon + 1));
-    if (surface.empty() || (kind != "fixed" && kind != "x" && kind != "y"))
+    const auto directions = directions_of<dim>(kind);
+    if (surface.empty() || !directions)
       section.refuse("Supports",
-                     fmt::format("{}: 'surface: fixed', 'surface: x' or 'surface: y' is wanted",
-                                 post::in_quotes(part)));
+                     fmt::format("{}: 'surface: fixed', 'surface: x'{} 'surface: y'{} is wanted",
+                                 post::in_quotes(part), dim == 2 ? " or" : ",",
+                                 dim == 2 ? "" : " or 'surface: z'"));
     if (!seen.insert(surface).second)
       section.refuse("Supports", fmt::format("the surface {} stands there twice; 'fixed' holds it "
-                                             "in x and y",
+                                             "in all directions, 'x y' in two",
                                              post::in_quotes(surface)));
-    fem::Support<2> support{surface, {}};
-    if (kind != "y") support.displacement[0] = 0.;
-    if (kind != "x") support.displacement[1] = 0.;
+    fem::Support<dim> support{surface, {}};
+    for (const std::size_t direction : *directions) support.displacement[direction] = 0.;
     supports.push_back(support);
   }
   return supports;
@@ -165,26 +204,41 @@ double read_load_value(const CaseSection& section, const std::string& type) {
 }
 
 /// Unit vector of a load's direction.
-std::array<double, 2> read_direction(const CaseSection& section, const std::string& type) {
-  const std::vector<double> direction = section.values("Direction");
-  if (direction.empty())
-    section.refuse_missing("Direction",
-                           fmt::format("Type = {} needs it, for example '0, -1'", type));
-  const double length = std::hypot(direction.at(0), direction.at(1));
+template <int dim>
+fem::Components<dim> read_direction(const CaseSection& section, const std::string& type) {
+  const auto given = read_vector<dim>(section, "Direction");
+  if (!given)
+    section.refuse_missing("Direction", fmt::format("Type = {} needs it, for example '{}'", type,
+                                                    dim == 2 ? "0, -1" : "0, -1, 0"));
+  fem::Components<dim> direction = *given;
+  double square = 0.;
+  for (const double component : direction) square += component * component;
+  const double length = std::sqrt(square);
   if (!std::isnormal(length)) section.refuse("Direction", "a direction that is not zero is wanted");
-  return {direction.at(0) / length, direction.at(1) / length};
+  for (double& component : direction) component /= length;
+  return direction;
 }
 
+template <int dim>
 void require_free(const CaseSection& section, const std::string& surface,
-                  const fem::Problem<2>& problem) {
-  for (const fem::Support<2>& support : problem.supports)
+                  const fem::Problem<dim>& problem) {
+  for (const fem::Support<dim>& support : problem.supports)
     if (support.surface == surface)
       section.refuse("Type", fmt::format("the surface {} cannot be in 'Supports' too: this load "
                                          "holds it already",
                                          post::in_quotes(surface)));
 }
 
-void read_load(const CaseValues& values, const std::string& surface, fem::Problem<2>& problem) {
+/// Refuses a load given per thickness where there is none.
+template <int dim>
+void require_thickness(const CaseSection& section, const fem::Problem<dim>& problem) {
+  if (dim == 3) section.refuse("Type", "a model in space has no thickness; Type = force is wanted");
+  if (problem.plane == fem::PlaneKind::axisymmetric)
+    section.refuse("Type", "an axisymmetric model has no thickness; Type = force is wanted");
+}
+
+template <int dim>
+void read_load(const CaseValues& values, const std::string& surface, fem::Problem<dim>& problem) {
   const CaseSection section(values, load_section(surface));
   const std::string type = section.text("Type");
   const double value = read_load_value(section, type);
@@ -193,22 +247,47 @@ void read_load(const CaseValues& values, const std::string& surface, fem::Proble
       section.refuse("Direction",
                      "a pressure acts along the normal; Type = traction has a "
                      "direction");
-    problem.loads.push_back({surface, value, {0., 0.}});
+    problem.loads.push_back({surface, value, {}});
     return;
   }
-  const std::array<double, 2> direction = read_direction(section, type);
+  const fem::Components<dim> direction = read_direction<dim>(section, type);
+  fem::Components<dim> vector{};
+  std::array<std::optional<double>, static_cast<std::size_t>(dim)> displacement;
+  for (std::size_t i = 0; i < vector.size(); ++i) {
+    vector[i] = value * direction[i];
+    displacement[i] = vector[i];
+  }
   if (type == "traction") {
-    problem.loads.push_back({surface, 0., {value * direction[0], value * direction[1]}});
+    problem.loads.push_back({surface, 0., vector});
     return;
   }
-  if (type == "force per thickness" && problem.plane == fem::PlaneKind::axisymmetric)
-    section.refuse("Type", "an axisymmetric model has no thickness; Type = force is wanted");
+  if (type == "force per thickness") require_thickness(section, problem);
   require_free(section, surface, problem);
   if (type == "displacement")
-    problem.supports.push_back({surface, {value * direction[0], value * direction[1]}});
+    problem.supports.push_back({surface, displacement});
   else
     problem.ties.push_back(
         {surface, direction, type == "force" ? value : value * problem.thickness});
+}
+
+template <int dim>
+fem::Problem<dim> read_problem(const CaseValues& values) {
+  const CaseSection section(values, {names::geometry});
+  fem::Problem<dim> problem;
+  if constexpr (dim == 2) {
+    problem.plane = read_plane(section);
+    problem.thickness = read_thickness(section, problem.plane);
+  } else {
+    check_no_plane(section);
+  }
+  for (const std::string& body : split_list(section.text("Bodies")))
+    problem.bodies.push_back(read_body<dim>(values, body));
+  problem.supports = read_supports<dim>(section);
+  problem.pairs = read_pairs(section);
+  if (section.is_given("Loads"))
+    for (const std::string& surface : split_list(section.text("Loads")))
+      read_load(values, surface, problem);
+  return problem;
 }
 
 }  // namespace
@@ -220,20 +299,16 @@ std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
                              file == nullptr ? found_file(text, directory) : file->value);
 }
 
-GeometryCase read_geometry_case(const CaseValues& values, const fs::path& directory) {
+GeometryCase read_geometry_case(const CaseValues& values, const fs::path& directory,
+                                const int dimension) {
   const CaseSection section(values, {names::geometry});
   GeometryCase result;
   result.file = read_file_name(section, directory);
   result.length_unit = read_length_unit(section);
-  result.problem.plane = read_plane(section);
-  result.problem.thickness = read_thickness(section, result.problem.plane);
-  for (const std::string& body : split_list(section.text("Bodies")))
-    result.problem.bodies.push_back(read_body(values, body));
-  result.problem.supports = read_supports(section);
-  result.problem.pairs = read_pairs(section);
-  if (section.is_given("Loads"))
-    for (const std::string& surface : split_list(section.text("Loads")))
-      read_load(values, surface, result.problem);
+  if (dimension == 3)
+    result.problem = read_problem<3>(values);
+  else
+    result.problem = read_problem<2>(values);
   return result;
 }
 

@@ -120,16 +120,11 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
     model.problem = mechanism_problem(*given.mechanism, state, model.mesh, geometry.held_surface);
     return model;
   }
-  if constexpr (dim == 3) {
-    throw std::invalid_argument(
-        "'Dimension' = '3': Model = geometry is for plane geometries; use Model = mechanism");
-  } else {
-    model.mesh = on_rank_zero<dim>(communicator, [&] {
-      return mesh::read_geometry(given.geometry->file, given.geometry->length_unit);
-    });
-    model.problem = given.geometry->problem;
-    fem::order_bodies(model.problem, model.mesh);
-  }
+  model.mesh = on_rank_zero<dim>(communicator, [&] {
+    return mesh::read_geometry<dim>(given.geometry->file, given.geometry->length_unit);
+  });
+  model.problem = std::get<fem::Problem<dim>>(given.geometry->problem);
+  fem::order_bodies(model.problem, model.mesh);
   return model;
 }
 

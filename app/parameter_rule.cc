@@ -57,10 +57,16 @@ double single_value(const QuantityRule& rule, const std::string& text) {
   return value;
 }
 
+/// "2", or "2 or 3".
+std::string count_of(const QuantityRule& rule) {
+  return rule.most > rule.count ? fmt::format("{} or {}", rule.count, rule.most)
+                                : fmt::format("{}", rule.count);
+}
+
 std::string allowed_quantity(const QuantityRule& rule) {
   std::string text = wanted_value(rule);
   if (rule.count > 1)
-    text = fmt::format("{} values separated by commas, each {}", rule.count, text);
+    text = fmt::format("{} values separated by commas, each {}", count_of(rule), text);
   if (!rule.range.text.empty()) text += (rule.whole ? " " : ", ") + rule.range.text;
   const std::vector<std::string> words = visible_words(rule);
   if (!words.empty()) text += "; or " + listed(words);
@@ -101,10 +107,11 @@ bool is_word(const QuantityRule& rule, const std::string& text) {
 std::vector<double> values(const QuantityRule& rule, const std::string& text) {
   const std::vector<std::string> parts =
       rule.count == 1 ? std::vector<std::string>{text} : split_list(text);
-  if (parts.size() != rule.count)
-    throw std::invalid_argument(fmt::format(
-        "{}: {} values separated by a comma are wanted, each {}, for example {}",
-        post::in_quotes(text), rule.count, wanted_value(rule), post::example_of(rule.dimension)));
+  if (parts.size() < rule.count || parts.size() > std::max(rule.count, rule.most))
+    throw std::invalid_argument(
+        fmt::format("{}: {} values separated by a comma are wanted, each {}, for example {}",
+                    post::in_quotes(text), count_of(rule), wanted_value(rule),
+                    post::example_of(rule.dimension)));
   std::vector<double> result;
   for (const std::string& part : parts) {
     try {

@@ -28,7 +28,8 @@ struct QuantityRule {
   Range range;
   std::vector<std::string> words;  ///< taken instead of values; an empty one: may be left out
   std::size_t count = 1;
-  bool whole = false;  ///< whole numbers, without a unit
+  std::size_t most = 1;  ///< where there may be more than `count`
+  bool whole = false;    ///< whole numbers, without a unit
 };
 
 /// One of a few words.

@@ -33,9 +33,11 @@ QuantityRule whole(double lower, double upper, const std::string& text) {
   return rule;
 }
 
-QuantityRule pair_of(Dimension dimension, std::vector<std::string> words = {}) {
+/// Components of a vector: two in the plane, three in space.
+QuantityRule vector_of(Dimension dimension, std::vector<std::string> words = {}) {
   QuantityRule rule = quantity(dimension, Range(), std::move(words));
   rule.count = 2;
+  rule.most = 3;
   return rule;
 }
 
@@ -319,12 +321,13 @@ std::vector<Parameter> design_parameters() {
 std::vector<Parameter> body_parameters(const std::string& body) {
   const SectionPath section = body_section(body);
   std::vector<Parameter> parameters = material_parameters(section);
-  append(
-      parameters,
-      {{section, "Body force", "0 N/m^3, 0 N/m^3", pair_of(Dimension::force_per_volume),
-        "Force per volume of the body in x and y."},
-       {section, "Gravity", "0 m/s^2, 0 m/s^2", pair_of(Dimension::acceleration),
-        "Acceleration of gravity in x and y: density times gravity is added to the body force."}});
+  append(parameters,
+         {{section, "Body force", "0 N/m^3, 0 N/m^3", vector_of(Dimension::force_per_volume),
+           "Force per volume of the body in x and y, in space in x, y and z."},
+          {section, "Gravity", "0 m/s^2, 0 m/s^2", vector_of(Dimension::acceleration),
+           "Acceleration of gravity in x and y, in space in x, y and z: density times gravity is "
+           "added "
+           "to the body force."}});
   return parameters;
 }
 
@@ -341,8 +344,10 @@ std::vector<Parameter> load_parameters(const std::string& surface) {
        "Pressure and traction: a stress; force: a force; force per thickness: a force per length; "
        "displacement: a length. Negative: against the direction.",
        true},
-      {section, "Direction", "", pair_of(Dimension::dimensionless, {""}),
-       "Direction in x and y, of any length; not with Type = pressure, which has none."}};
+      {section, "Direction", "", vector_of(Dimension::dimensionless, {""}),
+       "Direction in x and y, in space in x, y and z, of any length; not with Type = pressure, "
+       "which "
+       "has none."}};
 }
 
 std::vector<Parameter> geometry_file_parameters(const std::string& default_file) {
@@ -356,7 +361,8 @@ std::vector<Parameter> geometry_file_parameters(const std::string& default_file)
        "Unit of the file's coordinates."},
       {section, "Plane", "plane strain",
        ChoiceRule{{"plane strain", "plane stress", "axisymmetric"}},
-       "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution."},
+       "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution. Only "
+       "with Dimension = 2."},
       {section, "Thickness", "", positive(Dimension::length, {""}),
        "Thickness of a plane model; required, unless the model is axisymmetric: that has none."}};
 }
@@ -365,15 +371,20 @@ std::vector<Parameter> geometry_list_parameters() {
   const SectionPath section{names::geometry};
   return {
       {section, "Bodies", "", TextRule{"names separated by commas"},
-       "Physical surfaces of the file that are bodies; each has its subsection 'Body NAME'.", true},
+       "Physical surfaces of the file that are bodies, in space physical volumes; each has its "
+       "subsection 'Body NAME'.",
+       true},
       {section, "Supports", "",
-       TextRule{"a list of 'surface: fixed', 'surface: x' or 'surface: y', separated by commas"},
-       "Physical curves that do not move at all, in x, or in y."},
+       TextRule{
+           "a list of 'surface: fixed', 'surface: x', 'surface: y' or, in space, 'surface: z', "
+           "separated by commas"},
+       "Physical curves, in space physical surfaces, that do not move at all, in x, in y, or in z; "
+       "'surface: x y' holds two directions."},
       {section, "Loads", "", TextRule{"names separated by commas"},
-       "Physical curves that are loaded; each has its subsection 'Load NAME'."},
+       "Physical curves (surfaces) that are loaded; each has its subsection 'Load NAME'."},
       {section, "Contact pairs", "", TextRule{"a list of 'source -> target', separated by commas"},
-       "Pairs of physical curves that may touch. The contact pressure is computed on the "
-       "source: choose the more curved or the softer one.",
+       "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed on "
+       "the source: choose the more curved or the softer one.",
        true}};
 }
 
@@ -463,7 +474,7 @@ std::vector<Parameter> general_parameters() {
        model_rule().words.front(),
        model_rule(),
        "'mechanism': a Geneva wheel and its pin, drawn by this program (subsection "
-       "Mechanism). 'geometry': a plane geometry of your own (subsection Geometry). 'synthesis': "
+       "Mechanism). 'geometry': a geometry of your own (subsection Geometry). 'synthesis': "
        "a linkage whose dimensions are wanted, for 'geneva synthesize' (subsection Synthesis)."},
       {{}, "Title", "", TextRule{"any text"}, "Title of the report."},
       {{},
@@ -480,8 +491,9 @@ std::vector<Parameter> settings_parameters() {
        "Dimension",
        "2",
        ChoiceRule{{"2", "3"}},
-       "'2': a section across the pin, the same along the whole length. '3': pin and wheel in "
-       "space, with bending, edges and crowning (subsection Pin)."},
+       "'2': a section across the pin, the same along the whole length, or a plane geometry. '3': "
+       "pin and wheel in space, with bending, edges and crowning (subsection Pin), or a geometry "
+       "of hexahedra."},
       {{},
        "Accuracy",
        "0.5 %",

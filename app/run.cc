@@ -174,8 +174,9 @@ void present(const Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report, const bool is_first,
              ProgressDisplay& progress) {
   for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
-  for (const std::string& notice : length_notices(solution, results, given.units))
-    progress.line("note: " + notice);
+  if (given.mechanism)
+    for (const std::string& notice : length_notices(solution, results, given.units))
+      progress.line("note: " + notice);
   if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
     progress.line(why);
     if (is_first) std::cerr << "geneva: " << why << '\n';

@@ -114,9 +114,11 @@ template <int dim>
 Boundary<dim> gather_boundary(const dealii::DoFHandler<dim>& dof_handler,
                               const std::vector<mesh::Circle>& circles, const double length) {
   Boundary<dim> boundary;
-  for (const auto& circle : circles)
-    boundary.circles.push_back(
-        {{circle.centre[0] / length, circle.centre[1] / length}, circle.radius / length});
+  for (mesh::Circle circle : circles) {
+    for (double& coordinate : circle.centre) coordinate /= length;
+    circle.radius /= length;
+    boundary.circles.push_back(circle);
+  }
 
   std::map<global_dof_index, unsigned int> node_of_dof;
   for (const FaceRecord<dim>& record : all_records(dof_handler)) {

@@ -374,7 +374,7 @@ class NestedIteration {
     for (std::size_t i = 0; i < level_.interfaces.size(); ++i)
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
-    solution_.reactions = reactions(solution_, level_, state_.residual);
+    solution_.reactions = reactions(solution_, level_, state_);
     const AppliedLoad<dim> load = applied_load(solution_, level_);
     solution_.applied_force = load.force;
     solution_.applied_moment = load.moment;

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <map>
 #include <set>
 
 #include "fem/constraints.h"
@@ -43,12 +44,46 @@ Components<dim> components(const Tensor<1, dim>& vector) {
   return result;
 }
 
+/// Forces of the contact on the bodies, the hanging nodes' shares given to the nodes that they hang
+/// on.
+template <int dim>
+std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
+                                                  const LevelState& state) {
+  std::map<global_dof_index, double> forces;
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    const ContactInterface<dim>& interface = level.interfaces[i];
+    for (std::size_t j = 0; j < interface.rows.size(); ++j) {
+      const MortarRow<dim>& row = interface.rows[j];
+      const double pressure = state.contacts[i].pressure[j];
+      if (pressure == 0.) continue;
+      for (unsigned int component = 0; component < dim; ++component) {
+        forces[interface.source.nodes[row.node].dofs[component]] +=
+            pressure * row.weight * row.normal[component];
+        for (const auto& [node, coupling] : row.coupling)
+          forces[interface.target.nodes[node].dofs[component]] -= pressure * coupling[component];
+      }
+    }
+  }
+  for (const ConstraintLine& line : level.hanging_lines) {
+    const auto hanging = forces.find(line.dof);
+    if (hanging == forces.end()) continue;
+    for (const auto& [dof, share] : line.entries) forces[dof] += share * hanging->second;
+    hanging->second = 0.;
+  }
+  return forces;
+}
+
 }  // namespace
 
 /// Each dof counts for the first holder that has it: at common nodes only its line is in force.
 template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
-                                     const dealii::TrilinosWrappers::MPI::Vector& residual) {
+                                     const LevelState& state) {
+  const std::map<global_dof_index, double> contact = contact_forces(level, state);
+  const auto held_force = [&](const global_dof_index dof) {
+    const auto of_contact = contact.find(dof);
+    return state.residual(dof) - (of_contact == contact.end() ? 0. : of_contact->second);
+  };
   std::vector<Reaction<dim>> result;
   std::set<global_dof_index> counted;
   for (const Holder<dim>& holder : holders_of(solution.problem)) {
@@ -62,7 +97,7 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
         Tensor<1, dim> force;
         for (unsigned int component = 0; component < dim; ++component)
           if (holder.holds[component] && counted.insert(node.dofs[component]).second)
-            force[component] = residual(node.dofs[component]);
+            force[component] = held_force(node.dofs[component]);
         sum += force;
         moment += moment_of<dim>(node.position, force);
       }
@@ -96,11 +131,9 @@ AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& l
           moment * solution.scales.force() * solution.scales.length};
 }
 
-template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&,
-                                            const dealii::TrilinosWrappers::MPI::Vector&);
+template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&, const LevelState&);
 template AppliedLoad<2> applied_load(const Solution<2>&, const Level<2>&);
-template std::vector<Reaction<3>> reactions(const Solution<3>&, const Level<3>&,
-                                            const dealii::TrilinosWrappers::MPI::Vector&);
+template std::vector<Reaction<3>> reactions(const Solution<3>&, const Level<3>&, const LevelState&);
 template AppliedLoad<3> applied_load(const Solution<3>&, const Level<3>&);
 
 }  // namespace geneva::fem

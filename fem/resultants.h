@@ -8,10 +8,11 @@
 
 namespace geneva::fem {
 
-/// Forces that supports and ties exert, from the residual at their nodes; SI units.
+/// Forces that supports and ties exert, from the residual at their nodes less what the contact
+/// exerts there; SI units.
 template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
-                                     const dealii::TrilinosWrappers::MPI::Vector& residual);
+                                     const LevelState& state);
 
 /// Resultant of body forces and surface loads [N] and its moment about the origin [N m].
 template <int dim>

@@ -133,10 +133,10 @@ class Checker {
   void check_options(std::size_t index) const {
     const bool is_option = at(index + 1) == ".";
     const bool is_mesh_now =
-        at(index) == "Mesh" && one_of(at(index + 1), {"1", "2"}) && at(index + 2) == ";";
+        at(index) == "Mesh" && one_of(at(index + 1), {"1", "2", "3"}) && at(index + 2) == ";";
     const bool is_all = at(index) == "Mesh" && before(index) == "Coherence";
     if (!is_option && !is_mesh_now && !is_all)
-      refuse(tokens_[index], "it must be an option (Mesh.Name) or 'Mesh 2;'");
+      refuse(tokens_[index], "it must be an option (Mesh.Name) or 'Mesh 2;' or 'Mesh 3;'");
   }
 
   void check_member(std::size_t index) const {

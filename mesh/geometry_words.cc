@@ -15,7 +15,8 @@ const Words& commands() {
       // shapes
       "Point", "Line", "Curve", "Circle", "Ellipse", "Ellipsis", "Spline", "BSpline", "Bezier",
       "CatmullRom", "Nurbs", "Knots", "Order", "Wire", "Plane", "Surface", "Ruled", "Volume",
-      "Rectangle", "Disk", "Compound", "Physical", "Block", "Box", "Cylinder", "Fillet", "Chamfer",
+      "Rectangle", "Disk", "Compound", "Physical", "Block", "Box", "Cylinder", "Sphere", "Fillet",
+      "Chamfer",
       // transformations
       "Translate", "Rotate", "Symmetry", "Dilate", "Affine", "Extrude", "Layers", "Recombine",
       "Delete", "Recursive", "Coherence", "Split", "Reverse", "ReverseMesh", "Unique",

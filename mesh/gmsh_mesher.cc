@@ -128,10 +128,10 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
       return attempt.factor * size({x, y});
     });
     gmsh::model::mesh::generate(2);
-    const OtherCells others = count_other_cells();
-    result.failure = fmt::format("{} triangles are left", others.triangles + others.others);
-    if (others.triangles + others.others > 0) return;
-    TaggedMesh read = read_model(model.labels());
+    const OtherCells others = count_other_cells<2>();
+    result.failure = fmt::format("{} triangles are left", others.simplices + others.others);
+    if (others.simplices + others.others > 0) return;
+    TaggedMesh<2> read = read_model<2>(model.labels());
     model.place(read);
     result.mesh = std::move(read.mesh);
   });

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
-#include <utility>
 
 #include "mesh/mesh_quality.h"
 
@@ -17,130 +16,189 @@ namespace {
 /// Below this scaled Jacobian (1: a rectangle, 0: two sides in one line) results are worthless.
 constexpr double least_scaled_jacobian = 0.02;
 
-/// A vertex may stand off the circle that its edge belongs to by this fraction of the radius.
+/// A vertex may stand off the circle that its face belongs to by this fraction of the radius.
 constexpr double circle_tolerance = 1e-6;
 
 constexpr unsigned int no_body = static_cast<unsigned int>(-1);
 
-using VertexPair = std::pair<unsigned int, unsigned int>;
+/// How a face is called.
+template <int dim>
+constexpr const char* face_word = dim == 2 ? "edge" : "face";
 
 template <typename... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> message, const Values&... values) {
   throw std::invalid_argument("mesh: " + fmt::format(message, values...));
 }
 
-VertexPair ordered(unsigned int first, unsigned int second) {
-  return {std::min(first, second), std::max(first, second)};
+/// "(x, y) m" or "(x, y, z) m".
+template <std::size_t dim>
+std::string shown(const std::array<double, dim>& place) {
+  return fmt::format("({:.6g}) m", fmt::join(place, ", "));
 }
 
-void check_vertices(const MeshData<2>& mesh) {
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const auto& [x, y] = mesh.vertices[i];
-    if (!std::isfinite(x) || !std::isfinite(y))
-      refuse("vertex {} stands at ({}, {}) m: coordinates must be finite", i, x, y);
-  }
+template <int dim>
+void check_vertices(const MeshData<dim>& mesh) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    if (!std::all_of(mesh.vertices[i].begin(), mesh.vertices[i].end(),
+                     [](const double coordinate) { return std::isfinite(coordinate); }))
+      refuse("vertex {} stands at {}: coordinates must be finite", i, shown(mesh.vertices[i]));
 }
 
-void check_surfaces(const MeshData<2>& mesh) {
+template <int dim>
+void check_surfaces(const MeshData<dim>& mesh) {
   if (mesh.surfaces.empty() || !mesh.surfaces.front().empty())
-    refuse("the first surface must be \"\", which holds the edges without a name");
+    refuse("the first surface must be \"\", which holds the {}s without a name", face_word<dim>);
 }
 
-void check_indices(const MeshData<2>& mesh) {
+template <int dim>
+void check_indices(const MeshData<dim>& mesh) {
   const auto beyond = [&](unsigned int vertex) { return vertex >= mesh.vertices.size(); };
+  const auto any_beyond = [&](const auto& vertices) {
+    return std::any_of(vertices.begin(), vertices.end(), beyond);
+  };
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
-    const Cell<2>& quad = mesh.cells[i];
-    if (std::any_of(quad.vertices.begin(), quad.vertices.end(), beyond))
+    const Cell<dim>& cell = mesh.cells[i];
+    if (any_beyond(cell.vertices))
       refuse("cell {} refers to a vertex beyond the {} that exist", i, mesh.vertices.size());
-    if (quad.body >= mesh.bodies.size())
-      refuse("cell {} belongs to body {} of {}", i, quad.body, mesh.bodies.size());
+    if (cell.body >= mesh.bodies.size())
+      refuse("cell {} belongs to body {} of {}", i, cell.body, mesh.bodies.size());
   }
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const Face<2>& edge = mesh.faces[i];
-    if (beyond(edge.vertices[0]) || beyond(edge.vertices[1]))
-      refuse("edge {} refers to a vertex beyond the {} that exist", i, mesh.vertices.size());
-    if (edge.surface >= mesh.surfaces.size())
-      refuse("edge {} belongs to surface {} of {}", i, edge.surface, mesh.surfaces.size());
-    if (edge.circle < -1 || edge.circle >= static_cast<int>(mesh.circles.size()))
-      refuse("edge {} belongs to circle {} of {}", i, edge.circle, mesh.circles.size());
+    const Face<dim>& face = mesh.faces[i];
+    const char* const word = face_word<dim>;
+    if (any_beyond(face.vertices))
+      refuse("{} {} refers to a vertex beyond the {} that exist", word, i, mesh.vertices.size());
+    if (face.surface >= mesh.surfaces.size())
+      refuse("{} {} belongs to surface {} of {}", word, i, face.surface, mesh.surfaces.size());
+    if (face.circle < -1 || face.circle >= static_cast<int>(mesh.circles.size()))
+      refuse("{} {} belongs to circle {} of {}", word, i, face.circle, mesh.circles.size());
   }
 }
 
-void check_cells(const MeshData<2>& mesh) {
+template <int dim>
+void check_cells(const MeshData<dim>& mesh) {
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
-    const double quality = scaled_jacobian(corners(mesh, mesh.cells[i]));
+    const double quality = scaled_jacobian(mesh, mesh.cells[i]);
     if (quality > least_scaled_jacobian) continue;
-    const auto& [x, y] = mesh.vertices[mesh.cells[i].vertices[0]];
     refuse(
-        "cell {} of body \"{}\" near ({:.6g}, {:.6g}) m is degenerate or turned over (scaled "
-        "Jacobian {:.3g}, more than {} is needed): use smaller cells there, or move the points "
-        "that pinch it",
-        i, mesh.bodies[mesh.cells[i].body], x, y, quality, least_scaled_jacobian);
+        "cell {} of body \"{}\" near {} is degenerate or turned over (scaled Jacobian {:.3g}, more "
+        "than {} is needed): use smaller cells there, or move the points that pinch it",
+        i, mesh.bodies[mesh.cells[i].body], shown(mesh.vertices[mesh.cells[i].vertices[0]]),
+        quality, least_scaled_jacobian);
   }
 }
 
-void check_boundary(const MeshData<2>& mesh) {
-  std::map<VertexPair, int> missing;  // times that a side of a cell has still to be accounted for
-  for (const Cell<2>& quad : mesh.cells)
-    for (std::size_t i = 0; i < 4; ++i)
-      ++missing[ordered(quad.vertices[i], quad.vertices[(i + 1) % 4])];
-  const auto place = [&](const VertexPair& side) {
-    const auto& a = mesh.vertices[side.first];
-    const auto& b = mesh.vertices[side.second];
-    return fmt::format("from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m", a[0], a[1], b[0], b[1]);
+/// Where a face is, in words.
+template <int dim>
+std::string between(const MeshData<dim>& mesh,
+                    const std::array<unsigned int, 1U << (dim - 1)>& vertices) {
+  const auto& end = mesh.vertices[vertices[vertices.size() / 2]];
+  return fmt::format("from {} to {}", shown(mesh.vertices[vertices[0]]), shown(end));
+}
+
+template <int dim>
+void check_boundary(const MeshData<dim>& mesh) {
+  using Side = std::array<unsigned int, 1U << (dim - 1)>;
+  struct Count {
+    Side side;
+    int missing;  // times that a side of a cell has still to be accounted for
   };
-  for (const auto& [side, cells] : missing)
-    if (cells > 2) refuse("{} cells meet at the side {}: at most two may", cells, place(side));
-  for (const Face<2>& edge : mesh.faces) {
-    const VertexPair side = ordered(edge.vertices[0], edge.vertices[1]);
-    const auto found = missing.find(side);
-    if (found == missing.end()) refuse("the boundary edge {} is no side of a cell", place(side));
-    if (found->second != 1)
-      refuse("the edge {} is listed twice or lies inside a body", place(side));
-    found->second = 0;
+  const auto key = [](Side side) {
+    std::sort(side.begin(), side.end());
+    return side;
+  };
+  std::map<Side, Count> counts;
+  for (const Cell<dim>& cell : mesh.cells)
+    for (const Side& side : sides(cell))
+      ++counts.emplace(key(side), Count{side, 0}).first->second.missing;
+  for (const auto& [sorted, count] : counts)
+    if (count.missing > 2)
+      refuse("{} cells meet at the side {}: at most two may", count.missing,
+             between(mesh, count.side));
+  const char* const word = face_word<dim>;
+  for (const Face<dim>& face : mesh.faces) {
+    const auto found = counts.find(key(face.vertices));
+    if (found == counts.end())
+      refuse("the boundary {} {} is no side of a cell", word, between(mesh, face.vertices));
+    if (found->second.missing != 1)
+      refuse("the {} {} is listed twice or lies inside a body", word, between(mesh, face.vertices));
+    found->second.missing = 0;
   }
-  for (const auto& [side, cells] : missing)
-    if (cells == 1) refuse("the boundary edge {} is not listed", place(side));
+  for (const auto& [sorted, count] : counts)
+    if (count.missing == 1)
+      refuse("the boundary {} {} is not listed", word, between(mesh, count.side));
 }
 
-void check_circles(const MeshData<2>& mesh) {
-  for (const Face<2>& edge : mesh.faces) {
-    if (edge.circle < 0) continue;
-    const Circle& circle = mesh.circles[static_cast<std::size_t>(edge.circle)];
-    for (const unsigned int vertex : edge.vertices) {
-      const auto& [x, y] = mesh.vertices[vertex];
-      const double distance = std::hypot(x - circle.centre[0], y - circle.centre[1]);
-      if (!(std::abs(distance - circle.radius) <= circle_tolerance * circle.radius))
-        refuse("the vertex at ({:.6g}, {:.6g}) m stands {:.3g} m off the circle of its edge", x, y,
-               distance - circle.radius);
+template <int dim>
+void check_circles(const MeshData<dim>& mesh) {
+  for (const Face<dim>& face : mesh.faces) {
+    if (face.circle < 0) continue;
+    const Circle& circle = mesh.circles[static_cast<std::size_t>(face.circle)];
+    for (const unsigned int vertex : face.vertices) {
+      const auto& place = mesh.vertices[vertex];
+      std::array<double, 3> point{};
+      std::copy(place.begin(), place.end(), point.begin());
+      const auto [x, y, z] = radial(circle, point);
+      const double off = std::hypot(x, y, z) - circle.radius;
+      if (!(std::abs(off) <= circle_tolerance * circle.radius))
+        refuse("the vertex at {} stands {:.3g} m off the circle of its {}", shown(place), off,
+               face_word<dim>);
     }
   }
 }
 
 }  // namespace
 
-void check_bodies(const MeshData<2>& mesh) {
+std::array<double, 3> radial(const Circle& circle, const std::array<double, 3>& point) {
+  std::array<double, 3> arm{};
+  double along = 0.;
+  for (std::size_t i = 0; i < 3; ++i) {
+    arm[i] = point[i] - circle.centre[i];
+    along += arm[i] * circle.axis[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) arm[i] -= along * circle.axis[i];
+  return arm;
+}
+
+template <int dim>
+std::vector<std::array<unsigned int, 1U << (dim - 1)>> sides(const Cell<dim>& cell) {
+  const auto& v = cell.vertices;
+  std::vector<std::array<unsigned int, 1U << (dim - 1)>> result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t next = (i + 1) % 4;
+    if constexpr (dim == 2)
+      result.push_back({v[i], v[next]});
+    else
+      result.push_back({v[i], v[next], v[next + 4], v[i + 4]});
+  }
+  if constexpr (dim == 3) {
+    result.push_back({v[0], v[3], v[2], v[1]});
+    result.push_back({v[4], v[5], v[6], v[7]});
+  }
+  return result;
+}
+
+template <int dim>
+void check_bodies(const MeshData<dim>& mesh) {
   std::vector<unsigned int> body_of(mesh.vertices.size(), no_body);
   std::vector<bool> has_cells(mesh.bodies.size(), false);
-  for (const Cell<2>& quad : mesh.cells) {
-    has_cells[quad.body] = true;
-    for (const unsigned int vertex : quad.vertices) {
-      if (body_of[vertex] != no_body && body_of[vertex] != quad.body)
+  for (const Cell<dim>& cell : mesh.cells) {
+    has_cells[cell.body] = true;
+    for (const unsigned int vertex : cell.vertices) {
+      if (body_of[vertex] != no_body && body_of[vertex] != cell.body)
         refuse(
-            "bodies \"{}\" and \"{}\" share the vertex at ({:.6g}, {:.6g}) m and would be welded "
-            "there: give each body its own points and curves, also where they touch (and no "
-            "Coherence)",
-            mesh.bodies[body_of[vertex]], mesh.bodies[quad.body], mesh.vertices[vertex][0],
-            mesh.vertices[vertex][1]);
-      body_of[vertex] = quad.body;
+            "bodies \"{}\" and \"{}\" share the vertex at {} and would be welded there: give each "
+            "body its own points, curves and surfaces, also where they touch (no Coherence, and "
+            "Extrude before the other body is drawn)",
+            mesh.bodies[body_of[vertex]], mesh.bodies[cell.body], shown(mesh.vertices[vertex]));
+      body_of[vertex] = cell.body;
     }
   }
   for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
     if (!has_cells[i]) refuse("body \"{}\" has no cells", mesh.bodies[i]);
   for (std::size_t i = 0; i < body_of.size(); ++i)
     if (body_of[i] == no_body)
-      refuse("vertex {} at ({:.6g}, {:.6g}) m belongs to no cell: remove it", i,
-             mesh.vertices[i][0], mesh.vertices[i][1]);
+      refuse("vertex {} at {} belongs to no cell: remove it", i, shown(mesh.vertices[i]));
 }
 
 template <int dim>
@@ -155,10 +213,8 @@ std::set<unsigned int> bodies_of(const MeshData<dim>& mesh, const unsigned int s
   return bodies;
 }
 
-template std::set<unsigned int> bodies_of(const MeshData<2>&, unsigned int);
-template std::set<unsigned int> bodies_of(const MeshData<3>&, unsigned int);
-
-void check(const MeshData<2>& mesh) {
+template <int dim>
+void check(const MeshData<dim>& mesh) {
   check_surfaces(mesh);
   check_vertices(mesh);
   check_indices(mesh);
@@ -167,5 +223,14 @@ void check(const MeshData<2>& mesh) {
   check_boundary(mesh);
   check_circles(mesh);
 }
+
+template std::vector<std::array<unsigned int, 2>> sides(const Cell<2>&);
+template std::vector<std::array<unsigned int, 4>> sides(const Cell<3>&);
+template void check_bodies(const MeshData<2>&);
+template void check_bodies(const MeshData<3>&);
+template std::set<unsigned int> bodies_of(const MeshData<2>&, unsigned int);
+template std::set<unsigned int> bodies_of(const MeshData<3>&, unsigned int);
+template void check(const MeshData<2>&);
+template void check(const MeshData<3>&);
 
 }  // namespace geneva::mesh

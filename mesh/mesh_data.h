@@ -8,12 +8,16 @@
 
 namespace geneva::mesh {
 
-/// The circle that a boundary curve of a plane mesh is part of; in space the cylinder over it,
-/// whose axis is parallel to z.
+/// The circle that a boundary curve of a plane mesh is part of; in space the cylinder or the sphere
+/// that a boundary surface is part of.
 struct Circle {
-  std::array<double, 2> centre;  ///< [m]
-  double radius;                 ///< [m], > 0
+  std::array<double, 3> centre;               ///< [m]; of a cylinder a point of its axis
+  double radius;                              ///< [m], > 0
+  std::array<double, 3> axis = {0., 0., 1.};  ///< unit vector; zero: a sphere
 };
+
+/// From the axis of the circle or cylinder, or the centre of the sphere, to a point [m].
+std::array<double, 3> radial(const Circle& circle, const std::array<double, 3>& point);
 
 /// A quadrilateral or hexahedron, and the body that it belongs to: four vertices counter-clockwise,
 /// or four counter-clockwise as seen from above and the four above them.
@@ -24,7 +28,7 @@ struct Cell {
 };
 
 /// A boundary edge or quadrilateral (its vertices one after the other around it), the surface that
-/// it belongs to and the circle that it is a chord of.
+/// it belongs to and the circle, cylinder or sphere that its vertices lie on.
 template <int dim>
 struct Face {
   std::array<unsigned int, 1U << (dim - 1)> vertices;
@@ -47,17 +51,24 @@ struct MeshData {
   std::vector<std::string> surfaces;
 };
 
+/// The faces of a cell: counter-clockwise edges, or quadrilaterals counter-clockwise as seen from
+/// outside.
+template <int dim>
+std::vector<std::array<unsigned int, 1U << (dim - 1)>> sides(const Cell<dim>& cell);
+
 /// The part of check() on bodies: every body has cells, no vertex is shared by two or unused.
 /// @throws std::invalid_argument naming the bodies, the place and what to change
-void check_bodies(const MeshData<2>& mesh);
+template <int dim>
+void check_bodies(const MeshData<dim>& mesh);
 
 /// Refuses a mesh that a solver cannot use.
 ///
 /// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every
-/// boundary edge listed once and no other, every body has cells, no vertex shared by two bodies, no
-/// vertex unused, edges of a circle end on it.
+/// boundary face listed once and no other, every body has cells, no vertex shared by two bodies, no
+/// vertex unused, the vertices of faces on a circle, cylinder or sphere lie on it.
 /// @throws std::invalid_argument naming the cell, its place and what to change
-void check(const MeshData<2>& mesh);
+template <int dim>
+void check(const MeshData<dim>& mesh);
 
 /// Bodies that the faces of a surface (an index into MeshData::surfaces) belong to.
 template <int dim>

@@ -23,13 +23,29 @@ std::map<VertexPair, Place> middles_on_circles(const MeshData<2>& mesh) {
   std::map<VertexPair, Place> middles;
   for (const Face<2>& edge : mesh.faces) {
     if (edge.circle < 0) continue;
-    const auto& [centre, radius] = mesh.circles[static_cast<std::size_t>(edge.circle)];
+    const Circle& circle = mesh.circles[static_cast<std::size_t>(edge.circle)];
+    const auto& centre = circle.centre;
     const auto [x, y] = middle(mesh.vertices[edge.vertices[0]], mesh.vertices[edge.vertices[1]]);
-    const double scale = radius / std::hypot(x - centre[0], y - centre[1]);
+    const double scale = circle.radius / std::hypot(x - centre[0], y - centre[1]);
     middles[ordered(edge.vertices[0], edge.vertices[1])] = {centre[0] + scale * (x - centre[0]),
                                                             centre[1] + scale * (y - centre[1])};
   }
   return middles;
+}
+
+using PlaceInSpace = std::array<double, 3>;
+
+/// From one point to another; zero if they are the same.
+PlaceInSpace unit_vector(const PlaceInSpace& from, const PlaceInSpace& to) {
+  PlaceInSpace vector{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  for (double& component : vector) component = length > 0. ? component / length : 0.;
+  return vector;
+}
+
+double triple_product(const PlaceInSpace& a, const PlaceInSpace& b, const PlaceInSpace& c) {
+  return (a[1] * b[2] - a[2] * b[1]) * c[0] + (a[2] * b[0] - a[0] * b[2]) * c[1] +
+         (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
 double least_of_children(const Corners& outer, const Corners& middles) {
@@ -62,6 +78,30 @@ double scaled_jacobian(const Corners& corners) {
   }
   return least;
 }
+
+template <int dim>
+double scaled_jacobian(const MeshData<dim>& mesh, const Cell<dim>& cell) {
+  if constexpr (dim == 2) {
+    return scaled_jacobian(corners(mesh, cell));
+  } else {
+    double least = 1.;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const bool is_above = i > 3;
+      const std::size_t ring = is_above ? 4 : 0;
+      const std::size_t next = ring + (i + 1) % 4;
+      const std::size_t last = ring + (i + 3) % 4;
+      const auto edge = [&](const std::size_t to) {
+        return unit_vector(mesh.vertices[cell.vertices[i]], mesh.vertices[cell.vertices[to]]);
+      };
+      least = std::min(least, triple_product(edge(is_above ? last : next),
+                                             edge(is_above ? next : last), edge((i + 4) % 8)));
+    }
+    return least;
+  }
+}
+
+template double scaled_jacobian(const MeshData<2>&, const Cell<2>&);
+template double scaled_jacobian(const MeshData<3>&, const Cell<3>&);
 
 double least_scaled_jacobian(const MeshData<2>& mesh) {
   double least = 1.;

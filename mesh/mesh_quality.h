@@ -15,6 +15,11 @@ Corners corners(const MeshData<2>& mesh, const Cell<2>& quad);
 /// for a cell that is turned over, pinched or not convex.
 double scaled_jacobian(const Corners& corners);
 
+/// The same of a cell: in space the least over the corners of the volume that the unit vectors
+/// along its edges span.
+template <int dim>
+double scaled_jacobian(const MeshData<dim>& mesh, const Cell<dim>& cell);
+
 /// Least scaled Jacobian of all cells.
 double least_scaled_jacobian(const MeshData<2>& mesh);
 

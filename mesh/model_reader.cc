@@ -14,31 +14,24 @@ namespace geneva::mesh {
 
 namespace {
 
-// Gmsh's numbers of element types
-constexpr int line_type = 1;
-constexpr int triangle_type = 2;
-constexpr int quad_type = 3;
-
 /// Equal to rounding: coordinates of a file may have been written with ten digits.
 constexpr double same_circle = 1e-9;
 constexpr double in_plane = 1e-9;
 
-using VertexPair = std::pair<unsigned int, unsigned int>;
+template <int dim>
+constexpr int cell_type = dim == 2 ? quad_type : hexahedron_type;
+template <int dim>
+constexpr int face_type = dim == 2 ? line_type : quad_type;
+
+template <int dim>
+using Side = std::array<unsigned int, 1U << (dim - 1)>;
 using VertexOfTag = std::unordered_map<std::size_t, unsigned int>;
 
-VertexPair ordered(unsigned int first, unsigned int second) {
-  return {std::min(first, second), std::max(first, second)};
-}
-
-/// Node tags of the elements of one type in one entity.
-std::vector<std::size_t> element_nodes(int dimension, int entity, int wanted_type) {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> elements;
-  std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
-  for (std::size_t i = 0; i < types.size(); ++i)
-    if (types[i] == wanted_type) return nodes[i];
-  return {};
+/// The same for all orders of the vertices.
+template <std::size_t n>
+std::array<unsigned int, n> sorted(std::array<unsigned int, n> side) {
+  std::sort(side.begin(), side.end());
+  return side;
 }
 
 /// Coordinates x, y, z of all nodes, by tag.
@@ -54,28 +47,30 @@ std::unordered_map<std::size_t, std::array<double, 3>> node_places() {
   return place_of;
 }
 
-VertexOfTag read_quads(const ModelLabels& labels, TaggedMesh& result) {
+template <int dim>
+VertexOfTag read_cells(const ModelLabels& labels, TaggedMesh<dim>& result) {
   VertexOfTag vertex_of;
   for (std::size_t body = 0; body < labels.bodies.size(); ++body) {
     result.mesh.bodies.push_back(labels.bodies[body].name);
-    for (const int surface : labels.bodies[body].surfaces) {
-      const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
-      for (std::size_t i = 0; i < nodes.size(); i += 4) {
-        Cell<2> quad{{}, static_cast<unsigned int>(body)};
-        for (std::size_t k = 0; k < 4; ++k) {
+    for (const int entity : labels.bodies[body].entities) {
+      const std::vector<std::size_t> nodes = element_nodes(dim, entity, cell_type<dim>);
+      Cell<dim> cell{{}, static_cast<unsigned int>(body)};
+      for (std::size_t i = 0; i < nodes.size(); i += cell.vertices.size()) {
+        for (std::size_t k = 0; k < cell.vertices.size(); ++k) {
           const auto next = static_cast<unsigned int>(result.tags.size());
           const auto [found, is_new] = vertex_of.emplace(nodes[i + k], next);
           if (is_new) result.tags.push_back(nodes[i + k]);
-          quad.vertices[k] = found->second;
+          cell.vertices[k] = found->second;
         }
-        result.mesh.cells.push_back(quad);
+        result.mesh.cells.push_back(cell);
       }
     }
   }
   return vertex_of;
 }
 
-void read_vertices(TaggedMesh& result) {
+template <int dim>
+void read_vertices(TaggedMesh<dim>& result) {
   const auto place_of = node_places();
   double extent = 0.;
   double off_plane = 0.;
@@ -83,14 +78,17 @@ void read_vertices(TaggedMesh& result) {
     const auto found = place_of.find(tag);
     if (found == place_of.end())
       throw std::invalid_argument(fmt::format("a cell refers to node {}, which is missing", tag));
-    const auto& [x, y, z] = found->second;
-    result.mesh.vertices.push_back({x, y});
-    extent = std::max({extent, std::abs(x), std::abs(y)});
-    off_plane = std::max(off_plane, std::abs(z));
+    std::array<double, static_cast<std::size_t>(dim)> vertex{};
+    std::copy_n(found->second.begin(), vertex.size(), vertex.begin());
+    result.mesh.vertices.push_back(vertex);
+    extent = std::max({extent, std::abs(vertex[0]), std::abs(vertex[1])});
+    off_plane = std::max(off_plane, std::abs(found->second[2]));
   }
-  if (!(off_plane <= in_plane * extent))
-    throw std::invalid_argument(fmt::format(
-        "a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0", off_plane));
+  if (dim == 2 && !(off_plane <= in_plane * extent))
+    throw std::invalid_argument(
+        fmt::format("a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0; "
+                    "'set Dimension = 3' reads one in space",
+                    off_plane));
 }
 
 /// Twice the area, negative if clockwise.
@@ -98,62 +96,89 @@ double turning(const Corners& c) {
   return (c[2][0] - c[0][0]) * (c[3][1] - c[1][1]) - (c[3][0] - c[1][0]) * (c[2][1] - c[0][1]);
 }
 
-void turn_clockwise_quads(MeshData<2>& mesh) {
+void turn_cells(MeshData<2>& mesh) {
   for (Cell<2>& quad : mesh.cells)
     if (turning(corners(mesh, quad)) < 0.) std::swap(quad.vertices[1], quad.vertices[3]);
 }
 
-unsigned int surface_index(MeshData<2>& mesh, const std::string& name) {
+/// A hexahedron that is inside out has its lower and upper four vertices exchanged.
+void turn_cells(MeshData<3>& mesh) {
+  for (Cell<3>& cell : mesh.cells) {
+    Cell<3> turned = cell;
+    std::rotate(turned.vertices.begin(), turned.vertices.begin() + 4, turned.vertices.end());
+    if (scaled_jacobian(mesh, turned) > scaled_jacobian(mesh, cell)) cell = turned;
+  }
+}
+
+template <int dim>
+unsigned int surface_index(MeshData<dim>& mesh, const std::string& name) {
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), name);
   const auto index = static_cast<unsigned int>(found - mesh.surfaces.begin());
   if (found == mesh.surfaces.end()) mesh.surfaces.push_back(name);
   return index;
 }
 
-/// Curve of every pair of vertices that a line element of Gmsh joins.
-std::map<VertexPair, ModelLabels::Curve> read_lines(const ModelLabels& labels,
-                                                    const VertexOfTag& vertex_of) {
-  std::map<VertexPair, ModelLabels::Curve> curve_of;
-  for (const auto& [tag, curve] : labels.curves) {
-    const std::vector<std::size_t> nodes = element_nodes(1, tag, line_type);
-    for (std::size_t i = 0; i < nodes.size(); i += 2) {
-      const auto first = vertex_of.find(nodes[i]);
-      const auto second = vertex_of.find(nodes[i + 1]);
-      if (first == vertex_of.end() || second == vertex_of.end()) continue;
-      curve_of[ordered(first->second, second->second)] = curve;
+/// Part of the boundary of every face that an element of Gmsh stands for.
+template <int dim>
+std::map<Side<dim>, ModelLabels::BoundaryPart> read_faces(const ModelLabels& labels,
+                                                          const VertexOfTag& vertex_of) {
+  std::map<Side<dim>, ModelLabels::BoundaryPart> part_of;
+  for (const auto& [tag, part] : labels.boundary) {
+    const std::vector<std::size_t> nodes = element_nodes(dim - 1, tag, face_type<dim>);
+    Side<dim> side{};
+    for (std::size_t i = 0; i < nodes.size(); i += side.size()) {
+      bool is_of_cells = true;
+      for (std::size_t k = 0; k < side.size(); ++k) {
+        const auto vertex = vertex_of.find(nodes[i + k]);
+        is_of_cells = is_of_cells && vertex != vertex_of.end();
+        if (is_of_cells) side[k] = vertex->second;
+      }
+      if (is_of_cells) part_of[sorted(side)] = part;
     }
   }
-  return curve_of;
+  return part_of;
 }
 
-void add_edges(const std::map<VertexPair, ModelLabels::Curve>& curve_of, MeshData<2>& mesh) {
-  std::map<VertexPair, int> cells;
-  for (const Cell<2>& quad : mesh.cells)
-    for (std::size_t i = 0; i < 4; ++i)
-      ++cells[ordered(quad.vertices[i], quad.vertices[(i + 1) % 4])];
-  for (const Cell<2>& quad : mesh.cells) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::array<unsigned int, 2> side{quad.vertices[i], quad.vertices[(i + 1) % 4]};
-      const VertexPair pair = ordered(side[0], side[1]);
-      if (cells.at(pair) != 1) continue;
-      const auto curve = curve_of.find(pair);
-      if (curve == curve_of.end())
+template <int dim>
+void add_faces(const std::map<Side<dim>, ModelLabels::BoundaryPart>& part_of, MeshData<dim>& mesh) {
+  std::map<Side<dim>, int> cells;
+  for (const Cell<dim>& cell : mesh.cells)
+    for (const Side<dim>& side : sides(cell)) ++cells[sorted(side)];
+  for (const Cell<dim>& cell : mesh.cells)
+    for (const Side<dim>& side : sides(cell)) {
+      const Side<dim> key = sorted(side);
+      if (cells.at(key) != 1) continue;
+      const auto part = part_of.find(key);
+      if (part == part_of.end())
         mesh.faces.push_back({side, 0, -1});
       else
         mesh.faces.push_back(
-            {side, surface_index(mesh, curve->second.surface), curve->second.circle});
+            {side, surface_index(mesh, part->second.surface), part->second.circle});
     }
-  }
 }
 
 }  // namespace
 
+std::vector<std::size_t> element_nodes(const int dimension, const int entity, const int type) {
+  std::vector<int> types;
+  std::vector<std::vector<std::size_t>> elements;
+  std::vector<std::vector<std::size_t>> nodes;
+  gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
+  for (std::size_t i = 0; i < types.size(); ++i)
+    if (types[i] == type) return nodes[i];
+  return {};
+}
+
 int circle_index(std::vector<Circle>& circles, const Circle& circle) {
-  const double allowed = same_circle * circle.radius;
+  const auto near = [](const std::array<double, 3>& a, const std::array<double, 3>& b,
+                       const double scale) {
+    return std::equal(a.begin(), a.end(), b.begin(), [&](const double x, const double y) {
+      return std::abs(x - y) <= same_circle * scale;
+    });
+  };
   const auto same = [&](const Circle& other) {
-    return std::abs(other.centre[0] - circle.centre[0]) <= allowed &&
-           std::abs(other.centre[1] - circle.centre[1]) <= allowed &&
-           std::abs(other.radius - circle.radius) <= allowed;
+    return near(other.centre, circle.centre, circle.radius) && near(other.axis, circle.axis, 1.) &&
+           std::abs(other.radius - circle.radius) <= same_circle * circle.radius;
   };
   const auto found = std::find_if(circles.begin(), circles.end(), same);
   const auto index = static_cast<int>(found - circles.begin());
@@ -161,11 +186,12 @@ int circle_index(std::vector<Circle>& circles, const Circle& circle) {
   return index;
 }
 
+template <int dim>
 OtherCells count_other_cells() {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> elements;
   std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, 2);
+  gmsh::model::mesh::getElements(types, elements, nodes, dim);
   OtherCells counts;
   for (std::size_t i = 0; i < types.size(); ++i) {
     std::string name;
@@ -178,24 +204,30 @@ OtherCells count_other_cells() {
                                             primary_vertices);
     if (order > 1)
       counts.of_higher_order += elements[i].size();
-    else if (types[i] == triangle_type)
-      counts.triangles += elements[i].size();
-    else if (types[i] != quad_type)
+    else if (types[i] == (dim == 2 ? triangle_type : tetrahedron_type))
+      counts.simplices += elements[i].size();
+    else if (types[i] != cell_type<dim>)
       counts.others += elements[i].size();
   }
   return counts;
 }
 
-TaggedMesh read_model(const ModelLabels& labels) {
-  TaggedMesh result;
+template <int dim>
+TaggedMesh<dim> read_model(const ModelLabels& labels) {
+  TaggedMesh<dim> result;
   result.mesh.surfaces.emplace_back();
   for (const std::string& name : labels.surfaces) surface_index(result.mesh, name);
   result.mesh.circles = labels.circles;
-  const VertexOfTag vertex_of = read_quads(labels, result);
+  const VertexOfTag vertex_of = read_cells(labels, result);
   read_vertices(result);
-  turn_clockwise_quads(result.mesh);
-  add_edges(read_lines(labels, vertex_of), result.mesh);
+  turn_cells(result.mesh);
+  add_faces(read_faces<dim>(labels, vertex_of), result.mesh);
   return result;
 }
+
+template OtherCells count_other_cells<2>();
+template OtherCells count_other_cells<3>();
+template TaggedMesh<2> read_model(const ModelLabels&);
+template TaggedMesh<3> read_model(const ModelLabels&);
 
 }  // namespace geneva::mesh

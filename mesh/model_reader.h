@@ -13,16 +13,16 @@ namespace geneva::mesh {
 struct ModelLabels {
   struct Body {
     std::string name;
-    std::vector<int> surfaces;  ///< Gmsh's tags
+    std::vector<int> entities;  ///< Gmsh's tags of its surfaces, in space of its volumes
   };
-  struct Curve {
+  struct BoundaryPart {
     std::string surface;  ///< empty: no name
     int circle;           ///< index into circles; -1: straight, or no circle
   };
   std::vector<Body> bodies;
-  std::map<int, Curve> curves;  ///< by Gmsh's tag
+  std::map<int, BoundaryPart> boundary;  ///< by Gmsh's tag of the curve, in space of the surface
   std::vector<Circle> circles;
-  std::vector<std::string> surfaces;  ///< names of the curves in the order wanted
+  std::vector<std::string> surfaces;  ///< names of the boundary's parts in the order wanted
 };
 
 /// Index of the circle in the list, to which it is added unless an equal one (to 1e-9 of its
@@ -30,22 +30,36 @@ struct ModelLabels {
 int circle_index(std::vector<Circle>& circles, const Circle& circle);
 
 /// A mesh and the tags that its vertices have in Gmsh.
+template <int dim>
 struct TaggedMesh {
-  MeshData<2> mesh;
+  MeshData<dim> mesh;
   std::vector<std::size_t> tags;
 };
 
-/// Cells of the current Gmsh model's mesh that are not linear quadrilaterals.
+/// Cells of the current Gmsh model's mesh that are not linear quadrilaterals, in space not linear
+/// hexahedra.
 struct OtherCells {
-  std::size_t triangles = 0;
+  std::size_t simplices = 0;  ///< triangles or tetrahedra
   std::size_t of_higher_order = 0;
-  std::size_t others = 0;  ///< neither triangles nor quadrilaterals
+  std::size_t others = 0;
 };
+template <int dim>
 OtherCells count_other_cells();
 
-/// The current Gmsh model's linear quadrilaterals, turned counter-clockwise, with all boundary
-/// edges.
-/// @throws std::invalid_argument if a vertex stands off the plane z = 0
-TaggedMesh read_model(const ModelLabels& labels);
+/// The current Gmsh model's linear quadrilaterals or hexahedra, turned counter-clockwise, with all
+/// boundary faces.
+/// @throws std::invalid_argument in the plane if a vertex stands off z = 0
+template <int dim>
+TaggedMesh<dim> read_model(const ModelLabels& labels);
+
+/// Node tags of the elements of one type of Gmsh's in one entity, element by element.
+std::vector<std::size_t> element_nodes(int dimension, int entity, int type);
+
+/// Gmsh's numbers of the types of linear elements.
+inline constexpr int line_type = 1;
+inline constexpr int triangle_type = 2;
+inline constexpr int quad_type = 3;
+inline constexpr int tetrahedron_type = 4;
+inline constexpr int hexahedron_type = 5;
 
 }  // namespace geneva::mesh

@@ -15,7 +15,6 @@ using loads::Outline;
 using loads::Point;
 using loads::Segment;
 
-constexpr int line_type = 1;          // Gmsh's number of the element type
 constexpr int least_layers = 2;       // of a ring
 constexpr int most_cells_along = 22;  // of a quadrilateral: refinement does the rest
 
@@ -110,7 +109,7 @@ void OutlineModel::add_body(const Outline& unit, const Outline& exact) {
   loop_tags.reserve(loops.size());
   for (const LoopTags& loop : loops)
     loop_tags.push_back(gmsh::model::geo::addCurveLoop(loop.curves));
-  labels_.bodies.back().surfaces.push_back(gmsh::model::geo::addPlaneSurface(loop_tags));
+  labels_.bodies.back().entities.push_back(gmsh::model::geo::addPlaneSurface(loop_tags));
 }
 
 OutlineModel::LoopTags OutlineModel::add_loop(const Loop& unit, const Loop& exact) {
@@ -133,8 +132,8 @@ OutlineModel::LoopTags OutlineModel::add_loop(const Loop& unit, const Loop& exac
 
 void OutlineModel::add_label(int curve, const Segment& exact) {
   const Circle circle{{exact.centre.x, exact.centre.y}, distance(exact.start, exact.centre)};
-  labels_.curves[curve] = {exact.surface,
-                           exact.is_arc ? circle_index(labels_.circles, circle) : -1};
+  labels_.boundary[curve] = {exact.surface,
+                             exact.is_arc ? circle_index(labels_.circles, circle) : -1};
   labels_.surfaces.push_back(exact.surface);
 }
 
@@ -174,7 +173,7 @@ void OutlineModel::add_quadrilateral(const Loop& unit, const LoopTags& loop) {
     curves_[loop.curves[side]].places = evenly_divided(side % 2 == 0 ? along : across);
   const int tag = gmsh::model::geo::addCurveLoop(loop.curves);
   patches_.push_back(gmsh::model::geo::addPlaneSurface({tag}));
-  labels_.bodies.back().surfaces.push_back(patches_.back());
+  labels_.bodies.back().entities.push_back(patches_.back());
 }
 
 /// Four-sided patches between the arcs of the outer loop and those of the hole, which runs the
@@ -204,7 +203,7 @@ void OutlineModel::add_ring(const Outline& unit, const std::vector<LoopTags>& lo
     const int patch =
         gmsh::model::geo::addCurveLoop({outer_arc, radial[next], hole_arc, -radial[i]});
     patches_.push_back(gmsh::model::geo::addPlaneSurface({patch}));
-    labels_.bodies.back().surfaces.push_back(patches_.back());
+    labels_.bodies.back().entities.push_back(patches_.back());
   }
 }
 
@@ -246,7 +245,7 @@ std::map<std::size_t, Point> OutlineModel::boundary_places() const {
   return places;
 }
 
-void OutlineModel::place(TaggedMesh& read) const {
+void OutlineModel::place(TaggedMesh<2>& read) const {
   const std::map<std::size_t, Point> on_boundary = boundary_places();
   for (std::size_t i = 0; i < read.tags.size(); ++i) {
     auto& [x, y] = read.mesh.vertices[i];

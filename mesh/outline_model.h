@@ -30,7 +30,7 @@ class OutlineModel {
   [[nodiscard]] const ModelLabels& labels() const { return labels_; }
 
   /// Puts the vertices that Gmsh has made into metres, those of the boundary exactly onto it.
-  void place(TaggedMesh& read) const;
+  void place(TaggedMesh<2>& read) const;
 
  private:
   /// A curve of Gmsh's model, and how it is divided.

@@ -36,6 +36,7 @@ FlatMesh flatten(const MeshData<dim>& mesh) {
   for (const auto& circle : mesh.circles) {
     flat.reals.insert(flat.reals.end(), circle.centre.begin(), circle.centre.end());
     flat.reals.push_back(circle.radius);
+    flat.reals.insert(flat.reals.end(), circle.axis.begin(), circle.axis.end());
   }
   for (const auto& cell : mesh.cells) {
     flat.integers.insert(flat.integers.end(), cell.vertices.begin(), cell.vertices.end());
@@ -64,6 +65,7 @@ MeshData<dim> unflatten(const FlatMesh& flat) {
   for (auto& circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate = *real++;
     circle.radius = *real++;
+    for (double& component : circle.axis) component = *real++;
   }
   auto integer = flat.integers.begin() + 5;
   for (auto& cell : mesh.cells) {
@@ -130,17 +132,17 @@ void bend_lines(dealii::Triangulation<dim>& triangulation) {
         face->set_all_manifold_ids(face->manifold_id());
 }
 
-/// The circle, or the cylinder over it along z, in the units of the triangulation.
+/// The circle, cylinder or sphere in the units of the triangulation.
 template <int dim>
 std::unique_ptr<dealii::Manifold<dim>> manifold(const Circle& circle, const double length) {
   dealii::Point<dim> centre;
-  for (unsigned int component = 0; component < 2; ++component)
+  for (unsigned int component = 0; component < dim; ++component)
     centre[component] = circle.centre[component] / length;
-  if constexpr (dim == 2)
-    return std::make_unique<dealii::SphericalManifold<2>>(centre);
-  else
-    return std::make_unique<dealii::CylindricalManifold<3>>(dealii::Tensor<1, 3>({0., 0., 1.}),
-                                                            centre);
+  if constexpr (dim == 3) {
+    const dealii::Tensor<1, 3> axis({circle.axis[0], circle.axis[1], circle.axis[2]});
+    if (axis.norm() > 0.) return std::make_unique<dealii::CylindricalManifold<3>>(axis, centre);
+  }
+  return std::make_unique<dealii::SphericalManifold<dim>>(centre);
 }
 
 }  // namespace

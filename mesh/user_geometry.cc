@@ -4,7 +4,6 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <functional>
@@ -21,18 +20,25 @@
 #include "mesh/model_reader.h"
 #include "mesh/msh_file.h"
 #include "mesh/private_directory.h"
+#include "mesh/round_shapes.h"
 
 namespace geneva::mesh {
 
 namespace {
 
-using Place = std::array<double, 2>;
 using Errors = std::vector<std::string>;
 
-/// Points of a circle agree with it to this fraction of its radius.
-constexpr double circle_tolerance = 1e-8;
-/// Fewer points could lie on a circle by chance.
-constexpr std::size_t fewest_circle_points = 5;
+/// What bodies and their boundary are made of.
+template <int dim>
+struct Kinds {
+  static constexpr const char* body_group = dim == 2 ? "physical surface" : "physical volume";
+  static constexpr const char* boundary_group = dim == 2 ? "physical curve" : "physical surface";
+  static constexpr const char* body = dim == 2 ? "Physical Surface" : "Physical Volume";
+  static constexpr const char* boundary = dim == 2 ? "Physical Curve" : "Physical Surface";
+  static constexpr const char* body_entity = dim == 2 ? "surface" : "volume";
+  static constexpr const char* boundary_entity = dim == 2 ? "curve" : "surface";
+  static constexpr const char* cells = dim == 2 ? "quadrilaterals" : "hexahedra";
+};
 
 std::string listed(const Errors& errors) {
   const std::size_t most = 3;
@@ -64,8 +70,8 @@ std::string with_source(const std::string& error, const GuardedGeometry& geometr
 }
 
 /// Name of every physical group of a dimension, by tag.
-std::map<int, std::string> group_names(int dimension) {
-  const std::string kind = dimension == 1 ? "Physical Curve" : "Physical Surface";
+/// @param kind "Physical Surface"
+std::map<int, std::string> group_names(const int dimension, const std::string& kind) {
   gmsh::vectorpair groups;
   gmsh::model::getPhysicalGroups(groups, dimension);
   std::map<int, std::string> names;
@@ -88,167 +94,215 @@ std::map<int, std::string> group_names(int dimension) {
 }
 
 /// Name of the entity's physical group; nothing if it is in none.
-std::optional<std::string> group_of(int dimension, int entity,
+/// @param kind of entity: "curve"
+std::optional<std::string> group_of(const int dimension, const int entity, const char* const kind,
                                     const std::map<int, std::string>& names) {
   std::vector<int> groups;
   gmsh::model::getPhysicalGroupsForEntity(dimension, entity, groups);
   // a negative number is a group that has the entity in its other direction
   const auto name = [&](int group) { return names.at(std::abs(group)); };
   if (groups.size() > 1)
-    throw std::invalid_argument(fmt::format(
-        "{} {} is in the physical groups \"{}\" and \"{}\": it may be in one only",
-        dimension == 1 ? "curve" : "surface", entity, name(groups[0]), name(groups[1])));
+    throw std::invalid_argument(
+        fmt::format("{} {} is in the physical groups \"{}\" and \"{}\": it may be in one only",
+                    kind, entity, name(groups[0]), name(groups[1])));
   if (groups.empty()) return std::nullopt;
   return name(groups.front());
 }
 
-/// The circle through three points; nothing if they lie in a line.
-std::optional<Circle> circle_through(const Place& a, const Place& b, const Place& c) {
-  const double bx = b[0] - a[0];
-  const double by = b[1] - a[1];
-  const double cx = c[0] - a[0];
-  const double cy = c[1] - a[1];
-  const double cross = 2. * (bx * cy - by * cx);
-  const double lengths = std::max({std::hypot(bx, by), std::hypot(cx, cy)});
-  if (!(std::abs(cross) > circle_tolerance * lengths * lengths)) return std::nullopt;
-  const double b2 = bx * bx + by * by;
-  const double c2 = cx * cx + cy * cy;
-  const double x = (cy * b2 - by * c2) / cross;
-  const double y = (bx * c2 - cx * b2) / cross;
-  return Circle{{a[0] + x, a[1] + y}, std::hypot(x, y)};
+std::vector<Place> as_places(const std::vector<double>& coordinates) {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
+    places.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  return places;
 }
 
-/// The circle on which all points lie, if there is one; the points need not be in order.
-std::optional<Circle> circle_of(const std::vector<Place>& points) {
-  if (points.size() < fewest_circle_points) return std::nullopt;
-  const auto off = [](const Place& a, const Place& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1]);
-  };
-  // three points far from each other make the result least sensitive to rounding
-  const Place& a = points.front();
-  const Place& b = *std::max_element(points.begin(), points.end(),
-                                     [&](auto& p, auto& q) { return off(p, a) < off(q, a); });
-  const Place& c = *std::max_element(points.begin(), points.end(), [&](auto& p, auto& q) {
-    return std::min(off(p, a), off(p, b)) < std::min(off(q, a), off(q, b));
-  });
-  const std::optional<Circle> circle = circle_through(a, b, c);
-  if (!circle) return std::nullopt;
-  const bool all_on = std::all_of(points.begin(), points.end(), [&](const Place& point) {
-    return std::abs(off(point, circle->centre) - circle->radius) <=
-           circle_tolerance * circle->radius;
-  });
-  return all_on ? circle : std::nullopt;
-}
-
-/// Points of a curve of a geometry at evenly spaced parameters.
-std::vector<Place> points_of_curve(int curve) {
+/// Evenly spaced parameters of a curve or surface of a geometry, point by point.
+std::vector<double> sample_parameters(const int dimension, const int entity) {
   std::vector<double> low;
   std::vector<double> high;
-  gmsh::model::getParametrizationBounds(1, curve, low, high);
+  gmsh::model::getParametrizationBounds(dimension, entity, low, high);
   const int intervals = 6;
+  const auto value = [&](const std::size_t direction, const int i) {
+    return low.at(direction) + (high.at(direction) - low.at(direction)) * i / intervals;
+  };
   std::vector<double> parameters;
-  for (int i = 0; i <= intervals; ++i)
-    parameters.push_back(low.at(0) + (high.at(0) - low.at(0)) * i / intervals);
-  std::vector<double> places;
-  gmsh::model::getValue(1, curve, parameters, places);
-  std::vector<Place> points;
-  for (std::size_t i = 0; i + 2 < places.size(); i += 3)
-    points.push_back({places[i], places[i + 1]});
-  return points;
+  for (int i = 0; i <= intervals; ++i) {
+    if (dimension == 1) parameters.push_back(value(0, i));
+    for (int k = 0; dimension == 2 && k <= intervals; ++k) {
+      parameters.push_back(value(0, i));
+      parameters.push_back(value(1, k));
+    }
+  }
+  return parameters;
 }
 
-/// Nodes of a curve of a mesh.
-std::vector<Place> nodes_of_curve(int curve) {
+/// Points of a curve or surface of a geometry.
+std::vector<Place> sample_points(const int dimension, const int entity) {
+  std::vector<double> places;
+  gmsh::model::getValue(dimension, entity, sample_parameters(dimension, entity), places);
+  return as_places(places);
+}
+
+/// Places of all nodes, by tag.
+std::map<std::size_t, Place> places_of_nodes() {
   std::vector<std::size_t> tags;
-  std::vector<double> places;
+  std::vector<double> coordinates;
   std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, places, parameters, 1, curve, true);
-  std::vector<Place> points;
-  for (std::size_t i = 0; i < tags.size(); ++i)
-    points.push_back({places[3 * i], places[3 * i + 1]});
-  return points;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+  const std::vector<Place> places = as_places(coordinates);
+  std::map<std::size_t, Place> place_of;
+  for (std::size_t i = 0; i < tags.size(); ++i) place_of[tags[i]] = places[i];
+  return place_of;
 }
 
-std::optional<Circle> circle_of_curve(int curve) {
+/// Nodes of the elements of a curve or surface of a mesh.
+std::vector<Place> nodes_of(const int dimension, const int entity) {
+  const std::vector<std::size_t> nodes =
+      element_nodes(dimension, entity, dimension == 1 ? line_type : quad_type);
+  const std::map<std::size_t, Place> place_of = places_of_nodes();
+  std::vector<Place> places;
+  for (const std::size_t node : std::set<std::size_t>(nodes.begin(), nodes.end()))
+    places.push_back(place_of.at(node));
+  return places;
+}
+
+/// Normals of a surface's quadrilaterals: the cross products of their diagonals.
+std::vector<Place> facet_normals(const int surface) {
+  const std::map<std::size_t, Place> place_of = places_of_nodes();
+  const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
+  std::vector<Place> normals;
+  for (std::size_t i = 0; i + 3 < nodes.size(); i += 4) {
+    const Place& p = place_of.at(nodes[i]);
+    const Place& q = place_of.at(nodes[i + 1]);
+    const Place& r = place_of.at(nodes[i + 2]);
+    const Place& t = place_of.at(nodes[i + 3]);
+    const Place u{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+    const Place v{t[0] - q[0], t[1] - q[1], t[2] - q[2]};
+    normals.push_back(
+        {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+  }
+  return normals;
+}
+
+/// Normals of a surface of a geometry at its sample points.
+std::vector<Place> sample_normals(const int surface) {
+  std::vector<double> normals;
+  gmsh::model::getNormal(surface, sample_parameters(2, surface), normals);
+  return as_places(normals);
+}
+
+/// The circle of a curve, in space the cylinder or sphere of a surface.
+template <int dim>
+std::optional<Circle> shape_of(const int entity) {
   std::string type;
-  gmsh::model::getType(1, curve, type);
-  if (type == "Line") return std::nullopt;
+  gmsh::model::getType(dim - 1, entity, type);
+  if (type == "Line" || type == "Plane") return std::nullopt;
   const bool is_discrete = type.rfind("Discrete", 0) == 0;
-  return circle_of(is_discrete ? nodes_of_curve(curve) : points_of_curve(curve));
+  const std::vector<Place> points =
+      is_discrete ? nodes_of(dim - 1, entity) : sample_points(dim - 1, entity);
+  if constexpr (dim == 2)
+    return circle_through(points);
+  else
+    return round_surface_through(points,
+                                 is_discrete ? facet_normals(entity) : sample_normals(entity));
 }
 
-bool has_cells(int surface) {
+bool has_cells(const int dimension, const int entity = -1) {
   std::vector<int> types;
   std::vector<std::vector<std::size_t>> elements;
   std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, 2, surface);
+  gmsh::model::mesh::getElements(types, elements, nodes, dimension, entity);
   return !types.empty();
 }
 
+template <int dim>
 void label_bodies(ModelLabels& labels) {
-  const std::map<int, std::string> names = group_names(2);
+  using Kind = Kinds<dim>;
+  gmsh::vectorpair volumes;
+  gmsh::model::getEntities(volumes, 3);
+  if (dim == 2 && !volumes.empty())
+    throw std::invalid_argument("there are volumes: 'set Dimension = 3' reads them");
+  const std::map<int, std::string> names = group_names(dim, Kind::body);
   if (names.empty())
-    throw std::invalid_argument(
-        "there is no physical surface: write Physical Surface(\"name\") = {...}; for each body");
+    throw std::invalid_argument(fmt::format(
+        "there is no {}: write {}(\"name\") = {{...}}; for each body{}", Kind::body_group,
+        Kind::body, dim == 3 ? "; for a plane geometry 'set Dimension = 2'" : ""));
   for (const auto& [tag, name] : names) labels.bodies.push_back({name, {}});
-  gmsh::vectorpair surfaces;
-  gmsh::model::getEntities(surfaces, 2);
-  for (const auto& [dimension, surface] : surfaces) {
-    const std::optional<std::string> name = group_of(2, surface, names);
-    if (!name && has_cells(surface))
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dim);
+  for (const auto& [dimension, entity] : entities) {
+    const std::optional<std::string> name = group_of(dim, entity, Kind::body_entity, names);
+    if (!name && has_cells(dim, entity))
       throw std::invalid_argument(
-          fmt::format("surface {} is meshed but in no physical group: write Physical "
-                      "Surface(\"name\") = {{{}, ...}}; or delete it",
-                      surface, surface));
+          fmt::format("{} {} is meshed but in no physical group: write {}(\"name\") = {{{}, ...}}; "
+                      "or delete it",
+                      Kind::body_entity, entity, Kind::body, entity));
     for (ModelLabels::Body& body : labels.bodies)
-      if (name && body.name == *name) body.surfaces.push_back(surface);
+      if (name && body.name == *name) body.entities.push_back(entity);
   }
 }
 
-void label_curves(ModelLabels& labels) {
-  const std::map<int, std::string> names = group_names(1);
+template <int dim>
+void label_boundary(ModelLabels& labels) {
+  using Kind = Kinds<dim>;
+  const std::map<int, std::string> names = group_names(dim - 1, Kind::boundary);
   if (names.empty())
     throw std::invalid_argument(
-        "there is no physical curve: write Physical Curve(\"name\") = {...}; for each part of the "
-        "boundary that is held, loaded or touches");
+        fmt::format("there is no {}: write {}(\"name\") = {{...}}; for each part of the boundary "
+                    "that is held, loaded or touches",
+                    Kind::boundary_group, Kind::boundary));
   for (const auto& [tag, name] : names) labels.surfaces.push_back(name);
-  gmsh::vectorpair curves;
-  gmsh::model::getEntities(curves, 1);
-  for (const auto& [dimension, curve] : curves) {
-    const std::optional<Circle> circle = circle_of_curve(curve);
-    labels.curves[curve] = {group_of(1, curve, names).value_or(""),
-                            circle ? circle_index(labels.circles, *circle) : -1};
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dim - 1);
+  for (const auto& [dimension, entity] : entities) {
+    const std::optional<Circle> circle = shape_of<dim>(entity);
+    labels.boundary[entity] = {group_of(dim - 1, entity, Kind::boundary_entity, names).value_or(""),
+                               circle ? circle_index(labels.circles, *circle) : -1};
   }
 }
 
-void check_cells(const OtherCells& cells, bool is_mesh_file) {
+/// How the user gets cells that can be used.
+template <int dim>
+std::string advice_on_cells(const bool is_mesh_file) {
+  if (dim == 3)
+    return "make them with Extrude {...} { Surface{...}; Layers{...}; Recombine; }, or with "
+           "Transfinite Surface, Recombine Surface and Transfinite Volume";
+  if (is_mesh_file)
+    return "write Recombine Surface {...}; in the .geo and mesh it again, or give the .geo file "
+           "itself";
+  return "let the program mesh (no 'Mesh 2;'), or divide the surfaces into four-sided ones with "
+         "Transfinite Surface";
+}
+
+template <int dim>
+void check_cells(const OtherCells& cells, const bool is_mesh_file) {
   if (cells.of_higher_order > 0)
     throw std::invalid_argument(
-        fmt::format("{} cells are of order 2 or higher: linear quadrilaterals only; set "
-                    "Mesh.ElementOrder = 1 (curved boundaries are followed while refining)",
-                    cells.of_higher_order));
-  if (cells.triangles + cells.others > 0)
+        fmt::format("{} cells are of order 2 or higher: linear {} only; set Mesh.ElementOrder = 1 "
+                    "(curved boundaries are followed while refining)",
+                    cells.of_higher_order, Kinds<dim>::cells));
+  if (cells.simplices + cells.others > 0)
     throw std::invalid_argument(
-        fmt::format("{} cells are triangles or polygons: linear quadrilaterals only; {}",
-                    cells.triangles + cells.others,
-                    is_mesh_file ? "write Recombine Surface {...}; in the .geo and mesh it again, "
-                                   "or give the .geo file itself"
-                                 : "let the program mesh (no 'Mesh 2;'), or divide the surfaces "
-                                   "into four-sided ones with Transfinite Surface"));
+        fmt::format("{} cells are {}: linear {} only; {}", cells.simplices + cells.others,
+                    dim == 2 ? "triangles or polygons" : "tetrahedra, prisms or pyramids",
+                    Kinds<dim>::cells, advice_on_cells<dim>(is_mesh_file)));
 }
 
-void check_named_curves(const MeshData<2>& mesh) {
+template <int dim>
+void check_named_boundary(const MeshData<dim>& mesh) {
   for (std::size_t i = 1; i < mesh.surfaces.size(); ++i)
     if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
-                     [&](const Face<2>& edge) { return edge.surface == i; }))
+                     [&](const Face<dim>& face) { return face.surface == i; }))
       throw std::invalid_argument(
-          fmt::format("the physical curve \"{}\" holds no edge of a body's boundary: list the "
-                      "curves that bound its surface",
-                      mesh.surfaces[i]));
+          fmt::format("the {} \"{}\" holds no {} of a body's boundary: list the {}s that bound its "
+                      "{}",
+                      Kinds<dim>::boundary_group, mesh.surfaces[i], dim == 2 ? "edge" : "face",
+                      Kinds<dim>::boundary_entity, Kinds<dim>::body_entity));
 }
 
-void scale(MeshData<2>& mesh, double length_unit) {
-  for (Place& vertex : mesh.vertices)
+template <int dim>
+void scale(MeshData<dim>& mesh, const double length_unit) {
+  for (auto& vertex : mesh.vertices)
     for (double& coordinate : vertex) coordinate *= length_unit;
   for (Circle& circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate *= length_unit;
@@ -257,31 +311,25 @@ void scale(MeshData<2>& mesh, double length_unit) {
 }
 
 /// The current Gmsh model with its names, after its mesh has been made or read.
-MeshData<2> named_mesh(bool is_mesh_file) {
-  check_cells(count_other_cells(), is_mesh_file);
+template <int dim>
+MeshData<dim> named_mesh(const bool is_mesh_file) {
   ModelLabels labels;
-  label_bodies(labels);
-  check_bodies(read_model(labels).mesh);  // before the curves: shared ones have two names
-  label_curves(labels);
-  MeshData<2> mesh = read_model(labels).mesh;
-  check_named_curves(mesh);
+  label_bodies<dim>(labels);
+  check_cells<dim>(count_other_cells<dim>(), is_mesh_file);
+  check_bodies(read_model<dim>(labels).mesh);  // before the boundary: shared parts have two names
+  label_boundary<dim>(labels);
+  MeshData<dim> mesh = read_model<dim>(labels).mesh;
+  check_named_boundary(mesh);
   return mesh;
-}
-
-bool has_any_cells() {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> elements;
-  std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, 2);
-  return !types.empty();
 }
 
 /// Meshes the current model; if triangles remain, twice as coarse with each cell divided into
 /// quadrilaterals.
+template <int dim>
 void mesh_current_model() {
   gmsh::option::setNumber("Mesh.RecombineAll", 1);
-  gmsh::model::mesh::generate(2);
-  if (count_other_cells().triangles == 0) return;
+  gmsh::model::mesh::generate(dim);
+  if (dim == 3 || count_other_cells<2>().simplices == 0) return;
   double factor = 1.;
   gmsh::option::getNumber("Mesh.MeshSizeFactor", factor);
   gmsh::model::mesh::clear();
@@ -299,7 +347,8 @@ void run(GmshSession& session, const std::function<void()>& action,
   throw std::invalid_argument(listed(errors));
 }
 
-MeshData<2> read_geo(const std::filesystem::path& file) {
+template <int dim>
+MeshData<dim> read_geo(const std::filesystem::path& file) {
   const GuardedGeometry geometry = guard_geometry(file);
   // Gmsh opens only what this program has written to a place of its own: beside the user's file it
   // would also run "<file>.opt"
@@ -312,30 +361,33 @@ MeshData<2> read_geo(const std::filesystem::path& file) {
   const std::filesystem::path guarded = directory.write("geometry.geo", geometry.text);
   GmshSession session;
   set_quadrilateral_options();
-  MeshData<2> mesh;
+  MeshData<dim> mesh;
   run(
       session, [&] { gmsh::open(guarded.string()); }, geometry);
   run(session, [&] {
-    if (!has_any_cells()) mesh_current_model();
+    if (!has_cells(dim)) mesh_current_model<dim>();
   });
-  run(session, [&] { mesh = named_mesh(false); });
+  run(session, [&] { mesh = named_mesh<dim>(false); });
   return mesh;
 }
 
-MeshData<2> read_msh(const std::filesystem::path& file) {
+template <int dim>
+MeshData<dim> read_msh(const std::filesystem::path& file) {
   const std::string content = read_file(file);
   check_msh(content, file);
   const PrivateDirectory directory;
   const std::filesystem::path copy = directory.write("mesh.msh", content);
   GmshSession session;
-  MeshData<2> mesh;
+  MeshData<dim> mesh;
   run(session, [&] { gmsh::open(copy.string()); });
-  run(session, [&] { mesh = named_mesh(true); });
+  run(session, [&] { mesh = named_mesh<dim>(true); });
   return mesh;
 }
 
 /// Runs an action; what it refuses gets the name of the file in front, unless it is there.
-MeshData<2> naming(const std::filesystem::path& file, const std::function<MeshData<2>()>& action) {
+template <int dim>
+MeshData<dim> naming(const std::filesystem::path& file,
+                     const std::function<MeshData<dim>()>& action) {
   try {
     return action();
   } catch (const std::invalid_argument& error) {
@@ -347,7 +399,8 @@ MeshData<2> naming(const std::filesystem::path& file, const std::function<MeshDa
 
 }  // namespace
 
-MeshData<2> read_geometry(const std::filesystem::path& file, double length_unit) {
+template <int dim>
+MeshData<dim> read_geometry(const std::filesystem::path& file, const double length_unit) {
   if (!(length_unit > 0.) || !std::isfinite(length_unit))
     throw std::invalid_argument(fmt::format("{}: its unit of length is {} m: it must be positive",
                                             file.string(), length_unit));
@@ -355,12 +408,15 @@ MeshData<2> read_geometry(const std::filesystem::path& file, double length_unit)
   if (extension != ".geo" && extension != ".msh")
     throw std::invalid_argument(
         fmt::format("{}: a geometry must be a .geo or a .msh file", file.string()));
-  return naming(file, [&] {
-    MeshData<2> mesh = extension == ".geo" ? read_geo(file) : read_msh(file);
+  return naming<dim>(file, [&] {
+    MeshData<dim> mesh = extension == ".geo" ? read_geo<dim>(file) : read_msh<dim>(file);
     scale(mesh, length_unit);
     check(mesh);
     return mesh;
   });
 }
+
+template MeshData<2> read_geometry(const std::filesystem::path&, double);
+template MeshData<3> read_geometry(const std::filesystem::path&, double);
 
 }  // namespace geneva::mesh

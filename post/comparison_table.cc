@@ -74,24 +74,25 @@ std::vector<TableRow> contact_rows(const fem::Solution<3>& solution,
     peak = form->peak_pressure();
     width = form->half_width();
   }
-  if (form && form->line) {
-    shear = form->line->max_shear;
-    depth = form->line->max_shear_depth;
-    even = form->force / form->length;
+  if (form) {
+    shear = form->max_shear();
+    depth = form->max_shear_depth();
   }
+  if (form && form->line) even = form->force / form->length;
   const bool is_bounded = !solution.edge || solution.edge->is_bounded;
-  const LineLoad load = line_load(contact, analysis.sections);
-  std::vector<TableRow> rows{
-      row_of("pressure in the middle", middle_section(contact, analysis.sections).peak_pressure,
-             peak, stress),
-      row_of(is_bounded ? "peak contact pressure" : "edge pressure, not bounded",
-             contact.peak_pressure, peak, stress),
-      row_of("half-width", analysis.half_width, width, length)};
+  std::vector<TableRow> rows;
+  if (!analysis.sections.empty())
+    rows.push_back(row_of("pressure in the middle",
+                          middle_section(contact, analysis.sections).peak_pressure, peak, stress));
+  rows.push_back(row_of(is_bounded ? "peak contact pressure" : "edge pressure, not bounded",
+                        contact.peak_pressure, peak, stress));
+  rows.push_back(row_of("half-width", analysis.half_width, width, length));
   if (form && form->ellipse)
     rows.push_back(row_of("half-length", analysis.half_length, form->half_length(), length));
   rows.push_back(row_of("greatest shear", analysis.max_shear, shear, stress));
   rows.push_back(row_of("its depth", analysis.max_shear_depth, depth, length));
-  if (even) {
+  if (even && !analysis.sections.empty()) {
+    const LineLoad load = line_load(contact, analysis.sections);
     rows.push_back(row_of("line load, middle", load.middle, even, per_length));
     rows.push_back(row_of("line load, greater end", load.end, even, per_length));
   }

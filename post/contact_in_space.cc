@@ -25,13 +25,17 @@ Point<3> place_of(const Node& node) {
   return {node.position[0], node.position[1], node.position[2]};
 }
 
-/// Lowest and highest place along z where the surfaces face each other.
-std::pair<double, double> extent_along(const fem::ContactResult<3>& contact) {
+const Tensor<1, 3> z_axis({0., 0., 1.});
+
+/// Lowest and highest place along a direction where the surfaces face each other.
+std::pair<double, double> extent_along(const fem::ContactResult<3>& contact,
+                                       const Tensor<1, 3>& direction) {
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
   for (const Node& node : contact.nodes) {
-    lowest = std::min(lowest, node.position[2]);
-    highest = std::max(highest, node.position[2]);
+    const double place = Tensor<1, 3>(place_of(node)) * direction;
+    lowest = std::min(lowest, place);
+    highest = std::max(highest, place);
   }
   return {lowest, highest};
 }
@@ -41,7 +45,7 @@ using Layer = std::vector<const Node*>;
 
 /// Layers with a node in contact, by ascending z.
 std::vector<Layer> loaded_layers(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
-  const auto [lowest, highest] = extent_along(contact);
+  const auto [lowest, highest] = extent_along(contact, z_axis);
   const double same = 1e-9 * (highest - lowest);
   Layer all;
   for (const Node& node : contact.nodes) all.push_back(&node);
@@ -123,42 +127,121 @@ void add_shear(std::vector<ContactSection>& sections, const MPI_Comm communicato
         std::tie(sections[i].max_shear, sections[i].max_shear_depth) = part[i];
 }
 
-loads::Elastic material_of(const fem::Solution<3>& solution, const std::string& surface) {
+/// Body that a surface bounds.
+unsigned int body_of(const fem::Solution<3>& solution, const std::string& surface) {
   const auto& names = solution.mesh.surfaces;
   const auto id =
       static_cast<unsigned int>(std::find(names.begin(), names.end(), surface) - names.begin());
-  const unsigned int body = *mesh::bodies_of(solution.mesh, id).begin();
-  const fem::Material& material = solution.problem.bodies[body].material;
+  return *mesh::bodies_of(solution.mesh, id).begin();
+}
+
+loads::Elastic material_of(const fem::Solution<3>& solution, const std::string& surface) {
+  const fem::Material& material = solution.problem.bodies[body_of(solution, surface)].material;
   return {material.youngs_modulus, material.poissons_ratio};
 }
 
-/// 1/R of a cylinder along z, across it.
-double curvature(const fem::Solution<3>& solution, const int circle, const bool is_convex) {
-  if (circle < 0) return 0.;
-  const double radius = solution.mesh.circles[static_cast<std::size_t>(circle)].radius;
-  return is_convex ? 1. / radius : -1. / radius;
+/// Curvatures of a surface in the directions of its tangent plane, positive where it bulges [1/m].
+Tensor<2, 3> curvatures(const fem::Solution<3>& solution, const int circle, const bool is_convex,
+                        const Tensor<1, 3>& normal) {
+  Tensor<2, 3> tensor;
+  if (circle < 0) return tensor;
+  const mesh::Circle& shape = solution.mesh.circles[static_cast<std::size_t>(circle)];
+  const Tensor<1, 3> axis({shape.axis[0], shape.axis[1], shape.axis[2]});
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int k = 0; k < 3; ++k)
+      tensor[i][k] = (i == k ? 1. : 0.) - normal[i] * normal[k] - axis[i] * axis[k];
+  return (is_convex ? 1. : -1.) / shape.radius * tensor;
 }
 
-/// Second difference of the clearance along z over a distance to both sides.
-double curvature_along(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
-                       const double z, const double step) {
-  for (const fem::ContactPair& pair : solution.problem.pairs)
-    if (pair.source == contact.source && pair.clearance)
-      return (pair.clearance(z + step) - 2. * pair.clearance(z) + pair.clearance(z - step)) /
-             (step * step);
-  return 0.;
+const fem::ContactPair& pair_of(const fem::Solution<3>& solution,
+                                const fem::ContactResult<3>& contact) {
+  return *std::find_if(solution.problem.pairs.begin(), solution.problem.pairs.end(),
+                       [&](const fem::ContactPair& pair) { return pair.source == contact.source; });
 }
 
-/// Length along z over which the contact carries load.
-double loaded_length(const fem::ContactResult<3>& contact) {
+/// Second difference of a clearance over a distance to both sides.
+double second_difference(const fem::ContactPair& pair, const double z, const double step) {
+  if (!pair.clearance) return 0.;
+  return (pair.clearance(z + step) - 2. * pair.clearance(z) + pair.clearance(z - step)) /
+         (step * step);
+}
+
+/// Length along a direction over which the contact carries load.
+double loaded_length(const fem::ContactResult<3>& contact, const Tensor<1, 3>& direction) {
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
   for (const Node& node : contact.nodes)
     if (node.active) {
-      lowest = std::min(lowest, node.position[2]);
-      highest = std::max(highest, node.position[2]);
+      const double place = Tensor<1, 3>(place_of(node)) * direction;
+      lowest = std::min(lowest, place);
+      highest = std::max(highest, place);
     }
   return highest - lowest;
+}
+
+/// Where the supports of a body hold it on a plane normal to an axis, in that direction only: a
+/// plane of symmetry.
+std::vector<double> held_planes(const fem::Solution<3>& solution, const unsigned int body,
+                                const unsigned int axis) {
+  const double rounding = 1e-9 * solution.scales.length;
+  std::vector<double> planes;
+  for (const fem::Support<3>& support : solution.problem.supports) {
+    bool is_sliding = true;
+    for (unsigned int i = 0; i < 3; ++i)
+      is_sliding = is_sliding && (i == axis ? support.displacement[i] == 0.
+                                            : !support.displacement[i].has_value());
+    const auto& names = solution.mesh.surfaces;
+    const auto surface = static_cast<unsigned int>(
+        std::find(names.begin(), names.end(), support.surface) - names.begin());
+    if (!is_sliding || mesh::bodies_of(solution.mesh, surface).count(body) == 0) continue;
+    double lowest = std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::lowest();
+    for (const mesh::Face<3>& face : solution.mesh.faces)
+      for (const unsigned int vertex : face.vertices)
+        if (face.surface == surface) {
+          lowest = std::min(lowest, solution.mesh.vertices[vertex][axis]);
+          highest = std::max(highest, solution.mesh.vertices[vertex][axis]);
+        }
+    if (highest - lowest <= rounding) planes.push_back(lowest);
+  }
+  return planes;
+}
+
+/// Place along an axis of the plane of symmetry that bounds a contact there, if there is one.
+std::optional<double> symmetry_plane(const fem::Solution<3>& solution,
+                                     const fem::ContactResult<3>& contact,
+                                     const unsigned int axis) {
+  Tensor<1, 3> direction;
+  direction[axis] = 1.;
+  const auto [lowest, highest] = extent_along(contact, direction);
+  const double rounding = 1e-9 * solution.scales.length;
+  const auto of_target = held_planes(solution, body_of(solution, contact.target), axis);
+  for (const double plane : held_planes(solution, body_of(solution, contact.source), axis)) {
+    const auto same = [&](const double other) { return std::abs(other - plane) <= rounding; };
+    const bool is_of_both = std::any_of(of_target.begin(), of_target.end(), same);
+    if (is_of_both && (same(lowest) || same(highest))) return plane;
+  }
+  return std::nullopt;
+}
+
+/// Directions of the least and the greatest curvature in the tangent plane; along z where both are
+/// equal, or where only the gap's clearance curves along z.
+void set_directions(ContactFrame& frame, const Tensor<2, 3>& curvature, const bool is_along_z) {
+  const Tensor<1, 3> x_axis({1., 0., 0.});
+  const Tensor<1, 3>& start = std::abs(frame.normal[2]) < 0.9 ? z_axis : x_axis;
+  frame.along = start - (start * frame.normal) * frame.normal;
+  frame.along /= frame.along.norm();
+  frame.across = dealii::cross_product_3d(frame.normal, frame.along);
+  const double mixed = frame.across * (curvature * frame.along);
+  const double excess =
+      frame.across * (curvature * frame.across) - frame.along * (curvature * frame.along);
+  const double rounding = 1e-6 * curvature.norm();
+  if (is_along_z || (std::abs(mixed) <= rounding && excess >= -rounding)) return;
+  // the tensor's principal directions are those of the angle with tan 2 angle = 2 mixed/excess
+  const double angle = std::atan2(2. * mixed, excess) / 2.;
+  const Tensor<1, 3> across = std::cos(angle) * frame.across + std::sin(angle) * frame.along;
+  frame.along = dealii::cross_product_3d(across, frame.normal);
+  frame.across = across;
 }
 
 }  // namespace
@@ -171,7 +254,21 @@ double ContactFrame::distance_across(const Point<3>& place) const {
   return (place - centre) * across;
 }
 
-ContactFrame contact_frame(const fem::ContactResult<3>& contact) {
+double ContactFrame::distance_along(const Point<3>& place) const {
+  return (place - centre) * along;
+}
+
+double ContactFrame::parts() const {
+  return std::pow(2., std::count(mirrored.begin(), mirrored.end(), true));
+}
+
+bool ContactFrame::is_mirrored(const Tensor<1, 3>& direction) const {
+  for (unsigned int i = 0; i < 3; ++i)
+    if (mirrored[i] && std::abs(direction[i]) > 1. - 1e-6) return true;
+  return false;
+}
+
+ContactFrame contact_frame(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact) {
   ContactFrame frame{};
   double force = 0.;
   Tensor<1, 3> place;
@@ -183,15 +280,28 @@ ContactFrame contact_frame(const fem::ContactResult<3>& contact) {
   }
   if (force <= 0.) return frame;
   frame.centre = Point<3>(place / force);
+  for (unsigned int i = 0; i < 3; ++i)
+    if (const auto plane = symmetry_plane(solution, contact, i)) {
+      frame.mirrored[i] = true;
+      frame.centre[i] = *plane;
+      frame.normal[i] = 0.;
+    }
   frame.normal /= frame.normal.norm();
-  frame.across = dealii::cross_product_3d(frame.normal, Tensor<1, 3>({0., 0., 1.}));
-  if (frame.across.norm() < 1e-6) frame.across = Tensor<1, 3>({1., 0., 0.});
-  frame.across /= frame.across.norm();
+  const Tensor<2, 3> curvature =
+      curvatures(solution, contact.source_circle, contact.source_is_convex, frame.normal) +
+      curvatures(solution, contact.target_circle, contact.target_is_convex, frame.normal);
+  const fem::ContactPair& pair = pair_of(solution, contact);
+  set_directions(frame, curvature, static_cast<bool>(pair.clearance));
+  const double step = 0.02 * loaded_length(contact, frame.along);
+  frame.curvature_across = frame.across * (curvature * frame.across);
+  frame.curvature_along = frame.along * (curvature * frame.along) +
+                          (step > 0. ? second_difference(pair, frame.centre[2], step) : 0.);
   for (const Node& node : contact.nodes) {
     const double share = node.pressure * node.tributary / force;
-    const Tensor<1, 3> arm = place_of(node) - frame.centre;
-    frame.mean_square_across += share * (arm * frame.across) * (arm * frame.across);
-    frame.mean_square_along += share * arm[2] * arm[2];
+    const double across = frame.distance_across(place_of(node));
+    const double along = frame.distance_along(place_of(node));
+    frame.mean_square_across += share * across * across;
+    frame.mean_square_along += share * along * along;
   }
   return frame;
 }
@@ -210,6 +320,24 @@ double ClosedFormInSpace::half_length() const {
   return radius_along < radius_across ? ellipse->semi_axis_short : ellipse->semi_axis_long;
 }
 
+std::optional<double> ClosedFormInSpace::max_shear() const {
+  if (line) return line->max_shear;
+  return is_circle() ? std::optional(as_point().max_shear) : std::nullopt;
+}
+
+std::optional<double> ClosedFormInSpace::max_shear_depth() const {
+  if (line) return line->max_shear_depth;
+  return is_circle() ? std::optional(as_point().max_shear_depth) : std::nullopt;
+}
+
+bool ClosedFormInSpace::is_circle() const {
+  return ellipse && std::abs(radius_along / radius_across - 1.) < 1e-6;
+}
+
+loads::HertzPoint ClosedFormInSpace::as_point() const {
+  return loads::hertz_point(force, radius_across, contact_modulus, poissons_ratio);
+}
+
 double ClosedFormInSpace::pressure(const double across, const double along) const {
   if (line) return std::abs(along) <= length / 2. * (1. + 1e-9) ? line->pressure(across) : 0.;
   const double x = across / half_width();
@@ -218,35 +346,39 @@ double ClosedFormInSpace::pressure(const double across, const double along) cons
 }
 
 std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
-                                             const fem::ContactResult<3>& contact) {
-  const ContactFrame frame = contact_frame(contact);
+                                             const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame) {
   if (frame.normal.norm() == 0.) return std::nullopt;
   ClosedFormInSpace form{};
-  form.length = loaded_length(contact);
-  for (const double component : contact.force) form.force += component * component;
-  form.force = std::sqrt(form.force);
-  const double across = curvature(solution, contact.source_circle, contact.source_is_convex) +
-                        curvature(solution, contact.target_circle, contact.target_is_convex);
-  const double z = frame.centre[2];
-  const double along = curvature_along(solution, contact, z, 0.02 * form.length);
-  if (across * solution.scales.length <= 1e-9 || form.length <= 0.) return std::nullopt;
-  form.radius_across = 1. / across;
+  form.length = loaded_length(contact, frame.along);
+  if (frame.is_mirrored(frame.along)) form.length *= 2.;
+  for (unsigned int i = 0; i < 3; ++i) form.force += contact.force[i] * frame.normal[i];
+  form.force = frame.parts() * std::abs(form.force);
+  if (frame.curvature_across * solution.scales.length <= 1e-9 || form.length <= 0.)
+    return std::nullopt;
+  const loads::Elastic source = material_of(solution, contact.source);
+  const loads::Elastic target = material_of(solution, contact.target);
+  form.radius_across = 1. / frame.curvature_across;
   form.radius_along = std::numeric_limits<double>::infinity();
-  form.contact_modulus = loads::contact_modulus(material_of(solution, contact.source),
-                                                material_of(solution, contact.target));
-  if (along * form.length > 1e-9) {
-    form.radius_along = 1. / along;
-    form.ellipse =
-        loads::hertz_ellipse(form.force, std::max(form.radius_across, 1. / along),
-                             std::min(form.radius_across, 1. / along), form.contact_modulus);
+  form.poissons_ratio = std::min(source.poissons_ratio, target.poissons_ratio);
+  form.contact_modulus = loads::contact_modulus(source, target);
+  if (frame.curvature_along * form.length > 1e-9) {
+    const double along = 1. / frame.curvature_along;
+    form.radius_along = along;
+    form.ellipse = loads::hertz_ellipse(form.force, std::max(form.radius_across, along),
+                                        std::min(form.radius_across, along), form.contact_modulus);
     // Hertz's ellipse needs a profile that is a parabola as far as the contact reaches, and a
     // contact that ends before the surfaces do.
-    const auto [lowest, highest] = extent_along(contact);
+    const fem::ContactPair& pair = pair_of(solution, contact);
+    const auto [lowest, highest] = extent_along(contact, frame.along);
     const double half_length = form.half_length();
-    const double over_all = curvature_along(solution, contact, z, half_length);
-    if (std::abs(over_all / along - 1.) < parabolic && z - half_length > lowest &&
-        z + half_length < highest)
-      return form;
+    const double middle = Tensor<1, 3>(frame.centre) * frame.along;
+    const double reach = frame.is_mirrored(frame.along)
+                             ? std::max(middle - lowest, highest - middle)
+                             : std::min(middle - lowest, highest - middle);
+    const double change = second_difference(pair, frame.centre[2], half_length) -
+                          second_difference(pair, frame.centre[2], 0.02 * form.length);
+    if (std::abs(change * along) < parabolic && half_length < reach) return form;
     form.radius_along = std::numeric_limits<double>::infinity();
     form.ellipse.reset();
   }
@@ -257,18 +389,37 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
 std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,
                                              const std::vector<CellStress<3>>& cells) {
-  const ContactFrame frame = contact_frame(contact);
+  const ContactFrame frame = contact_frame(solution, contact);
   std::vector<ContactSection> sections;
-  for (const Layer& layer : loaded_layers(contact, frame))
+  if (std::abs(frame.along * z_axis) < 1. - 1e-6) return sections;
+  const std::vector<Layer> layers = loaded_layers(contact, frame);
+  for (const Layer& layer : layers)
     if (layer.size() > 1) sections.push_back(section_of(layer, frame));
+  if (2 * sections.size() < layers.size()) return {};
   add_shear(sections, solution.dof_handler->get_communicator(),
             shear_below(sections, frame, cells));
   return sections;
 }
 
+ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
+                          const double half_width, const std::vector<CellStress<3>>& cells) {
+  std::pair<double, double> greatest(0., 0.);
+  for (const CellStress<3>& cell : cells) {
+    const double depth = frame.depth(cell.centre);
+    const double aside =
+        std::hypot(frame.distance_across(cell.centre), frame.distance_along(cell.centre));
+    if (depth > 3. * half_width || aside > 2. * half_width) continue;
+    greatest = std::max(greatest, std::pair(max_shear(principal_stresses(cell.stress)), depth));
+  }
+  for (const auto& of_rank :
+       dealii::Utilities::MPI::all_gather(solution.dof_handler->get_communicator(), greatest))
+    greatest = std::max(greatest, of_rank);
+  return {greatest.first, greatest.second};
+}
+
 const ContactSection& middle_section(const fem::ContactResult<3>& contact,
                                      const std::vector<ContactSection>& sections) {
-  const auto [lowest, highest] = extent_along(contact);
+  const auto [lowest, highest] = extent_along(contact, z_axis);
   const double middle = (lowest + highest) / 2.;
   if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
   return *std::min_element(sections.begin(), sections.end(),
@@ -278,14 +429,14 @@ const ContactSection& middle_section(const fem::ContactResult<3>& contact,
 }
 
 double common_length(const fem::ContactResult<3>& contact) {
-  const auto [lowest, highest] = extent_along(contact);
+  const auto [lowest, highest] = extent_along(contact, z_axis);
   return highest - lowest;
 }
 
 LineLoad line_load(const fem::ContactResult<3>& contact,
                    const std::vector<ContactSection>& sections) {
   if (sections.empty()) return {0., 0.};
-  const auto [lowest, highest] = extent_along(contact);
+  const auto [lowest, highest] = extent_along(contact, z_axis);
   const double near = 1e-6 * (highest - lowest);
   LineLoad load{middle_section(contact, sections).line_load, 0.};
   for (const ContactSection* end : {&sections.front(), &sections.back()})

@@ -27,7 +27,7 @@ double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode
   if (!analysis.hertz) return std::nan("");
   const dealii::Point<3> place(node.position[0], node.position[1], node.position[2]);
   return analysis.hertz->pressure(analysis.frame.distance_across(place),
-                                  place[2] - analysis.frame.centre[2]);
+                                  analysis.frame.distance_along(place));
 }
 
 template <int dim>

@@ -85,21 +85,26 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
                                    const fem::ContactResult<3>& contact,
                                    const std::vector<CellStress<3>>& cells) {
   ContactAnalysis<3> analysis{};
-  analysis.frame = contact_frame(contact);
-  analysis.hertz = closed_form(solution, contact);
+  analysis.frame = contact_frame(solution, contact);
+  if (analysis.frame.normal.norm() == 0.) return analysis;
+  analysis.hertz = closed_form(solution, contact, analysis.frame);
   analysis.sections = contact_sections(solution, contact, cells);
-  if (analysis.sections.empty()) return analysis;
   const auto peak =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),
                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
   analysis.peak_place = peak->position;
-  const bool is_ellipse = analysis.hertz && analysis.hertz->ellipse;
-  // A semi-ellipsoid of pressure has the mean squares a^2/5 and b^2/5.
-  analysis.half_width = is_ellipse ? std::sqrt(5. * analysis.frame.mean_square_across)
-                                   : middle_section(contact, analysis.sections).half_width;
-  analysis.half_length = is_ellipse
-                             ? std::sqrt(5. * analysis.frame.mean_square_along)
-                             : (analysis.sections.back().z - analysis.sections.front().z) / 2.;
+  // A semi-ellipsoid of pressure has the mean squares a^2/5 and b^2/5, a semi-ellipse b^2/4.
+  if (analysis.sections.empty() || (analysis.hertz && analysis.hertz->ellipse)) {
+    const bool is_line = analysis.hertz && analysis.hertz->line;
+    analysis.half_width = std::sqrt((is_line ? 4. : 5.) * analysis.frame.mean_square_across);
+    analysis.half_length = std::sqrt((is_line ? 3. : 5.) * analysis.frame.mean_square_along);
+    const ShearBelow shear = greatest_shear(solution, analysis.frame, analysis.half_width, cells);
+    analysis.max_shear = shear.value;
+    analysis.max_shear_depth = shear.depth;
+    return analysis;
+  }
+  analysis.half_width = middle_section(contact, analysis.sections).half_width;
+  analysis.half_length = (analysis.sections.back().z - analysis.sections.front().z) / 2.;
   for (const ContactSection& section : analysis.sections)
     if (section.max_shear > analysis.max_shear) {
       analysis.max_shear = section.max_shear;

@@ -39,10 +39,12 @@ json hertz_section(const ClosedFormInSpace& form) {
                {"half_width", quantity(form.half_width(), "m")},
                {"relative_radius", quantity(form.radius_across, "m")},
                {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
+  if (const auto shear = form.max_shear()) {
+    section["max_shear"] = quantity(*shear, "Pa");
+    section["max_shear_depth"] = quantity(*form.max_shear_depth(), "m");
+  }
   if (form.line) {
     section["length"] = quantity(form.length, "m");
-    section["max_shear"] = quantity(form.line->max_shear, "Pa");
-    section["max_shear_depth"] = quantity(form.line->max_shear_depth, "m");
   } else {
     section["relative_radius_along"] = quantity(form.radius_along, "m");
     section["half_length"] = quantity(form.half_length(), "m");
@@ -70,8 +72,9 @@ json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<
   section["half_length"] = quantity(analysis.half_length, "m");
   section["max_shear"] = quantity(analysis.max_shear, "Pa");
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
-  section["mid_length_pressure"] =
-      quantity(middle_section(contact, analysis.sections).peak_pressure, "Pa");
+  if (!analysis.sections.empty())
+    section["mid_length_pressure"] =
+        quantity(middle_section(contact, analysis.sections).peak_pressure, "Pa");
   if (solution.edge)
     section["edge"] = {{"bounded", solution.edge->is_bounded},
                        {"growth_exponent", solution.edge->growth_exponent},
@@ -210,8 +213,9 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
   if (results.contacts[leading].hertz)
     result["hertz"] = hertz_section(*results.contacts[leading].hertz);
   if constexpr (dim == 3)
-    result["line_load"] = line_load_section(
-        line_load(solution.contacts[leading], results.contacts[leading].sections));
+    if (!results.contacts[leading].sections.empty())
+      result["line_load"] = line_load_section(
+          line_load(solution.contacts[leading], results.contacts[leading].sections));
   if (report.mechanism && report.mechanism->pin) {
     if (report.mechanism->pin->beam) result["pin"] = pin_section(*report.mechanism->pin);
     result["crown"] = crown_section(*report.mechanism->pin);

@@ -90,12 +90,9 @@ std::pair<int, bool> shape_at(const Surface<dim>& surface, const dealii::Point<d
       surface.faces.begin(), surface.faces.end(),
       [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
   if (nearest == surface.faces.end() || nearest->circle < 0) return {-1, false};
-  const auto& centre = surface.circles[static_cast<std::size_t>(nearest->circle)].centre;
-  dealii::Tensor<1, dim> radial = face_middle(surface, *nearest);
-  for (unsigned int component = 0; component < 2; ++component)
-    radial[component] -= centre[component];
-  if (dim == 3) radial[dim - 1] = 0.;
-  return {nearest->circle, radial * flat_normal(surface, *nearest) > 0.};
+  const auto outwards = radial(surface.circles[static_cast<std::size_t>(nearest->circle)],
+                               face_middle(surface, *nearest));
+  return {nearest->circle, outwards * flat_normal(surface, *nearest) > 0.};
 }
 
 template <int dim>

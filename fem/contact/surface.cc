@@ -13,8 +13,6 @@ using dealii::Tensor;
 
 namespace {
 
-Point<2> centre_of(const mesh::Circle& circle) { return {circle.centre[0], circle.centre[1]}; }
-
 /// Faces of the surface by the boundary node they start from.
 std::map<unsigned int, BoundaryFace<2>> faces_by_start(const Boundary<2>& boundary,
                                                        const unsigned int surface_id) {
@@ -59,9 +57,9 @@ Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
                          const Point<2>& node) {
   const Tensor<1, 2> of_chord = flat_normal(surface, face);
   if (face.circle < 0) return of_chord;
-  const Tensor<1, 2> radial =
-      node - centre_of(surface.circles[static_cast<std::size_t>(face.circle)]);
-  return radial / radial.norm() * (radial * of_chord > 0. ? 1. : -1.);
+  const Tensor<1, 2> outwards =
+      radial(surface.circles[static_cast<std::size_t>(face.circle)], node);
+  return outwards / outwards.norm() * (outwards * of_chord > 0. ? 1. : -1.);
 }
 
 void set_normals(Surface<2>& surface) {
@@ -72,6 +70,20 @@ void set_normals(Surface<2>& surface) {
 }
 
 }  // namespace
+
+template <int dim>
+Tensor<1, dim> radial(const mesh::Circle& circle, const Point<dim>& point) {
+  std::array<double, 3> place{};
+  for (unsigned int component = 0; component < dim; ++component)
+    place[component] = point[component];
+  const std::array<double, 3> arm = mesh::radial(circle, place);
+  Tensor<1, dim> result;
+  for (unsigned int component = 0; component < dim; ++component) result[component] = arm[component];
+  return result;
+}
+
+template Tensor<1, 2> radial(const mesh::Circle&, const Point<2>&);
+template Tensor<1, 3> radial(const mesh::Circle&, const Point<3>&);
 
 Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, const double xi) {
   const Point<2>& start = surface.nodes[face.nodes[0]].position;
@@ -86,15 +98,15 @@ Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& face,
                     const Point<2>& on_chord) {
   if (face.circle < 0) return on_chord;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
-  const Tensor<1, 2> radial = on_chord - centre_of(circle);
-  return centre_of(circle) + circle.radius / radial.norm() * radial;
+  const Tensor<1, 2> outwards = radial(circle, on_chord);
+  return on_chord + (circle.radius / outwards.norm() - 1.) * outwards;
 }
 
 double curvature(const Surface<2>& surface, const SurfaceFace<2>& face) {
   if (face.circle < 0) return 0.;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
-  const Tensor<1, 2> radial = chord_point(surface, face, 0.5) - centre_of(circle);
-  return (radial * flat_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
+  const Tensor<1, 2> outwards = radial(circle, face_middle(surface, face));
+  return (outwards * flat_normal(surface, face) > 0. ? 1. : -1.) / circle.radius;
 }
 
 Tensor<1, 2> flat_normal(const Surface<2>& surface, const SurfaceFace<2>& face) {

@@ -35,10 +35,14 @@ template <int dim>
 struct Surface {
   std::vector<SurfaceNode<dim>> nodes;
   std::vector<SurfaceFace<dim>> faces;
-  std::vector<mesh::Circle> circles;  ///< in space the cylinders over them, along z
+  std::vector<mesh::Circle> circles;  ///< in space cylinders and spheres
   bool closed = false;                ///< in the plane: the last node is joined to the first
   double length = 0.;  ///< total arc length; in space the diagonal of the box around it
 };
+
+/// From the centre of a circle or sphere, or the axis of a cylinder, to a point.
+template <int dim>
+dealii::Tensor<1, dim> radial(const mesh::Circle& circle, const dealii::Point<dim>& point);
 
 /// Takes one named surface out of the boundary.
 /// @param origin point whose nearest end (open surface) or node (closed surface) has arc length 0

@@ -12,12 +12,7 @@ using dealii::Tensor;
 
 namespace {
 
-/// From the axis of a cylinder along z to a point.
-Tensor<1, 3> radial(const mesh::Circle& circle, const Point<3>& point) {
-  return Tensor<1, 3>({point[0] - circle.centre[0], point[1] - circle.centre[1], 0.});
-}
-
-/// 1 where the body is inside the cylinder, -1 where it is outside.
+/// 1 where the body is inside the cylinder or sphere, -1 where it is outside.
 double side(const Surface<3>& surface, const SurfaceFace<3>& face) {
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Point<3> middle = face_middle(surface, face);
@@ -142,9 +137,10 @@ Point<3> true_point(const Surface<3>& surface, const SurfaceFace<3>& face,
 
 double bulge(const Surface<3>& surface, const SurfaceFace<3>& face, const Tensor<1, 3>& along) {
   if (face.circle < 0) return 0.;
-  const double across_square = along[0] * along[0] + along[1] * along[1];
-  return side(surface, face) * across_square /
-         surface.circles[static_cast<std::size_t>(face.circle)].radius;
+  const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
+  const Tensor<1, 3> axis({circle.axis[0], circle.axis[1], circle.axis[2]});
+  const double of_axis = along * axis;
+  return side(surface, face) * (along.norm_square() - of_axis * of_axis) / circle.radius;
 }
 
 }  // namespace geneva::fem

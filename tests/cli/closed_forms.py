@@ -414,7 +414,7 @@ def elliptic_integrals(parameter):
     """Complete elliptic integrals K and E of the parameter m = e^2 by the arithmetic-geometric mean."""
     a, b, weight = 1.0, math.sqrt(1 - parameter), 0.5
     deficit = parameter / 2
-    while a - b > 1e-16:
+    while a - b > 1e-15 * a:
         a, b, half = (a + b) / 2, math.sqrt(a * b), (a - b) / 2
         weight *= 2
         deficit += weight * half * half
@@ -438,6 +438,13 @@ def hertz_ellipse(force, larger, smaller, modulus):
     a = (3 * force * larger * (first - second) / (math.pi * modulus * (1 - square)))**(1 / 3)
     b = a * math.sqrt(square)
     return {"peak_pressure": 1.5 * force / (math.pi * a * b), "half_length": a, "half_width": b}
+
+
+def in_space(hertz):
+    """Keys of a contact in space and of the closed form beside it; a circle has one radius."""
+    hertz = {"half_length": hertz["half_width"], **hertz}
+    return {f"{section}.{key}": hertz[key] for section in ("contact", "hertz")
+            for key in ("peak_pressure", "half_width", "half_length", "max_shear") if key in hertz}
 
 
 def cantilever(force, diameter, thickness, gap, overhang, young, poisson):
@@ -537,10 +544,14 @@ def values():
                           **contact(hertz_line(35e6, 0.05, contact_modulus(steel, (70e9, 0.3))))},
         "hertz-sphere": {"contact.force": 120.0,
                          **contact(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3))},
+        "hertz-sphere-3d": {"contact.force": 30.0, **in_space(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3))},
+        "crossed-cylinders": {"contact.force": 50.0,
+                              **in_space(hertz_ellipse(200, 0.03, 0.01, contact_modulus(steel, steel)))},
         "synthesis-quick-return": quick_return(stations=6, wheel_speed=360 * RPM, frame=0.1),
         "synthesis-crank-rocker": crank_rocker(swing=math.radians(30), rocker=0.1, pivot_distance=0.08),
         "synthesis-nine-points": {"path.solutions": KNOWN_LINKAGE},
         "flat-patch": {"contact.force": 100e6 * 0.04 * 1e-3, "contact.peak_pressure": 100e6},
+        "flat-patch-3d": {"contact.force": 100e6 * 0.04 * 0.03, "contact.peak_pressure": 100e6},
     }
 
 

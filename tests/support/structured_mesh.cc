@@ -56,7 +56,7 @@ void add_column_edges(MeshData<2>& mesh, const Grid& grid, const unsigned int co
 }
 
 int add_circle(MeshData<2>& mesh, const std::array<double, 2>& centre, const double radius) {
-  mesh.circles.push_back({centre, radius});
+  mesh.circles.push_back({{centre[0], centre[1]}, radius});
   return static_cast<int>(mesh.circles.size()) - 1;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <variant>
 
 #include "tests/unit/app/case_directory.h"
 
@@ -82,6 +83,12 @@ Case read_with_geometry(const std::string& text) {
   return directory.read();
 }
 
+/// The problem of a case with Dimension = 2 (the default) or 3.
+template <int dim = 2>
+fem::Problem<dim> problem_of(const Case& given) {
+  return std::get<fem::Problem<dim>>(given.geometry->problem);
+}
+
 void expect_same(const fem::Problem<2>& value, const fem::Problem<2>& expected) {
   EXPECT_EQ(value.plane, expected.plane);
   EXPECT_EQ(value.thickness, expected.thickness);
@@ -117,7 +124,7 @@ void expect_same(const fem::Problem<2>& value, const fem::Problem<2>& expected) 
 }
 
 TEST(GeometryCase, BodiesKeepTheirNamesAndTakeTheirMaterials) {
-  const fem::Problem<2> problem = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> problem = problem_of(read_with_geometry(full_text));
   ASSERT_EQ(problem.bodies.size(), 2U);
   EXPECT_EQ(problem.bodies[0].name, "upper roll");
   EXPECT_EQ(problem.bodies[1].name, "lower: block");
@@ -128,7 +135,7 @@ TEST(GeometryCase, BodiesKeepTheirNamesAndTakeTheirMaterials) {
 }
 
 TEST(GeometryCase, GravityTimesDensityIsAddedToTheBodyForce) {
-  const fem::Problem<2> problem = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> problem = problem_of(read_with_geometry(full_text));
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[0], 8000.);
   EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[1], -85000.);
   EXPECT_EQ(problem.bodies[0].force.rotation.inertia, 0.);
@@ -137,7 +144,7 @@ TEST(GeometryCase, GravityTimesDensityIsAddedToTheBodyForce) {
 }
 
 TEST(GeometryCase, SupportsHoldTheComponentsThatTheyName) {
-  const auto supports = read_with_geometry(full_text).geometry->problem.supports;
+  const auto supports = problem_of(read_with_geometry(full_text)).supports;
   ASSERT_EQ(supports.size(), 4U);
   EXPECT_EQ(supports[0].surface, "bottom");
   EXPECT_EQ(supports[0].displacement[0], 0.);
@@ -151,7 +158,7 @@ TEST(GeometryCase, SupportsHoldTheComponentsThatTheyName) {
 }
 
 TEST(GeometryCase, ADisplacementBecomesASupportInBothComponents) {
-  const auto supports = read_with_geometry(full_text).geometry->problem.supports;
+  const auto supports = problem_of(read_with_geometry(full_text)).supports;
   ASSERT_EQ(supports.size(), 4U);
   EXPECT_EQ(supports[3].surface, "lid");
   EXPECT_EQ(supports[3].displacement[0], 0.);
@@ -159,7 +166,7 @@ TEST(GeometryCase, ADisplacementBecomesASupportInBothComponents) {
 }
 
 TEST(GeometryCase, PressureAndTractionBecomeSurfaceLoads) {
-  const auto loads = read_with_geometry(full_text).geometry->problem.loads;
+  const auto loads = problem_of(read_with_geometry(full_text)).loads;
   ASSERT_EQ(loads.size(), 2U);
   EXPECT_EQ(loads[0].surface, "top");
   EXPECT_DOUBLE_EQ(loads[0].pressure, 3e6);
@@ -172,7 +179,7 @@ TEST(GeometryCase, PressureAndTractionBecomeSurfaceLoads) {
 }
 
 TEST(GeometryCase, AForceBecomesARigidTieAndALineLoadIsTimesTheThickness) {
-  const auto ties = read_with_geometry(full_text).geometry->problem.ties;
+  const auto ties = problem_of(read_with_geometry(full_text)).ties;
   ASSERT_EQ(ties.size(), 2U);
   EXPECT_EQ(ties[0].surface, "core");
   EXPECT_EQ(ties[0].direction[0], 0.);
@@ -185,7 +192,7 @@ TEST(GeometryCase, AForceBecomesARigidTieAndALineLoadIsTimesTheThickness) {
 }
 
 TEST(GeometryCase, ContactPairsKeepTheirSides) {
-  const auto pairs = read_with_geometry(full_text).geometry->problem.pairs;
+  const auto pairs = problem_of(read_with_geometry(full_text)).pairs;
   ASSERT_EQ(pairs.size(), 2U);
   EXPECT_EQ(pairs[0].source, "roll");
   EXPECT_EQ(pairs[0].target, "block top");
@@ -194,14 +201,14 @@ TEST(GeometryCase, ContactPairsKeepTheirSides) {
 }
 
 TEST(GeometryCase, PlaneKindsAndThicknessArrive) {
-  const fem::Problem<2> stress = read_with_geometry(full_text).geometry->problem;
+  const fem::Problem<2> stress = problem_of(read_with_geometry(full_text));
   EXPECT_EQ(stress.plane, fem::PlaneKind::plane_stress);
   EXPECT_DOUBLE_EQ(stress.thickness, 0.02);
-  EXPECT_EQ(read_with_geometry(geometry_text()).geometry->problem.plane,
-            fem::PlaneKind::plane_strain);
-  EXPECT_EQ(read_with_geometry("set Model = geometry\nsubsection Geometry\nset Plane = "
-                               "axisymmetric\nset Bodies = a\nset Contact pairs = b -> c\nend\n")
-                .geometry->problem.plane,
+  EXPECT_EQ(problem_of(read_with_geometry(geometry_text())).plane, fem::PlaneKind::plane_strain);
+  EXPECT_EQ(problem_of(read_with_geometry(
+                           "set Model = geometry\nsubsection Geometry\nset Plane = "
+                           "axisymmetric\nset Bodies = a\nset Contact pairs = b -> c\nend\n"))
+                .plane,
             fem::PlaneKind::axisymmetric);
 }
 
@@ -232,7 +239,7 @@ TEST(GeometryCase, TheCompletedFileGivesTheSameCaseAndCompletesToItself) {
     EXPECT_FALSE(again.mechanism);
     EXPECT_EQ(again.geometry->file.filename(), given.geometry->file.filename());
     EXPECT_EQ(again.geometry->length_unit, given.geometry->length_unit);
-    expect_same(again.geometry->problem, given.geometry->problem);
+    expect_same(problem_of(again), problem_of(given));
     EXPECT_EQ(again.completed, given.completed);
   }
 }
@@ -412,15 +419,16 @@ TEST(GeometryCase, WrongDirectionsAreRefused) {
             start +
                 "'1e-400': the number is too large or too small; a plain number or a "
                 "percentage is wanted, for example '0.3' or '30 %'");
-  for (const std::string direction : {"1", "1, 2, 3", "x"})
+  for (const std::string direction : {"1", "1, 2, 3, 4", "x"})
     EXPECT_EQ(reason(direction),
               start + "'" + direction +
-                  "': 2 values separated by a comma are wanted, each a plain number or a "
+                  "': 2 or 3 values separated by a comma are wanted, each a plain number or a "
                   "percentage, for example '0.3' or '30 %'");
   EXPECT_EQ(reason("1 mm, 2 mm"),
             start +
                 "'1 mm': 'mm' does not belong to a plain number; a plain number or a "
                 "percentage is wanted, for example '0.3' or '30 %'");
+  EXPECT_EQ(reason("0, 0, 1"), start + "'0, 0, 1': two components are wanted with Dimension = 2");
   EXPECT_EQ(load_refusal("set Type = force\nset Value = 5 N\n"),
             "DIR/case.prm: 'Direction' is missing in the subsection 'Load top': Type = force needs "
             "it, for example '0, -1'");
@@ -455,7 +463,7 @@ TEST(GeometryCase, WrongBodyForcesAreRefused) {
   const std::string start = "DIR/case.prm, line 7: 'Body roll/";
   EXPECT_EQ(reason("Body force = 5 N/m^3"),
             start +
-                "Body force' = '5 N/m^3': 2 values separated by a comma are wanted, each a "
+                "Body force' = '5 N/m^3': 2 or 3 values separated by a comma are wanted, each a "
                 "force per volume with its unit, for example '77e3 N/m^3' or '0.28 lbf/in^3'");
   EXPECT_EQ(reason("Gravity = 0 m/s^2, 9.81"),
             start +
@@ -465,6 +473,83 @@ TEST(GeometryCase, WrongBodyForcesAreRefused) {
             start +
                 "Poisson's ratio' = '0.5': the value must be greater than -1 and less than "
                 "0.5");
+}
+
+const char* const text_in_space = R"(
+set Model = geometry
+set Dimension = 3
+subsection Geometry
+  set Bodies = ball, block
+  set Supports = bottom: fixed, side: x, lid: z, rail: x z
+  set Loads = core, flank, top
+  set Contact pairs = round -> top face
+  subsection Body ball
+    set Density = 8000 kg/m^3
+    set Body force = 0 N/m^3, 1 kN/m^3, -5 kN/m^3
+    set Gravity = 1 m/s^2, -10 m/s^2, 2 m/s^2
+  end
+  subsection Load core
+    set Type = force
+    set Value = 2 kN
+    set Direction = 0, -3, 4
+  end
+  subsection Load flank
+    set Type = traction
+    set Value = 9 MPa
+    set Direction = 1, 2, -2
+  end
+  subsection Load top
+    set Type = displacement
+    set Value = 0.1 mm
+    set Direction = 0, 0, 1
+  end
+end
+)";
+
+TEST(GeometryCaseInSpace, BodiesSupportsAndLoadsHaveThreeComponents) {
+  const fem::Problem<3> problem = problem_of<3>(read_with_geometry(text_in_space));
+  EXPECT_EQ(problem.bodies[0].force.uniform, (fem::Components<3>{8000., -79000., 11000.}));
+  EXPECT_EQ(problem.bodies[1].force.uniform, (fem::Components<3>{0., 0., 0.}));
+  using Held = std::array<std::optional<double>, 3>;
+  ASSERT_EQ(problem.supports.size(), 5U);
+  EXPECT_EQ(problem.supports[0].displacement, (Held{0., 0., 0.}));
+  EXPECT_EQ(problem.supports[1].displacement, (Held{0., std::nullopt, std::nullopt}));
+  EXPECT_EQ(problem.supports[2].displacement, (Held{std::nullopt, std::nullopt, 0.}));
+  EXPECT_EQ(problem.supports[3].displacement, (Held{0., std::nullopt, 0.}));
+  EXPECT_EQ(problem.supports[4].displacement, (Held{0., 0., 1e-4}));
+  ASSERT_EQ(problem.ties.size(), 1U);
+  EXPECT_EQ(problem.ties[0].direction, (fem::Components<3>{0., -0.6, 0.8}));
+  EXPECT_DOUBLE_EQ(problem.ties[0].force, 2000.);
+  ASSERT_EQ(problem.loads.size(), 1U);
+  EXPECT_DOUBLE_EQ(problem.loads[0].traction[2], -6e6);
+}
+
+TEST(GeometryCaseInSpace, TheCompletedFileGivesTheSameCase) {
+  const Case given = read_with_geometry(text_in_space);
+  EXPECT_EQ(read_with_geometry(given.completed).completed, given.completed);
+}
+
+TEST(GeometryCaseInSpace, WhatIsForAPlaneIsRefused) {
+  const auto reason = [](const std::string& line, const std::string& load) {
+    return refusal_with_geometry(
+        "set Model = geometry\nset Dimension = 3\nsubsection Geometry\nset Bodies = roll, block\n"
+        "set Contact pairs = rim -> wall\nset Loads = top\n" +
+        line + "subsection Load top\nset Value = 5 N\n" + load + "end\nend\n");
+  };
+  const std::string force = "set Type = force\nset Direction = 0, 0, 1\n";
+  EXPECT_EQ(reason("", force), "accepted");
+  EXPECT_EQ(reason("set Thickness = 1 mm\n", force),
+            "DIR/case.prm, line 7: 'Thickness' = '1 mm': this has an effect with Dimension = 2 "
+            "only: delete it");
+  EXPECT_EQ(reason("set Plane = plane stress\n", force),
+            "DIR/case.prm, line 7: 'Plane' = 'plane stress': this has an effect with Dimension = 2 "
+            "only: delete it");
+  EXPECT_EQ(reason("", "set Type = force\nset Direction = 0, 1\n"),
+            "DIR/case.prm, line 10: 'Load top/Direction' = '0, 1': three components are wanted "
+            "with Dimension = 3");
+  EXPECT_EQ(reason("set Supports = a: y, b: w\n", force),
+            "DIR/case.prm, line 7: 'Supports' = 'a: y, b: w': 'b: w': 'surface: fixed', "
+            "'surface: x', 'surface: y' or 'surface: z' is wanted");
 }
 
 }  // namespace

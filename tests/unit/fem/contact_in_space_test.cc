@@ -124,7 +124,7 @@ TEST(ContactInSpace, ReactionsBalanceLoadsAndTheirMoments) {
   EXPECT_NEAR(load.force[1], -2e-3 * 4. - 1e-3 * 4., 1e-15);
   Tensor<1, 3> force({load.force[0], load.force[1], load.force[2]});
   Tensor<1, 3> moment = load.moment;
-  for (const Reaction<3>& reaction : reactions(solution, solved.level, solved.state.residual)) {
+  for (const Reaction<3>& reaction : reactions(solution, solved.level, solved.state)) {
     force += Tensor<1, 3>({reaction.force[0], reaction.force[1], reaction.force[2]});
     moment += reaction.moment;
   }

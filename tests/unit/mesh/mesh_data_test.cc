@@ -153,5 +153,66 @@ TEST(MeshCheck, RefusesSurfacesThatDoNotBeginWithTheNamelessOne) {
   expect_refused([&] { check(mesh); }, {"first surface"});
 }
 
+/// A brick of edges 1, 2 and 3.
+MeshData<3> brick() {
+  MeshData<3> mesh;
+  for (const double z : {0., 3.})
+    for (const auto& [x, y] : {std::pair{0., 0.}, {1., 0.}, {1., 2.}, {0., 2.}})
+      mesh.vertices.push_back({x, y, z});
+  mesh.cells = {{{0, 1, 2, 3, 4, 5, 6, 7}, 0}};
+  for (const auto& side : sides(mesh.cells[0])) mesh.faces.push_back({side, 0, -1});
+  mesh.bodies = {"brick"};
+  mesh.surfaces = {""};
+  return mesh;
+}
+
+TEST(MeshCheckInSpace, AcceptsABrickAndKnowsItsShape) {
+  const MeshData<3> mesh = brick();
+  EXPECT_NO_THROW(check(mesh));
+  EXPECT_DOUBLE_EQ(scaled_jacobian(mesh, mesh.cells[0]), 1.);
+}
+
+TEST(MeshCheckInSpace, ASlantedBrickHasTheSineOfItsAngle) {
+  MeshData<3> mesh = brick();
+  for (std::size_t i = 4; i < 8; ++i) mesh.vertices[i][0] += 3.;
+  EXPECT_NEAR(scaled_jacobian(mesh, mesh.cells[0]), std::sqrt(0.5), 1e-15);
+}
+
+TEST(MeshCheckInSpace, TheSidesOfABrickLookOutwards) {
+  const MeshData<3> mesh = brick();
+  for (const Face<3>& face : mesh.faces) {
+    const auto& a = mesh.vertices[face.vertices[0]];
+    const auto& b = mesh.vertices[face.vertices[1]];
+    const auto& d = mesh.vertices[face.vertices[3]];
+    double outwards = 0.;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const double normal = (b[j] - a[j]) * (d[k] - a[k]) - (b[k] - a[k]) * (d[j] - a[j]);
+      outwards += normal * (a[i] - std::array<double, 3>{0.5, 1., 1.5}[i]);
+    }
+    EXPECT_GT(outwards, 0.);
+  }
+}
+
+TEST(MeshCheckInSpace, RefusesWhatASolverCannotUse) {
+  const auto refuses = [](auto change, const std::string& word) {
+    MeshData<3> mesh = brick();
+    change(mesh);
+    expect_refused([&] { check(mesh); }, {word});
+  };
+  refuses([](MeshData<3>& mesh) { std::swap(mesh.vertices[0], mesh.vertices[4]); }, "turned over");
+  refuses([](MeshData<3>& mesh) { mesh.faces.pop_back(); }, "is not listed");
+  refuses([](MeshData<3>& mesh) { mesh.faces.push_back(mesh.faces[0]); }, "listed twice");
+  refuses([](MeshData<3>& mesh) { mesh.faces[0].vertices[0] = 6; }, "is no side of a cell");
+  refuses([](MeshData<3>& mesh) { mesh.vertices.push_back({9., 9., 9.}); }, "belongs to no cell");
+  refuses(
+      [](MeshData<3>& mesh) {
+        mesh.circles = {{{0., 0., 0.}, 1., {0., 0., 0.}}};
+        mesh.faces[0].circle = 0;
+      },
+      "off the circle of its face");
+}
+
 }  // namespace
 }  // namespace geneva::mesh
