@@ -15,6 +15,7 @@
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
 #include "fem/error_estimate.h"
+#include "fem/hanging_vertices.h"
 #include "fem/level.h"
 #include "fem/problem_check.h"
 #include "fem/refinement.h"
@@ -74,6 +75,7 @@ class NestedIteration {
   }
 
   void make_level() {
+    moved_vertices_ = close_gaps(*solution_.triangulation);
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
                              solution_.scales, origins_);
     for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
@@ -360,6 +362,7 @@ class NestedIteration {
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
     dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
+    put_back(triangulation, moved_vertices_);
     triangulation.prepare_coarsening_and_refinement();
     transfer.prepare_for_coarsening_and_refinement(displacement);
     triangulation.execute_coarsening_and_refinement();
@@ -402,6 +405,7 @@ class NestedIteration {
   unsigned int n_refinements_ = 0;
   unsigned int last_refinements_ = 1;      ///< between the last two meshes
   unsigned int previous_refinements_ = 1;  ///< between the two before
+  VertexPlaces<dim> moved_vertices_;
   Level<dim> level_;
   LevelState state_;
   Vector guess_;

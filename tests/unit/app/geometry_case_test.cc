@@ -361,7 +361,7 @@ TEST(GeometryCase, MisspeltSupportsAreRefused) {
                   "': '" + part + "': 'surface: fixed', 'surface: x' or 'surface: y' is wanted");
   EXPECT_EQ(reason("a: x, a: y"),
             "DIR/case.prm, line 6: 'Supports' = 'a: x, a: y': the surface 'a' stands there twice; "
-            "'fixed' holds it in x and y");
+            "'fixed' holds it in all directions, 'x y' in two");
 }
 
 TEST(GeometryCase, MisspeltContactPairsAreRefused) {
