@@ -32,6 +32,11 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   design->add_option("-o,--output", output,
                      "Where design.json and design.csv go, with several cases into a directory for "
                      "each (default: CASE_DIR/results)");
+  bool is_crown = false;
+  design->add_flag("--crown", is_crown,
+                   "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
+                   "which the line load along the pin of one case in space is most even, into "
+                   "crown.json");
   auto* synthesize = app.add_subcommand(
       "synthesize", "Find the dimensions of a quick-return, crank-rocker or path linkage");
   synthesize->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
@@ -41,6 +46,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
       "parameters", "Print the whole parameter file with defaults and explanations");
   try {
     app.parse(argc, argv);
+    if (is_crown && case_directories.size() > 1)
+      throw CLI::ValidationError("--crown", "one CASE_DIR is wanted");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
@@ -50,8 +57,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
     return Request{Request::Command::kinematics, {case_directory}, output, steps};
   if (synthesize->parsed())
     return Request{Request::Command::synthesize, {case_directory}, output, steps};
-  return Request{
-      Request::Command::design, {case_directories.begin(), case_directories.end()}, output, steps};
+  return Request{is_crown ? Request::Command::crown : Request::Command::design,
+                 {case_directories.begin(), case_directories.end()},
+                 output,
+                 steps};
 }
 
 }  // namespace geneva::app

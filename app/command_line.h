@@ -8,7 +8,7 @@ namespace geneva::app {
 
 /// What the command line asks for.
 struct Request {
-  enum class Command { run, kinematics, design, synthesize, parameters };
+  enum class Command { run, kinematics, design, crown, synthesize, parameters };
   Command command;
   std::vector<std::filesystem::path> cases;  ///< one; for design one or more; for parameters none
   std::filesystem::path output;              ///< empty: results in the case's directory

@@ -144,7 +144,7 @@ post::DesignReport make_design(const Case& given) {
   return report;
 }
 
-void design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
+int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
   std::vector<Case> all;
   std::vector<post::DesignReport> reports;
   for (const fs::path& directory : cases) {
@@ -162,6 +162,7 @@ void design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
     write_and_rename(targets[i] / "design.csv", post::design_csv(reports[i], all[i].units));
     std::cout << "design.json and design.csv in " << shown_path(targets[i]) << '\n';
   }
+  return 0;
 }
 
 }  // namespace geneva::app

@@ -16,9 +16,10 @@ post::DesignReport make_design(const Case& given);
 /// writes design.json and design.csv for each.
 /// @param output where they go; empty: results in the case's directory. Of several cases each has
 /// its own directory in it.
+/// @return the exit code, 0
 /// @throws std::invalid_argument if a case is wrong, or two would be written into one directory;
 /// std::runtime_error if not everything could be written
-void design_cases(const std::vector<std::filesystem::path>& cases,
-                  const std::filesystem::path& output);
+int design_cases(const std::vector<std::filesystem::path>& cases,
+                 const std::filesystem::path& output);
 
 }  // namespace geneva::app

@@ -31,8 +31,8 @@ post::KinematicsReport make_kinematics(const Case& given, const int steps) {
           loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps)};
 }
 
-void kinematics_of_case(const std::filesystem::path& case_directory,
-                        const std::filesystem::path& output, const int steps) {
+int kinematics_of_case(const std::filesystem::path& case_directory,
+                       const std::filesystem::path& output, const int steps) {
   const Case given = read_case(case_directory);
   const post::KinematicsReport report =
       naming(given, [&] { return make_kinematics(given, steps); });
@@ -44,6 +44,7 @@ void kinematics_of_case(const std::filesystem::path& case_directory,
   write_and_rename(target / "kinematics.json", post::kinematics_summary(report).dump(2) + "\n");
   write_and_rename(target / "kinematics.csv", post::kinematics_csv(report, given.units));
   std::cout << "kinematics.json and kinematics.csv in " << shown_path(target) << '\n';
+  return 0;
 }
 
 }  // namespace geneva::app

@@ -15,7 +15,8 @@ post::KinematicsReport make_kinematics(const Case& given, int steps);
 /// Does what `geneva kinematics` does: prints the characteristic values and writes kinematics.json
 /// and kinematics.csv.
 /// @param output where the files go; empty: results in the case's directory
-void kinematics_of_case(const std::filesystem::path& case_directory,
-                        const std::filesystem::path& output, int steps);
+/// @return the exit code, 0
+int kinematics_of_case(const std::filesystem::path& case_directory,
+                       const std::filesystem::path& output, int steps);
 
 }  // namespace geneva::app

@@ -10,6 +10,7 @@
 
 #include "app/case_file.h"
 #include "app/command_line.h"
+#include "app/crown.h"
 #include "app/design.h"
 #include "app/kinematics.h"
 #include "app/run.h"
@@ -20,7 +21,7 @@ namespace {
 
 using geneva::app::Request;
 
-/// Exit codes: a wrong case or a machine that cannot run it, a run that did not converge, a bug.
+/// A wrong case or a machine that cannot run it, a run that did not converge, a bug.
 enum ExitCode { wrong_input = 1, not_converged = 2, internal_error = 3 };
 
 bool is_first_rank() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
@@ -31,16 +32,15 @@ int say(const int code, const std::string& text) {
 }
 
 int obey(const Request& request) {
-  if (request.command == Request::Command::run)
-    return geneva::app::run_case(MPI_COMM_WORLD, request.cases.front(), request.output);
+  using namespace geneva::app;
+  using Command = Request::Command;
+  const auto& [command, cases, output, steps] = request;
+  if (command == Command::run) return run_case(MPI_COMM_WORLD, cases.front(), output);
+  if (command == Command::crown) return design_crown(MPI_COMM_WORLD, cases.front(), output);
   if (!is_first_rank()) return 0;
-  if (request.command == Request::Command::synthesize)
-    return geneva::app::synthesize_case(request.cases.front(), request.output);
-  if (request.command == Request::Command::kinematics)
-    geneva::app::kinematics_of_case(request.cases.front(), request.output, request.steps);
-  else
-    geneva::app::design_cases(request.cases, request.output);
-  return 0;
+  if (command == Command::synthesize) return synthesize_case(cases.front(), output);
+  if (command == Command::kinematics) return kinematics_of_case(cases.front(), output, steps);
+  return design_cases(cases, output);
 }
 
 int guarded(const Request& request) {
@@ -60,8 +60,8 @@ int guarded(const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  setenv("OMP_NUM_THREADS", "1",
-         1);  // threads of the linear algebra libraries would fight the MPI ranks
+  // threads of the linear algebra libraries would fight the MPI ranks
+  setenv("OMP_NUM_THREADS", "1", 1);
   const auto asked = geneva::app::read_command_line(argc, argv);
   if (const int* code = std::get_if<int>(&asked)) return *code;
   const Request& request = std::get<Request>(asked);

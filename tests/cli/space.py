@@ -143,6 +143,30 @@ class Space(CliTest):
                 with self.subTest(key=key, other=name):
                     self.assertAlmostEqual(self.value(other, key) / expected, 1., delta=tolerance)
 
+    def test_design_finds_the_crown_by_which_the_line_load_is_most_even(self):
+        pin = ["Held at = one end", "Root gap = 10 mm"]
+        given = {"modulus": "2 GPa", "accuracy": "20 %", "thickness": "8 mm"}
+        case = self.write("design", pin, **given)
+        run = self.geneva("design", "--crown", case)
+        self.assertEqual(run.code, 0, run.describe())
+        crown = json.loads((case / "results" / "crown.json").read_text())
+        size = number(crown["crown"]["size"])
+        self.assertAlmostEqual(number(crown["crown"]["drop"]) / (0.004**2 / 2 / size), 1., delta=0.01)
+        self.assertLess(crown["after"]["ratio"], 0.75 * crown["before"]["ratio"])
+        self.assertGreaterEqual(crown["after"]["ratio"], 1.)
+        ratios = {number(trial["size"]): trial["ratio"] for trial in crown["search"]}
+        self.assertEqual(min(ratios, key=ratios.get), size)
+        self.assertTrue(min(ratios) < size < max(ratios), "the best lies inside of what was tried")
+        crowned = self.run_case(self.write("crowned", [*pin, "Profile = crown", f"Crown radius = {size} m"], **given))
+        self.assertAlmostEqual(self.value(crowned, "contact.peak_pressure") /
+                               number(crown["after"]["peak_pressure"]), 1., delta=1e-9)
+        for name, parts in (("johnson-optimum-wheel", ("'Dimension' = '2'", "Dimension = 3")),
+                            ("flat-patch-3d", ("'Model' = 'geometry'", "no pin to crown"))):
+            refused = self.geneva("design", "--crown", self.source / "cases" / name)
+            self.assertEqual(refused.code, 1)
+            for part in parts:
+                self.assertIn(part, refused.err)
+
     def test_limits_end_the_run_on_the_last_good_mesh(self):
         for name, limit in (("unknowns", "5000"), ("memory", "400 MB"), ("time", "3 s")):
             case = self.write(name, ["Held at = core"], accuracy="0.1 %")

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "mesh/extrusion.h"
 #include "tests/support/solving.h"
 
@@ -45,6 +48,52 @@ TEST(LineContactInSpace, BetweenHeldEndsIsThatOfPlaneStrain) {
   EXPECT_NEAR(error_of(peak, geneva::test::peak_pressure(plane)), 0., 0.01);
   for (const LevelRecord& level : solution.history)
     for (const unsigned int iterations : level.linear_iterations) EXPECT_LT(iterations, 60U);
+}
+
+/// Half of a roller and a block of equal length, 6 R: held along z on the plane of symmetry z = 0,
+/// free at the other end.
+Solution<3> flush_rollers(const LineContact& contact) {
+  const double radius = contact.radius;
+  const mesh::Extrusion half{{0., 1.2 * radius, 2.2 * radius, 3. * radius}, "end", ""};
+  const mesh::MeshData<3> mesh = extruded(geneva::test::mesh_of(contact), {half, half});
+  return solve_contact(MPI_COMM_WORLD, mesh, in_space(geneva::test::problem_of(contact)),
+                       geneva::test::with_accuracy(0.05), {});
+}
+
+/// Greatest magnitudes of the strains along the pin and across the contact.
+struct GreatestStrains {
+  double along = 0.;
+  double across = 0.;
+};
+
+GreatestStrains strains_in_middle_third(const Solution<3>& solution, const double length) {
+  GreatestStrains greatest;
+  for (const auto& cell : post::cell_stresses(solution)) {
+    if (cell.centre[2] > length / 6.) continue;
+    const Material& material = solution.problem.bodies[cell.body].material;
+    const double trace = dealii::trace(cell.stress);
+    const auto strain = [&](const unsigned int i) {
+      return std::abs(
+          ((1. + material.poissons_ratio) * cell.stress[i][i] - material.poissons_ratio * trace) /
+          material.youngs_modulus);
+    };
+    greatest.along = std::max(greatest.along, strain(2));
+    greatest.across = std::max(greatest.across, strain(1));
+  }
+  greatest.along = dealii::Utilities::MPI::max(greatest.along, MPI_COMM_WORLD);
+  greatest.across = dealii::Utilities::MPI::max(greatest.across, MPI_COMM_WORLD);
+  return greatest;
+}
+
+TEST(LineContactInSpace, OfEqualLengthIsInPlaneStrainInItsMiddleThird) {
+  LineContact contact = heavy_roller();
+  contact.force *= 3. * contact.radius / contact.thickness;
+  contact.thickness = 3. * contact.radius;
+  const Solution<3> solution = flush_rollers(contact);
+  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  const GreatestStrains strains = strains_in_middle_third(solution, 6. * contact.radius);
+  EXPECT_LT(strains.along, 0.02 * strains.across);
+  EXPECT_GT(strains.along, 0.);
 }
 
 }  // namespace

@@ -1,0 +1,205 @@
+#include "app/crown.h"
+
+#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/case_file.h"
+#include "app/model.h"
+#include "app/naming.h"
+#include "app/output_directory.h"
+#include "app/pin_in_space.h"
+#include "app/progress.h"
+#include "app/version.h"
+#include "fem/contact_problem.h"
+#include "loads/hertz.h"
+#include "loads/pi.h"
+#include "post/crown_output.h"
+
+namespace geneva::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Profile = PinCase::Profile;
+
+/// The search needs the line load's shape only.
+constexpr double search_accuracy = 0.2;
+constexpr unsigned int search_unknowns = 100000;
+/// The scan's steps, by this factor of the size, and where it begins and ends in steps.
+const double scan_step = std::log(3.);
+constexpr int scan_reach = 1;
+constexpr int furthest_step = 6;
+/// Brent's method stops when the size is known to about 5 %: the minimum is flat.
+constexpr int search_bits = 6;
+constexpr std::uintmax_t most_steps = 10;
+
+void check(const Case& given) {
+  if (!given.mechanism)
+    refuse_model(given, "there is no pin to crown", "geneva design --crown", "mechanism");
+  if (!given.mechanism->space)
+    throw std::invalid_argument(
+        "'Dimension' = '2': the crown acts along the pin; 'geneva design --crown' wants a case "
+        "with Dimension = 3");
+  if (given.mechanism->space->profile == Profile::table)
+    throw std::invalid_argument(
+        "'Pin/Profile' = 'table': it has no size to be searched for; 'crown' or 'logarithmic' is "
+        "wanted");
+}
+
+bool is_logarithmic(const Case& given) {
+  return given.mechanism->space->profile == Profile::logarithmic;
+}
+
+Case with_size(const Case& given, const double size) {
+  Case changed = given;
+  PinCase& pin = *changed.mechanism->space;
+  if (is_logarithmic(given)) {
+    pin.profile_load.reset();
+    pin.profile_amplitude = size;
+  } else {
+    pin.profile = Profile::crown;
+    pin.crown_radius = size;
+  }
+  return changed;
+}
+
+double drop_at_faces(const Case& given) {
+  const MechanismState state = mechanism_state(*given.mechanism);
+  loads::PinClearance profile_only;
+  profile_only.profile = pin_clearance(*given.mechanism, state).profile;
+  return profile_only.at(state.sizes.thickness / 2.);
+}
+
+/// The amplitude by which the logarithmic profile carries the pin force evenly on half-spaces, or
+/// the radius of a crown that drops three times as much at the wheel's faces.
+double first_size(const Case& given) {
+  const MechanismCase& mechanism = *given.mechanism;
+  const MechanismState state = mechanism_state(mechanism);
+  const double length = mechanism.space->profile_length.value_or(state.sizes.thickness);
+  const double modulus =
+      loads::contact_modulus({mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
+                             {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio});
+  const double amplitude = state.load.force / (loads::pi * length * modulus);
+  if (is_logarithmic(given)) return amplitude;
+  const double half = state.sizes.thickness / 2.;
+  return half * half / (2. * 3. * amplitude);
+}
+
+/// The least radius of a crown: the pin must not end beyond it.
+double least_size(const Case& given) {
+  if (is_logarithmic(given)) return 0.;
+  const MechanismState state = mechanism_state(*given.mechanism);
+  const loads::PinClearance clearance = pin_clearance(*given.mechanism, state);
+  return 1.001 * std::max(-clearance.lower_end, clearance.upper_end);
+}
+
+/// A solved case: the evenness of its line load, and whether it is as accurate as it should be.
+struct Solved {
+  post::LoadEvenness load;
+  bool is_accurate;
+};
+
+Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings& settings) {
+  const Model<3> model = make_model<3>(communicator, given);
+  const fem::Solution<3> solution =
+      fem::solve_contact(communicator, model.mesh, model.problem, settings, {});
+  return {post::load_evenness(solution, post::analyse(solution)),
+          fem::is_success(solution.outcome)};
+}
+
+/// Size of the least ratio: a scan by equal factors, begun around the first size and carried on
+/// while its least value is at an end; then Brent's method between the neighbours.
+double best_size(const double first, const double least,
+                 const std::function<double(double)>& ratio_at) {
+  const auto at = [&](const int step) { return std::log(first) + step * scan_step; };
+  const auto is_allowed = [&](const int step) { return std::exp(at(step)) >= least; };
+  std::map<int, double> ratios;
+  const auto best = [&] {
+    return std::min_element(ratios.begin(), ratios.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; });
+  };
+  for (int step = -scan_reach; step <= scan_reach; ++step)
+    if (is_allowed(step)) ratios[step] = ratio_at(std::exp(at(step)));
+  if (ratios.empty()) return least;
+  for (int step = best()->first; std::abs(step) < furthest_step; step = best()->first) {
+    const int next = step == ratios.begin()->first    ? step - 1
+                     : step == ratios.rbegin()->first ? step + 1
+                                                      : step;
+    if (next == step || !is_allowed(next)) break;
+    ratios[next] = ratio_at(std::exp(at(next)));
+  }
+  std::uintmax_t steps = most_steps;
+  const double low = std::max(at(best()->first - 1), std::log(std::max(least, 1e-300)));
+  return std::exp(boost::math::tools::brent_find_minima(
+                      [&](const double logarithm) { return ratio_at(std::exp(logarithm)); }, low,
+                      at(best()->first + 1), search_bits, steps)
+                      .first);
+}
+
+post::CrownReport search(const MPI_Comm communicator, const Case& given,
+                         ProgressDisplay& progress) {
+  post::CrownReport report{};
+  report.case_name = name_of(given);
+  report.title = given.title;
+  report.geneva_version = version;
+  report.profile = is_logarithmic(given) ? "logarithmic" : "crown";
+  report.parameter = is_logarithmic(given) ? "Profile amplitude" : "Crown radius";
+  const post::OutputUnit length = post::output_unit(given.units, post::Dimension::length);
+  fem::Settings coarse = given.settings;
+  coarse.accuracy = std::max(search_accuracy, coarse.accuracy);
+  coarse.max_dofs = std::min(search_unknowns, coarse.max_dofs);
+  const auto ratio_at = [&](const double size) {
+    for (const post::CrownTrial& trial : report.trials)
+      if (trial.size == size) return trial.ratio;
+    const double ratio = solve(communicator, with_size(given, size), coarse).load.ratio();
+    report.trials.push_back({size, ratio});
+    progress.line(fmt::format("{} {:>10.4g} {}: greatest over even line load {:.4f}",
+                              report.parameter, size * length.factor, length.name, ratio));
+    return ratio;
+  };
+  (void)best_size(first_size(given), least_size(given), ratio_at);
+  report.size = std::min_element(report.trials.begin(), report.trials.end(),
+                                 [](const auto& a, const auto& b) { return a.ratio < b.ratio; })
+                    ->size;
+  return report;
+}
+
+}  // namespace
+
+int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
+                 const fs::path& output) {
+  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const Case given = read_case(case_directory);
+  return naming(given, [&] {
+    check(given);
+    ProgressDisplay progress(is_first, given.units);
+    post::CrownReport report = search(communicator, given, progress);
+    progress.line("solving both pins as accurately as the case asks");
+    const Solved before = solve(communicator, given, given.settings);
+    const Case changed = with_size(given, report.size);
+    const Solved after = solve(communicator, changed, given.settings);
+    report.before = before.load;
+    report.after = after.load;
+    report.drop = drop_at_faces(changed);
+    progress.line("\n" + post::crown_table(report, given.units));
+    if (is_first) {
+      const fs::path directory = output.empty() ? given.directory / "results" : output;
+      write_and_rename(directory / "crown.json", post::crown_summary(report).dump(2) + "\n");
+      progress.line("crown.json in " + shown_path(directory));
+    }
+    const bool is_accurate = before.is_accurate && after.is_accurate;
+    if (!is_accurate) progress.line("not converged: the accuracy wanted was not reached");
+    return is_accurate ? 0 : 2;
+  });
+}
+
+}  // namespace geneva::app

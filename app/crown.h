@@ -1,0 +1,21 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <filesystem>
+
+namespace geneva::app {
+
+/// Searches for the crown radius (of a logarithmic profile: the amplitude) by which the line load
+/// along the pin of a case in space is most even, prints the pin before and after, and writes
+/// crown.json.
+///
+/// The search runs on coarse meshes; before and after are solved as accurately as the case asks.
+/// @param output where crown.json goes; empty: results in the case's directory
+/// @return the exit code: 0, or 2 if the accuracy was not reached
+/// @throws std::invalid_argument on all ranks if the case is wrong or its pin has a tabulated
+/// profile
+int design_crown(MPI_Comm communicator, const std::filesystem::path& case_directory,
+                 const std::filesystem::path& output);
+
+}  // namespace geneva::app

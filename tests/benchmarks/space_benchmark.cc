@@ -1,0 +1,115 @@
+// What a contact analysis in space costs, beside one plain linear elastic solve (cell matrices,
+// assembly, multigrid and conjugate gradients to 1e-8 from zero) on its finest mesh with its final
+// contact.
+//
+//   space_benchmark CASE_DIR ACCURACY...       also under mpirun
+//
+// One line for each accuracy: "0.05" is 5 %.
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+#include <deal.II/base/utilities.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+#include "app/case_file.h"
+#include "app/model.h"
+#include "fem/constraints.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact_problem.h"
+#include "fem/level.h"
+#include "fem/linear_system.h"
+#include "fem/scaling.h"
+
+namespace {
+
+using namespace geneva;
+
+/// The finest mesh's level with the final active sets.
+fem::Level<3> finest_level(const fem::Solution<3>& solution) {
+  std::optional<fem::SurfaceOrigins<3>> origins;
+  fem::Level<3> level =
+      fem::make_level(*solution.dof_handler, solution.mesh,
+                      fem::scaled(solution.problem, solution.scales), solution.scales, origins);
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i)
+    for (std::size_t j = 0; j < level.interfaces[i].rows.size(); ++j)
+      level.interfaces[i].active[j] = solution.contacts[i].nodes[j].active;
+  return level;
+}
+
+struct PlainSolve {
+  double seconds;
+  unsigned int iterations;
+};
+
+PlainSolve plain_solve(const fem::Solution<3>& solution) {
+  const fem::Level<3> level = finest_level(solution);
+  const auto& dof_handler = *solution.dof_handler;
+  std::vector<fem::ConstraintLine> lines = level.hanging_lines;
+  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
+  std::set<dealii::types::global_dof_index> held = level.held;
+  for (const fem::ContactInterface<3>& interface : level.interfaces) {
+    const auto contact = fem::contact_lines(interface, held);
+    lines.insert(lines.end(), contact.begin(), contact.end());
+  }
+  const dealii::Timer timer;
+  const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
+                                       solution.mesh.surfaces);
+  const fem::LinearSystem system(dof_handler, level.ghosts,
+                                 fem::make_constraints(dof_handler, level.ghosts, lines), cells,
+                                 level.tie_forces, nullptr);
+  dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
+  const unsigned int iterations = system.solve(displacement, 1e-8, 0.);
+  return {timer.wall_time(), iterations};
+}
+
+double peak_memory() {
+  dealii::Utilities::System::MemoryStats memory{};
+  dealii::Utilities::System::get_memory_stats(memory);
+  return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
+}
+
+void measure(const app::Case& given, const double accuracy) {
+  const app::Model<3> model = app::make_model<3>(MPI_COMM_WORLD, given);
+  fem::Settings settings = given.settings;
+  settings.accuracy = accuracy;
+  settings.max_memory = 24e9;
+  settings.max_dofs = 3000000;
+  const dealii::Timer timer;
+  const fem::Solution<3> solution =
+      fem::solve_contact(MPI_COMM_WORLD, model.mesh, model.problem, settings, {});
+  const double total = timer.wall_time();
+  const double memory = peak_memory();
+  const auto& history = solution.history;
+  const double finest =
+      history.back().seconds - (history.size() > 1 ? history[history.size() - 2].seconds : 0.);
+  const PlainSolve plain = plain_solve(solution);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
+  std::cout << fmt::format(
+                   "{:>9}{:>8}{:>9.1f}{:>10.2f}{:>9.2f}{:>6}{:>9.2f}{:>9.2f}{:>12.1f}{:>9.2f}\n",
+                   history.back().dofs, history.back().linear_iterations.size(), total, finest,
+                   plain.seconds, plain.iterations, total / plain.seconds, finest / plain.seconds,
+                   1e6 * total / history.back().dofs, memory / 1e9)
+            << std::flush;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  setenv("OMP_NUM_THREADS", "1", 1);
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  if (argc < 3) {
+    std::cerr << "usage: space_benchmark CASE_DIR ACCURACY...\n";
+    return 1;
+  }
+  const app::Case given = app::read_case(argv[1]);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cout << fmt::format("{:>9}{:>8}{:>9}{:>10}{:>9}{:>6}{:>9}{:>9}{:>12}{:>9}\n", "unknowns",
+                             "steps", "all [s]", "finest[s]", "plain[s]", "CG", "all/pl.",
+                             "fin./pl.", "us/unknown", "mem [GB]");
+  for (int i = 2; i < argc; ++i) measure(given, std::atof(argv[i]));
+  return 0;
+}
