@@ -94,7 +94,8 @@ template <int dim>
 std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary,
                                                    const mesh::MeshData<dim>& mesh,
                                                    const Problem<dim>& problem,
-                                                   const SurfaceOrigins<dim>& origins) {
+                                                   const SurfaceOrigins<dim>& origins,
+                                                   const MPI_Comm communicator) {
   std::vector<ContactInterface<dim>> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
     ContactInterface<dim> interface;
@@ -102,11 +103,12 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
         surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
     interface.target =
         surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
-    interface.rows = mortar_rows(
-        interface.source, interface.target,
-        MortarData<dim>{
-            [&](const dealii::Point<dim>& point) { return out_of_plane_measure(problem, point); },
-            source_share(mesh, problem, problem.pairs[i]), problem.pairs[i].clearance});
+    interface.rows = mortar_rows(interface.source, interface.target,
+                                 MortarData<dim>{[&](const dealii::Point<dim>& point) {
+                                                   return out_of_plane_measure(problem, point);
+                                                 },
+                                                 source_share(mesh, problem, problem.pairs[i]),
+                                                 problem.pairs[i].clearance, communicator});
     interface.active = first_touch(interface.rows, interface.source.length);
     interfaces.push_back(std::move(interface));
   }
@@ -231,7 +233,8 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   level.boundary = gather_boundary(dof_handler, mesh.circles, scales.length);
   level.ghosts = relevant_and_boundary(dof_handler, level.boundary);
   if (!origins) origins = choose_origins(level.boundary, mesh, scaled_problem);
-  level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins);
+  level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins,
+                                     dof_handler.get_communicator());
   const dealii::Timer timer;
   level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
   level.cell_seconds = timer.wall_time();

@@ -1,6 +1,9 @@
 #include "fem/contact/mortar.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <Eigen/Dense>
+#include <boost/serialization/vector.hpp>
 #include <map>
 #include <optional>
 
@@ -72,15 +75,82 @@ void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
     }
 }
 
+/// Rows as flat vectors, which is what travels between the ranks.
+struct PackedRows {
+  std::vector<unsigned int> integers;
+  std::vector<double> reals;
+
+  template <typename Archive>
+  void serialize(Archive& archive, const unsigned int) {
+    archive& integers& reals;
+  }
+};
+
+template <int dim>
+PackedRows packed(const std::vector<RowSum<dim>>& rows) {
+  PackedRows result;
+  const auto add = [&](const Tensor<1, dim>& vector) {
+    for (unsigned int component = 0; component < dim; ++component)
+      result.reals.push_back(vector[component]);
+  };
+  for (unsigned int node = 0; node < rows.size(); ++node) {
+    const RowSum<dim>& row = rows[node];
+    if (row.full_weight == 0.) continue;
+    result.integers.push_back(node);
+    result.integers.push_back(static_cast<unsigned int>(row.coupling.size()));
+    result.reals.insert(result.reals.end(), {row.weight, row.full_weight, row.gap});
+    add(row.normal);
+    for (const auto& [target, coupling] : row.coupling) {
+      result.integers.push_back(target);
+      add(coupling);
+    }
+  }
+  return result;
+}
+
+template <int dim>
+void add_packed(const PackedRows& packed, std::vector<RowSum<dim>>& rows) {
+  auto real = packed.reals.begin();
+  const auto next = [&] {
+    Tensor<1, dim> vector;
+    for (unsigned int component = 0; component < dim; ++component) vector[component] = *real++;
+    return vector;
+  };
+  for (auto integer = packed.integers.begin(); integer != packed.integers.end();) {
+    RowSum<dim>& row = rows[*integer++];
+    const unsigned int couplings = *integer++;
+    row.weight += *real++;
+    row.full_weight += *real++;
+    row.gap += *real++;
+    row.normal += next();
+    for (unsigned int i = 0; i < couplings; ++i) row.coupling[*integer++] += next();
+  }
+}
+
+/// Sums over this rank's share of the faces, then over the ranks in their order.
+template <int dim>
+std::vector<RowSum<dim>> row_sums(const Surface<dim>& source, const Surface<dim>& target,
+                                  const MortarData<dim>& data) {
+  const std::size_t ranks = dealii::Utilities::MPI::n_mpi_processes(data.communicator);
+  const std::size_t rank = dealii::Utilities::MPI::this_mpi_process(data.communicator);
+  const std::size_t n_faces = source.faces.size();
+  const FaceSearch<dim> search(target);
+  std::vector<RowSum<dim>> own(source.nodes.size());
+  for (std::size_t i = rank * n_faces / ranks; i < (rank + 1) * n_faces / ranks; ++i)
+    add_face(source, source.faces[i], search, data, own);
+  if (ranks == 1) return own;
+  std::vector<RowSum<dim>> sums(source.nodes.size());
+  for (const PackedRows& rows : dealii::Utilities::MPI::all_gather(data.communicator, packed(own)))
+    add_packed(rows, sums);
+  return sums;
+}
+
 }  // namespace
 
 template <int dim>
 std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
                                         const MortarData<dim>& data) {
-  std::vector<RowSum<dim>> sums(source.nodes.size());
-  const FaceSearch<dim> search(target);
-  for (const SurfaceFace<dim>& face : source.faces) add_face(source, face, search, data, sums);
-
+  const std::vector<RowSum<dim>> sums = row_sums(source, target, data);
   std::vector<MortarRow<dim>> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {
     const RowSum<dim>& sum = sums[node];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <array>
@@ -18,6 +19,7 @@ struct MortarData {
   std::function<double(const dealii::Point<dim>&)> measure;  ///< out-of-plane measure at a point
   double source_share;  ///< of the source body in the compliance of both, 0..1
   std::function<double(double)> clearance = {};  ///< added to the gap by z, in space; may be empty
+  MPI_Comm communicator = MPI_COMM_SELF;         ///< ranks that share the work; all get the result
 };
 
 /// Nodes of a face.
