@@ -28,7 +28,9 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   fem::Problem<dim> problem;
   problem.plane = fem::PlaneKind::plane_strain;
   problem.thickness = state.sizes.thickness;
-  const fem::Rotation rotation{state.train.wheel_inertia, state.load.wheel_speed,
+  const bool is_half = is_half_model(mechanism);
+  const double share = is_half ? 0.5 : 1.;
+  const fem::Rotation rotation{share * state.train.wheel_inertia, state.load.wheel_speed,
                                state.load.wheel_acceleration};
   for (const std::string& body : mesh.bodies) {
     const bool is_wheel = body == "wheel";
@@ -39,8 +41,11 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   fem::Support<dim> support{held_surface, {}};
   support.displacement.fill(0.);
   problem.supports.push_back(support);
+  if constexpr (dim == 3)
+    for (const char* const surface : {"wheel middle", "pin middle"})
+      if (is_half) problem.supports.push_back({surface, {std::nullopt, std::nullopt, 0.}});
   fem::RigidTie<dim> tie{
-      mechanism.space ? pin_holder(*mechanism.space) : "pin core", {}, state.load.force};
+      mechanism.space ? pin_holder(*mechanism.space) : "pin core", {}, share * state.load.force};
   tie.direction[1] = 1.;
   problem.ties.push_back(tie);
   problem.pairs.push_back({"pin", "driving wall"});

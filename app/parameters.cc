@@ -217,7 +217,8 @@ std::vector<Parameter> pin_parameters() {
   return {
       {section, "Held at", names::one_end,
        ChoiceRule{{names::one_end, names::both_ends, names::core}},
-       "'one end': the pin is a cantilever. 'both ends': it is held on both sides of the wheel. "
+       "'one end': the pin is a cantilever. 'both ends': it is held on both sides of the wheel; "
+       "one half is solved, unless a tilt or a table tells the ends apart. "
        "'core': its core is rigid over the whole length, as in a plane model." +
            space},
       {section, "Root gap", names::default_word,

@@ -104,6 +104,11 @@ PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes) {
   return {gap, pin.overhang.value_or(usual)};
 }
 
+bool is_half_model(const MechanismCase& mechanism) {
+  return mechanism.space && mechanism.space->hold == Hold::both_ends &&
+         mechanism.space->tilt == 0. && mechanism.space->profile != Profile::table;
+}
+
 loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state) {
   const PinCase& pin = *mechanism.space;
   const PinLengths lengths = pin_lengths(pin, state.sizes);
@@ -146,12 +151,16 @@ std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
   const double height = aspect_ratio(mechanism, state) * cell;
   const double bent = std::min(height, longest_bent_cells * sizes.pin_diameter);
   const bool held_twice = pin.hold == Hold::both_ends;
-  mesh::Extrusion wheel{{-half}, "faces", "faces"};
+  const bool is_half = is_half_model(mechanism);
+  mesh::Extrusion wheel{{is_half ? 0. : -half}, is_half ? "wheel middle" : "faces", "faces"};
   add_layers(wheel.planes, half, height);
   mesh::Extrusion rod{{-half - (held_twice ? lengths.root_gap : lengths.overhang)},
                       held_twice ? "pin root" : "pin tip",
                       pin.hold == Hold::core ? "pin tip" : "pin root"};
-  add_layers(rod.planes, -half, bent);
+  if (is_half)
+    rod = {{0.}, "pin middle", "pin root"};
+  else
+    add_layers(rod.planes, -half, bent);
   add_layers(rod.planes, half, height);
   add_layers(rod.planes, half + (pin.hold == Hold::core ? lengths.overhang : lengths.root_gap),
              bent);
@@ -195,6 +204,7 @@ post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState&
                                       pin_lengths(pin, state.sizes).root_gap,
                                       pin_holder(pin),
                                       held_twice,
+                                      is_half_model(mechanism),
                                       {0., 1., 0.}},
                                      cells);
   return report;

@@ -19,6 +19,10 @@ struct PinLengths {
 
 PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
 
+/// Whether one half of pin and wheel is solved, z > 0: the pin is held at both ends and nothing
+/// tells them apart.
+bool is_half_model(const MechanismCase& mechanism);
+
 /// What profile, tilt and edge breaks add to the gap.
 /// @throws std::invalid_argument where the loads room does
 loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state);
@@ -27,7 +31,7 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
 /// How wheel (or block) and pin are drawn out along z. Surfaces: "faces" of the wheel, "pin root",
-/// "pin tip".
+/// "pin tip"; of a half model "wheel middle" and "pin middle".
 /// @param cell greatest size of the plane cells at the contact [m]
 /// @return by the names of the bodies
 std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,

@@ -19,6 +19,7 @@
 #include "app/progress.h"
 #include "app/version.h"
 #include "fem/contact_problem.h"
+#include "loads/pi.h"
 #include "post/comparison_table.h"
 #include "post/contact_output.h"
 #include "post/field_output.h"
@@ -46,7 +47,7 @@ std::string heading(const Case& given, const Model<dim>& model) {
   if (!given.title.empty()) text += ": " + given.title;
   if (model.mechanism) {
     const auto& state = *model.mechanism;
-    constexpr double degrees = 180. / 3.14159265358979323846;
+    constexpr double degrees = 180. / loads::pi;
     text += fmt::format(
         "\n{}, wheel diameter {:.5g} {}, pin diameter {:.4g} {}, thickness {:.4g} {}\n"
         "driver angle {:.4f} deg, wheel acceleration {:.6g} rad/s^2, pin distance {:.5g} {}, pin "
@@ -87,7 +88,8 @@ std::vector<std::string> length_notices(const fem::Solution<3>& solution,
   constexpr double nearly_all = 0.95;
   const std::size_t leading = post::leading_contact(solution);
   const auto& sections = results.contacts[leading].sections;
-  const double common = post::common_length(solution.contacts[leading]);
+  const double common =
+      post::common_length(solution.contacts[leading], results.contacts[leading].frame);
   const double loaded = sections.empty() ? 0. : sections.back().z - sections.front().z;
   if (loaded > nearly_all * common) return {};
   const auto length = post::output_unit(units, post::Dimension::length);
@@ -123,10 +125,11 @@ std::optional<post::MechanismReport> mechanism_report(
                                state.expected_bore_torque,
                                model.held_surface,
                                std::nullopt,
-                               std::nullopt};
+                               std::nullopt,
+                               dim == 3 && is_half_model(*mechanism) ? 2. : 1.};
   for (const fem::Reaction<dim>& reaction : solution.reactions)
     if (reaction.surface == model.held_surface && state.wheel && !mechanism->is_local)
-      report.bore_torque = -about_z(reaction.moment);
+      report.bore_torque = -report.parts * about_z(reaction.moment);
   if constexpr (dim == 3) report.pin = pin_report(*mechanism, state, solution, results.cells);
   return report;
 }

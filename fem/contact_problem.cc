@@ -21,6 +21,7 @@
 #include "fem/refinement.h"
 #include "fem/resultants.h"
 #include "fem/rigid_motion.h"
+#include "fem/symmetry.h"
 #include "mesh/triangulation.h"
 
 namespace geneva::fem {
@@ -188,8 +189,9 @@ class NestedIteration {
         const auto [lowest, highest] = std::minmax_element(
             contact.nodes.begin(), contact.nodes.end(),
             [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
-        const double middle = (lowest->position[2] + highest->position[2]) / 2.;
-        const double half = (highest->position[2] - lowest->position[2]) / 2.;
+        const auto plane = symmetry_plane(solution_.mesh, solution_.problem, contact, 2);
+        const double middle = plane.value_or((lowest->position[2] + highest->position[2]) / 2.);
+        const double half = std::max(highest->position[2] - middle, middle - lowest->position[2]);
         for (const ContactNode<3>& node : contact.nodes) {
           const double share = std::abs(node.position[2] - middle) / half;
           if (share <= 0.5 * (1. + 1e-9))

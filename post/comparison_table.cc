@@ -83,7 +83,8 @@ std::vector<TableRow> contact_rows(const fem::Solution<3>& solution,
   std::vector<TableRow> rows;
   if (!analysis.sections.empty())
     rows.push_back(row_of("pressure in the middle",
-                          middle_section(contact, analysis.sections).peak_pressure, peak, stress));
+                          middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
+                          peak, stress));
   rows.push_back(row_of(is_bounded ? "peak contact pressure" : "edge pressure, not bounded",
                         contact.peak_pressure, peak, stress));
   rows.push_back(row_of("half-width", analysis.half_width, width, length));
@@ -92,11 +93,32 @@ std::vector<TableRow> contact_rows(const fem::Solution<3>& solution,
   rows.push_back(row_of("greatest shear", analysis.max_shear, shear, stress));
   rows.push_back(row_of("its depth", analysis.max_shear_depth, depth, length));
   if (even && !analysis.sections.empty()) {
-    const LineLoad load = line_load(contact, analysis.sections);
+    const LineLoad load = line_load(contact, analysis.frame, analysis.sections);
     rows.push_back(row_of("line load, middle", load.middle, even, per_length));
     rows.push_back(row_of("line load, greater end", load.end, even, per_length));
   }
   return rows;
+}
+
+/// Johnson's Eq. 2 for a pin that carries evenly, and by what factor bending, tilt and edges exceed
+/// it; where an edge pressure is not bounded there is no such factor.
+template <int dim>
+std::vector<TableRow> even_load_rows([[maybe_unused]] const fem::Solution<dim>& solution,
+                                     [[maybe_unused]] const fem::ContactResult<dim>& contact,
+                                     [[maybe_unused]] const ContactAnalysis<dim>& analysis,
+                                     [[maybe_unused]] const UnitSystem units) {
+  if constexpr (dim == 3) {
+    if (!analysis.hertz) return {};
+    const OutputUnit stress = output_unit(units, Dimension::stress);
+    const double even = analysis.hertz->even.peak_pressure;
+    std::vector<TableRow> rows{{fmt::format("Johnson's Eq. 2, even load [{}]", stress.name),
+                                std::nullopt, even * stress.factor, std::nullopt}};
+    if (!solution.edge || solution.edge->is_bounded)
+      rows.push_back(
+          {"peak over Johnson's Eq. 2", contact.peak_pressure / even, std::nullopt, std::nullopt});
+    return rows;
+  }
+  return {};
 }
 
 std::vector<TableRow> pin_rows(const PinReport& pin, const UnitSystem units) {
@@ -132,7 +154,8 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
   const std::size_t leading = leading_contact(solution);
   const fem::ContactResult<dim>& contact = solution.contacts[leading];
   const auto& mechanism = report.mechanism;
-  std::vector<TableRow> rows{row_of("contact force", size_of(contact.force),
+  const double parts = mechanism ? mechanism->parts : 1.;
+  std::vector<TableRow> rows{row_of("contact force", parts * size_of(contact.force),
                                     mechanism ? std::optional(mechanism->load.force) : std::nullopt,
                                     output_unit(units, Dimension::force))};
   for (TableRow row : contact_rows(solution, contact, results.contacts[leading], units)) {
@@ -141,6 +164,9 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
           in_unit(report.published_peak_pressure, output_unit(units, Dimension::stress));
     rows.push_back(row);
   }
+  if (mechanism)
+    for (const TableRow& row : even_load_rows(solution, contact, results.contacts[leading], units))
+      rows.push_back(row);
   if (mechanism && mechanism->pin)
     for (const TableRow& row : pin_rows(*mechanism->pin, units)) rows.push_back(row);
   if (mechanism && mechanism->bore_torque)

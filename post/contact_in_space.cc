@@ -9,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fem/symmetry.h"
+
 namespace geneva::post {
 
 using dealii::Point;
@@ -179,49 +181,30 @@ double loaded_length(const fem::ContactResult<3>& contact, const Tensor<1, 3>& d
   return highest - lowest;
 }
 
-/// Where the supports of a body hold it on a plane normal to an axis, in that direction only: a
-/// plane of symmetry.
-std::vector<double> held_planes(const fem::Solution<3>& solution, const unsigned int body,
-                                const unsigned int axis) {
-  const double rounding = 1e-9 * solution.scales.length;
-  std::vector<double> planes;
-  for (const fem::Support<3>& support : solution.problem.supports) {
-    bool is_sliding = true;
-    for (unsigned int i = 0; i < 3; ++i)
-      is_sliding = is_sliding && (i == axis ? support.displacement[i] == 0.
-                                            : !support.displacement[i].has_value());
-    const auto& names = solution.mesh.surfaces;
-    const auto surface = static_cast<unsigned int>(
-        std::find(names.begin(), names.end(), support.surface) - names.begin());
-    if (!is_sliding || mesh::bodies_of(solution.mesh, surface).count(body) == 0) continue;
-    double lowest = std::numeric_limits<double>::max();
-    double highest = std::numeric_limits<double>::lowest();
-    for (const mesh::Face<3>& face : solution.mesh.faces)
-      for (const unsigned int vertex : face.vertices)
-        if (face.surface == surface) {
-          lowest = std::min(lowest, solution.mesh.vertices[vertex][axis]);
-          highest = std::max(highest, solution.mesh.vertices[vertex][axis]);
-        }
-    if (highest - lowest <= rounding) planes.push_back(lowest);
-  }
-  return planes;
+/// The same with the part of the contact that a plane of symmetry has cut off.
+std::pair<double, double> whole_extent(const fem::ContactResult<3>& contact,
+                                       const ContactFrame& frame, const Tensor<1, 3>& direction) {
+  const auto [lowest, highest] = extent_along(contact, direction);
+  if (!frame.is_mirrored(direction)) return {lowest, highest};
+  const double plane = Tensor<1, 3>(frame.centre) * direction;
+  const double reach = std::max(plane - lowest, highest - plane);
+  return {plane - reach, plane + reach};
 }
 
-/// Place along an axis of the plane of symmetry that bounds a contact there, if there is one.
-std::optional<double> symmetry_plane(const fem::Solution<3>& solution,
-                                     const fem::ContactResult<3>& contact,
-                                     const unsigned int axis) {
-  Tensor<1, 3> direction;
-  direction[axis] = 1.;
-  const auto [lowest, highest] = extent_along(contact, direction);
-  const double rounding = 1e-9 * solution.scales.length;
-  const auto of_target = held_planes(solution, body_of(solution, contact.target), axis);
-  for (const double plane : held_planes(solution, body_of(solution, contact.source), axis)) {
-    const auto same = [&](const double other) { return std::abs(other - plane) <= rounding; };
-    const bool is_of_both = std::any_of(of_target.begin(), of_target.end(), same);
-    if (is_of_both && (same(lowest) || same(highest))) return plane;
+/// The sections and their images beyond the plane of symmetry z = plane.
+std::vector<ContactSection> mirrored(const std::vector<ContactSection>& sections,
+                                     const double plane) {
+  std::vector<ContactSection> all = sections;
+  double length = 0.;
+  for (const ContactSection& section : sections)
+    length = std::max(length, std::abs(section.z - plane));
+  for (ContactSection section : sections) {
+    if (std::abs(section.z - plane) <= 1e-9 * length) continue;
+    section.z = 2. * plane - section.z;
+    all.push_back(section);
   }
-  return std::nullopt;
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  return all;
 }
 
 /// Directions of the least and the greatest curvature in the tangent plane; along z where both are
@@ -281,7 +264,7 @@ ContactFrame contact_frame(const fem::Solution<3>& solution, const fem::ContactR
   if (force <= 0.) return frame;
   frame.centre = Point<3>(place / force);
   for (unsigned int i = 0; i < 3; ++i)
-    if (const auto plane = symmetry_plane(solution, contact, i)) {
+    if (const auto plane = fem::symmetry_plane(solution.mesh, solution.problem, contact, i)) {
       frame.mirrored[i] = true;
       frame.centre[i] = *plane;
       frame.normal[i] = 0.;
@@ -362,6 +345,9 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
   form.radius_along = std::numeric_limits<double>::infinity();
   form.poissons_ratio = std::min(source.poissons_ratio, target.poissons_ratio);
   form.contact_modulus = loads::contact_modulus(source, target);
+  const auto [lowest, highest] = whole_extent(contact, frame, frame.along);
+  form.even =
+      loads::hertz_line(form.force / (highest - lowest), form.radius_across, form.contact_modulus);
   if (frame.curvature_along * form.length > 1e-9) {
     const double along = 1. / frame.curvature_along;
     form.radius_along = along;
@@ -370,12 +356,9 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
     // Hertz's ellipse needs a profile that is a parabola as far as the contact reaches, and a
     // contact that ends before the surfaces do.
     const fem::ContactPair& pair = pair_of(solution, contact);
-    const auto [lowest, highest] = extent_along(contact, frame.along);
     const double half_length = form.half_length();
     const double middle = Tensor<1, 3>(frame.centre) * frame.along;
-    const double reach = frame.is_mirrored(frame.along)
-                             ? std::max(middle - lowest, highest - middle)
-                             : std::min(middle - lowest, highest - middle);
+    const double reach = std::min(middle - lowest, highest - middle);
     const double change = second_difference(pair, frame.centre[2], half_length) -
                           second_difference(pair, frame.centre[2], 0.02 * form.length);
     if (std::abs(change * along) < parabolic && half_length < reach) return form;
@@ -388,8 +371,8 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
 
 std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame,
                                              const std::vector<CellStress<3>>& cells) {
-  const ContactFrame frame = contact_frame(solution, contact);
   std::vector<ContactSection> sections;
   if (std::abs(frame.along * z_axis) < 1. - 1e-6) return sections;
   const std::vector<Layer> layers = loaded_layers(contact, frame);
@@ -398,7 +381,7 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
   if (2 * sections.size() < layers.size()) return {};
   add_shear(sections, solution.dof_handler->get_communicator(),
             shear_below(sections, frame, cells));
-  return sections;
+  return frame.is_mirrored(z_axis) ? mirrored(sections, frame.centre[2]) : sections;
 }
 
 ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
@@ -418,8 +401,9 @@ ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& 
 }
 
 const ContactSection& middle_section(const fem::ContactResult<3>& contact,
+                                     const ContactFrame& frame,
                                      const std::vector<ContactSection>& sections) {
-  const auto [lowest, highest] = extent_along(contact, z_axis);
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
   const double middle = (lowest + highest) / 2.;
   if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
   return *std::min_element(sections.begin(), sections.end(),
@@ -428,17 +412,17 @@ const ContactSection& middle_section(const fem::ContactResult<3>& contact,
                            });
 }
 
-double common_length(const fem::ContactResult<3>& contact) {
-  const auto [lowest, highest] = extent_along(contact, z_axis);
+double common_length(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
   return highest - lowest;
 }
 
-LineLoad line_load(const fem::ContactResult<3>& contact,
+LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,
                    const std::vector<ContactSection>& sections) {
   if (sections.empty()) return {0., 0.};
-  const auto [lowest, highest] = extent_along(contact, z_axis);
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
   const double near = 1e-6 * (highest - lowest);
-  LineLoad load{middle_section(contact, sections).line_load, 0.};
+  LineLoad load{middle_section(contact, frame, sections).line_load, 0.};
   for (const ContactSection* end : {&sections.front(), &sections.back()})
     if (end->z < lowest + near || end->z > highest - near)
       load.end = std::max(load.end, end->line_load);

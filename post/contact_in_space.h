@@ -50,12 +50,14 @@ ContactFrame contact_frame(const fem::Solution<3>& solution, const fem::ContactR
 struct ClosedFormInSpace {
   std::optional<loads::HertzLine> line;        ///< evenly loaded over the loaded length
   std::optional<loads::HertzEllipse> ellipse;  ///< where the contact ends before the surfaces do
-  double force;                                ///< of the whole contact [N]
-  double length;                               ///< along the contact that carries load [m]
-  double poissons_ratio;                       ///< of the body with the greater shear
-  double radius_across;                        ///< relative radii [m]
-  double radius_along;                         ///< infinite for a line
-  double contact_modulus;                      ///< E* [Pa]
+  loads::HertzLine
+      even;       ///< as if loaded evenly where the surfaces face each other (Johnson 1956, Eq. 2)
+  double force;   ///< of the whole contact [N]
+  double length;  ///< along the contact that carries load [m]
+  double poissons_ratio;   ///< of the body with the greater shear
+  double radius_across;    ///< relative radii [m]
+  double radius_along;     ///< infinite for a line
+  double contact_modulus;  ///< E* [Pa]
 
   [[nodiscard]] double peak_pressure() const;
   /// Half of the contact's extent across.
@@ -80,13 +82,15 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,
                                              const ContactFrame& frame);
 
-/// Length along z over which source and target face each other [m].
-double common_length(const fem::ContactResult<3>& contact);
+/// Length along z over which source and target face each other [m], that of the whole.
+double common_length(const fem::ContactResult<3>& contact, const ContactFrame& frame);
 
 /// The sections through all layers of contact nodes with one in contact, by ascending z; none if
-/// the contact does not extend along z or its nodes stand in no layers.
+/// the contact does not extend along z or its nodes stand in no layers. Beyond a plane of symmetry
+/// z = const they are mirrored.
 std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame,
                                              const std::vector<CellStress<3>>& cells);
 
 /// Greatest shear stress of a body below the contact and its depth.
@@ -102,6 +106,7 @@ ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& 
 /// The section nearest to the middle of the surfaces' length.
 /// @throws std::invalid_argument if there is none
 const ContactSection& middle_section(const fem::ContactResult<3>& contact,
+                                     const ContactFrame& frame,
                                      const std::vector<ContactSection>& sections);
 
 /// The line load in the middle of the surfaces' length and at its more heavily loaded end [N/m].
@@ -111,7 +116,7 @@ struct LineLoad {
 
   [[nodiscard]] double ratio() const { return middle > 0. ? end / middle : 0.; }
 };
-LineLoad line_load(const fem::ContactResult<3>& contact,
+LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,
                    const std::vector<ContactSection>& sections);
 
 }  // namespace geneva::post

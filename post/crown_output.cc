@@ -70,14 +70,16 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
   const fem::ContactResult<3>& contact = solution.contacts[leading];
   const auto& sections = results.contacts[leading].sections;
   if (sections.empty()) throw std::invalid_argument("the contact carries no load along its length");
-  const GreatestMean greatest = greatest_mean_load(sections, window * common_length(contact));
+  const ContactFrame& frame = results.contacts[leading].frame;
+  const double length = common_length(contact, frame);
+  const GreatestMean greatest = greatest_mean_load(sections, window * length);
   double force = 0.;
   for (const fem::ContactNode<3>& node : contact.nodes) force += node.pressure * node.tributary;
   return {greatest.value,
           greatest.place,
-          force / common_length(contact),
+          frame.parts() * force / length,
           contact.peak_pressure,
-          middle_section(contact, sections).peak_pressure,
+          middle_section(contact, frame, sections).peak_pressure,
           !solution.edge || solution.edge->is_bounded};
 }
 

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loads/pi.h"
+
 namespace geneva::post {
 
 namespace {
@@ -63,8 +65,9 @@ class PinMotion {
   }
 
   /// Fits u = u0 + u' (z - z0) along the force and w = w0 - turn eta along the axis over all
-  /// quadrature points within a slice.
-  [[nodiscard]] SliceMotion at(const double z, const double from, const double to) const {
+  /// quadrature points within a slice; with their images if z is a plane of symmetry.
+  [[nodiscard]] SliceMotion at(const double z, const double from, const double to,
+                               const bool is_mirrored = false) const {
     const double length = solution_.scales.length;
     dealii::FEValues<3> values(
         *solution_.element, dealii::QGauss<3>(2),
@@ -85,6 +88,9 @@ class PinMotion {
         if (x[2] < from || x[2] > to) continue;
         along.add(values.JxW(q), {1., (x[2] - z) / pin_.diameter}, along_force(u[q]) * length);
         axial.add(values.JxW(q), {1., eta(x) / pin_.diameter}, u[q][2] * length);
+        if (!is_mirrored) continue;
+        along.add(values.JxW(q), {1., (z - x[2]) / pin_.diameter}, along_force(u[q]) * length);
+        axial.add(values.JxW(q), {1., eta(x) / pin_.diameter}, -u[q][2] * length);
       }
     }
     const MPI_Comm communicator = solution_.dof_handler->get_communicator();
@@ -127,14 +133,13 @@ double root_stress(const fem::Solution<3>& solution, const PinPlace& pin, const 
 
 /// 32 M/(pi d^3) for the moment that the holder exerts about the middle of the root face.
 double stress_of_reaction(const fem::Solution<3>& solution, const PinPlace& pin) {
-  constexpr double pi = 3.14159265358979323846;
   const auto reaction = std::find_if(
       solution.reactions.begin(), solution.reactions.end(),
       [&](const fem::Reaction<3>& candidate) { return candidate.surface == pin.root_surface; });
   const dealii::Tensor<1, 3> arm({pin.x, pin.y, pin.root});
   const dealii::Tensor<1, 3> force({reaction->force[0], reaction->force[1], reaction->force[2]});
   const dealii::Tensor<1, 3> moment = reaction->moment - dealii::cross_product_3d(arm, force);
-  return 32. * std::hypot(moment[0], moment[1]) / (pi * std::pow(pin.diameter, 3));
+  return 32. * std::hypot(moment[0], moment[1]) / (loads::pi * std::pow(pin.diameter, 3));
 }
 
 }  // namespace
@@ -144,9 +149,10 @@ PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
   const bool is_short = pin.free_length < 0.5 * pin.diameter;
   const PinMotion motion(solution, pin);
   const double reach = slice * pin.diameter;
-  const SliceMotion tip = motion.at(pin.tip, pin.tip - reach, pin.tip + reach);
+  const SliceMotion tip = motion.at(pin.tip, pin.tip - reach, pin.tip + reach, pin.is_half);
   const SliceMotion root = motion.at(pin.root, pin.root - reach, pin.root);
-  const SliceMotion middle = motion.at(pin.middle, pin.middle - reach, pin.middle + reach);
+  const SliceMotion middle =
+      motion.at(pin.middle, pin.middle - reach, pin.middle + reach, pin.is_half);
   return {std::abs(tip.along_force - root.along_force), std::abs(middle.turn),
           is_short && !pin.held_at_both_ends ? stress_of_reaction(solution, pin)
                                              : root_stress(solution, pin, motion, cells)};

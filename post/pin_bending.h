@@ -19,6 +19,7 @@ struct PinPlace {
   double free_length;            ///< from the root to the wheel [m]
   std::string root_surface;      ///< that holds it
   bool held_at_both_ends;        ///< by that surface
+  bool is_half;                  ///< only z > middle is modelled, by symmetry
   fem::Components<3> direction;  ///< of the force that its holder exerts, unit vector
 };
 

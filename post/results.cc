@@ -88,7 +88,7 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
   analysis.frame = contact_frame(solution, contact);
   if (analysis.frame.normal.norm() == 0.) return analysis;
   analysis.hertz = closed_form(solution, contact, analysis.frame);
-  analysis.sections = contact_sections(solution, contact, cells);
+  analysis.sections = contact_sections(solution, contact, analysis.frame, cells);
   const auto peak =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),
                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
@@ -103,7 +103,7 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
     analysis.max_shear_depth = shear.depth;
     return analysis;
   }
-  analysis.half_width = middle_section(contact, analysis.sections).half_width;
+  analysis.half_width = middle_section(contact, analysis.frame, analysis.sections).half_width;
   analysis.half_length = (analysis.sections.back().z - analysis.sections.front().z) / 2.;
   for (const ContactSection& section : analysis.sections)
     if (section.max_shear > analysis.max_shear) {

@@ -74,7 +74,7 @@ json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
   if (!analysis.sections.empty())
     section["mid_length_pressure"] =
-        quantity(middle_section(contact, analysis.sections).peak_pressure, "Pa");
+        quantity(middle_section(contact, analysis.frame, analysis.sections).peak_pressure, "Pa");
   if (solution.edge)
     section["edge"] = {{"bounded", solution.edge->is_bounded},
                        {"growth_exponent", solution.edge->growth_exponent},
@@ -86,6 +86,14 @@ json line_load_section(const LineLoad& load) {
   return {{"end", quantity(load.end, "N/m")},
           {"middle", quantity(load.middle, "N/m")},
           {"ratio", load.ratio()}};
+}
+
+/// The factor is null where an edge pressure is not bounded.
+json johnson_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
+                     const loads::HertzLine& even) {
+  const bool is_bounded = !solution.edge || solution.edge->is_bounded;
+  return {{"peak_pressure", quantity(even.peak_pressure, "Pa")},
+          {"factor", is_bounded ? json(contact.peak_pressure / even.peak_pressure) : json()}};
 }
 
 /// Only of a pin that is a beam: nothing bends one that is held at its core.
@@ -214,13 +222,20 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     result["hertz"] = hertz_section(*results.contacts[leading].hertz);
   if constexpr (dim == 3)
     if (!results.contacts[leading].sections.empty())
-      result["line_load"] = line_load_section(
-          line_load(solution.contacts[leading], results.contacts[leading].sections));
+      result["line_load"] =
+          line_load_section(line_load(solution.contacts[leading], results.contacts[leading].frame,
+                                      results.contacts[leading].sections));
+  if constexpr (dim == 3)
+    if (report.mechanism && results.contacts[leading].hertz)
+      result["johnson"] = johnson_section(solution, solution.contacts[leading],
+                                          results.contacts[leading].hertz->even);
   if (report.mechanism && report.mechanism->pin) {
     if (report.mechanism->pin->beam) result["pin"] = pin_section(*report.mechanism->pin);
     result["crown"] = crown_section(*report.mechanism->pin);
   }
   if (report.mechanism) {
+    json& force = result["contact"]["force"]["value"];
+    force = report.mechanism->parts * force.get<double>();
     result["load"] = load_section(report.mechanism->load);
     result["wheel"] = wheel_section(solution, results, *report.mechanism);
   }

@@ -30,6 +30,7 @@ struct MechanismReport {
   std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
   std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
   std::optional<PinReport> pin;       ///< in space
+  double parts;                       ///< of which the model is one: 2 of a half model
 };
 
 /// What a run is about and what it cost.

@@ -143,6 +143,23 @@ class Space(CliTest):
                 with self.subTest(key=key, other=name):
                     self.assertAlmostEqual(self.value(other, key) / expected, 1., delta=tolerance)
 
+    def test_a_pin_held_at_both_ends_is_solved_by_half(self):
+        # A tilt of a millionth of a degree is no tilt, but the model is whole then.
+        pin = ["Held at = both ends", "Root gap = 10 mm", "Profile = crown", "Crown radius = 300 mm"]
+        given = {"accuracy": "20 %", "modulus": "5 GPa"}
+        half = self.run_case(self.write("half", pin, **given))
+        whole = self.run_case(self.write("whole", [*pin, "Tilt = 1e-6 deg"], **given))
+        self.assertLess(half["mesh"]["dofs"], 0.65 * whole["mesh"]["dofs"])
+        for key, tolerance in (("contact.force", 1e-6), ("contact.peak_pressure", 0.003), ("contact.half_width", 0.003),
+                               ("contact.half_length", 0.003), ("johnson.factor", 0.003),
+                               ("pin.tip_deflection", 0.003), ("pin.root_stress", 0.01)):
+            with self.subTest(key=key):
+                values = [summary["johnson"]["factor"] if key == "johnson.factor" else self.value(summary, key)
+                          for summary in (half, whole)]
+                self.assertAlmostEqual(values[0] / values[1], 1., delta=tolerance)
+        sections = self.sections(self.directory / "half")
+        self.assertAlmostEqual(sections[0]["z [mm]"], -sections[-1]["z [mm]"], delta=1e-9)
+
     def test_design_finds_the_crown_by_which_the_line_load_is_most_even(self):
         pin = ["Held at = one end", "Root gap = 10 mm"]
         given = {"modulus": "2 GPa", "accuracy": "20 %", "thickness": "8 mm"}
