@@ -155,10 +155,18 @@ std::map<std::size_t, Place> places_of_nodes() {
   return place_of;
 }
 
-/// Nodes of the elements of a curve or surface of a mesh.
-std::vector<Place> nodes_of(const int dimension, const int entity) {
-  const std::vector<std::size_t> nodes =
-      element_nodes(dimension, entity, dimension == 1 ? line_type : quad_type);
+/// Nodes of a curve of a mesh, its ends last.
+std::vector<Place> nodes_of_curve(const int curve) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates;
+  std::vector<double> parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters, 1, curve, true);
+  return as_places(coordinates);
+}
+
+/// Nodes of the elements of a surface of a mesh; a file may not say which of them bound it.
+std::vector<Place> nodes_of_surface(const int surface) {
+  const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
   const std::map<std::size_t, Place> place_of = places_of_nodes();
   std::vector<Place> places;
   for (const std::size_t node : std::set<std::size_t>(nodes.begin(), nodes.end()))
@@ -198,13 +206,12 @@ std::optional<Circle> shape_of(const int entity) {
   gmsh::model::getType(dim - 1, entity, type);
   if (type == "Line" || type == "Plane") return std::nullopt;
   const bool is_discrete = type.rfind("Discrete", 0) == 0;
-  const std::vector<Place> points =
-      is_discrete ? nodes_of(dim - 1, entity) : sample_points(dim - 1, entity);
-  if constexpr (dim == 2)
-    return circle_through(points);
-  else
-    return round_surface_through(points,
-                                 is_discrete ? facet_normals(entity) : sample_normals(entity));
+  if constexpr (dim == 2) {
+    return circle_through(is_discrete ? nodes_of_curve(entity) : sample_points(1, entity));
+  } else {
+    if (is_discrete) return round_surface_through(nodes_of_surface(entity), facet_normals(entity));
+    return round_surface_through(sample_points(2, entity), sample_normals(entity));
+  }
 }
 
 bool has_cells(const int dimension, const int entity = -1) {

@@ -99,7 +99,7 @@ Point<2> true_point(const Surface<2>& surface, const SurfaceFace<2>& face,
   if (face.circle < 0) return on_chord;
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Tensor<1, 2> outwards = radial(circle, on_chord);
-  return on_chord + (circle.radius / outwards.norm() - 1.) * outwards;
+  return Point<2>(circle.centre[0], circle.centre[1]) + circle.radius / outwards.norm() * outwards;
 }
 
 double curvature(const Surface<2>& surface, const SurfaceFace<2>& face) {
