@@ -116,12 +116,13 @@ Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings
           fem::is_success(solution.outcome)};
 }
 
-/// Size of the least ratio: a scan by equal factors, begun around the first size and carried on
-/// while its least value is at an end; then Brent's method between the neighbours.
-double best_size(const double first, const double least,
-                 const std::function<double(double)>& ratio_at) {
+/// Looks for the size of the least ratio: a scan by equal factors, begun around the first size and
+/// carried on while its least value is at an end; then Brent's method between the neighbours.
+/// @param first >= least
+void try_sizes(const double first, const double least,
+               const std::function<double(double)>& ratio_at) {
   const auto at = [&](const int step) { return std::log(first) + step * scan_step; };
-  const auto is_allowed = [&](const int step) { return std::exp(at(step)) >= least; };
+  const auto is_allowed = [&](const int step) { return step == 0 || std::exp(at(step)) >= least; };
   std::map<int, double> ratios;
   const auto best = [&] {
     return std::min_element(ratios.begin(), ratios.end(),
@@ -129,7 +130,6 @@ double best_size(const double first, const double least,
   };
   for (int step = -scan_reach; step <= scan_reach; ++step)
     if (is_allowed(step)) ratios[step] = ratio_at(std::exp(at(step)));
-  if (ratios.empty()) return least;
   for (int step = best()->first; std::abs(step) < furthest_step; step = best()->first) {
     const int next = step == ratios.begin()->first    ? step - 1
                      : step == ratios.rbegin()->first ? step + 1
@@ -138,11 +138,10 @@ double best_size(const double first, const double least,
     ratios[next] = ratio_at(std::exp(at(next)));
   }
   std::uintmax_t steps = most_steps;
-  const double low = std::max(at(best()->first - 1), std::log(std::max(least, 1e-300)));
-  return std::exp(boost::math::tools::brent_find_minima(
-                      [&](const double logarithm) { return ratio_at(std::exp(logarithm)); }, low,
-                      at(best()->first + 1), search_bits, steps)
-                      .first);
+  const int below = best()->first - 1;
+  boost::math::tools::brent_find_minima(
+      [&](const double logarithm) { return ratio_at(std::exp(logarithm)); },
+      is_allowed(below) ? at(below) : std::log(least), at(best()->first + 1), search_bits, steps);
 }
 
 post::CrownReport search(const MPI_Comm communicator, const Case& given,
@@ -166,7 +165,8 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given,
                               report.parameter, size * length.factor, length.name, ratio));
     return ratio;
   };
-  (void)best_size(first_size(given), least_size(given), ratio_at);
+  const double least = least_size(given);
+  try_sizes(std::max(first_size(given), least), least, ratio_at);
   report.size = std::min_element(report.trials.begin(), report.trials.end(),
                                  [](const auto& a, const auto& b) { return a.ratio < b.ratio; })
                     ->size;

@@ -23,8 +23,7 @@ VertexPlaces<dim> close_gaps(dealii::Triangulation<dim>& triangulation) {
   std::map<unsigned int, Point<dim>> moved;
   if constexpr (dim == 3) {
     // by ascending level: a vertex may hang on an edge that ends in a hanging vertex
-    for (unsigned int level = 0; level < triangulation.n_global_levels(); ++level) {
-      if (level >= triangulation.n_levels()) break;
+    for (unsigned int level = 0; level < triangulation.n_levels(); ++level) {
       for (const auto& cell : triangulation.active_cell_iterators_on_level(level)) {
         if (cell->is_artificial()) continue;
         for (const unsigned int i : cell->line_indices()) {

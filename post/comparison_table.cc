@@ -73,8 +73,6 @@ std::vector<TableRow> contact_rows(const fem::Solution<3>& solution,
   if (form) {
     peak = form->peak_pressure();
     width = form->half_width();
-  }
-  if (form) {
     shear = form->max_shear();
     depth = form->max_shear_depth();
   }

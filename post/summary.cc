@@ -54,10 +54,10 @@ json hertz_section(const ClosedFormInSpace& form) {
 
 template <int dim>
 json common_contact_section(const fem::Solution<dim>& solution,
-                            const fem::ContactResult<dim>& contact) {
+                            const fem::ContactResult<dim>& contact, const double parts) {
   return {{"source", contact.source},
           {"target", contact.target},
-          {"force", quantity(size_of(contact.force), "N")},
+          {"force", quantity(parts * size_of(contact.force), "N")},
           {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
           {"peak_pressure_error", solution.error_estimate},
           {"max_penetration", quantity(contact.max_penetration, "m")},
@@ -65,8 +65,8 @@ json common_contact_section(const fem::Solution<dim>& solution,
 }
 
 json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
-                     const ContactAnalysis<3>& analysis) {
-  json section = common_contact_section(solution, contact);
+                     const ContactAnalysis<3>& analysis, const double parts) {
+  json section = common_contact_section(solution, contact, parts);
   section["peak_pressure_place"] = place(analysis.peak_place);
   section["half_width"] = quantity(analysis.half_width, "m");
   section["half_length"] = quantity(analysis.half_length, "m");
@@ -114,8 +114,8 @@ json crown_section(const PinReport& pin) {
 }
 
 json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
-                     const ContactAnalysis<2>& analysis) {
-  json section = common_contact_section(solution, contact);
+                     const ContactAnalysis<2>& analysis, const double parts) {
+  json section = common_contact_section(solution, contact, parts);
   section["half_width"] = quantity(contact.half_width, "m");
   section["max_shear"] = quantity(analysis.max_shear.value, "Pa");
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
@@ -202,18 +202,19 @@ template <int dim>
 json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
              const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
-  json result{
-      {"case", {{"name", report.case_name}, {"title", report.title}}},
-      {"contact", contact_section(solution, solution.contacts[leading], results.contacts[leading])},
-      {"bodies", bodies_section(solution, results)},
-      {"equilibrium", equilibrium_section(results, report)},
-      {"solver", solver_section(solution)}};
+  const double parts = report.mechanism ? report.mechanism->parts : 1.;
+  json result{{"case", {{"name", report.case_name}, {"title", report.title}}},
+              {"contact", contact_section(solution, solution.contacts[leading],
+                                          results.contacts[leading], parts)},
+              {"bodies", bodies_section(solution, results)},
+              {"equilibrium", equilibrium_section(results, report)},
+              {"solver", solver_section(solution)}};
   const fem::LevelRecord& finest = solution.history.back();
   result["mesh"] = {
       {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
   json pairs = json::array();
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
-    pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i]));
+    pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i], parts));
     if (results.contacts[i].hertz)
       pairs.back()["hertz"] = hertz_section(*results.contacts[i].hertz);
   }
@@ -234,8 +235,6 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     result["crown"] = crown_section(*report.mechanism->pin);
   }
   if (report.mechanism) {
-    json& force = result["contact"]["force"]["value"];
-    force = report.mechanism->parts * force.get<double>();
     result["load"] = load_section(report.mechanism->load);
     result["wheel"] = wheel_section(solution, results, *report.mechanism);
   }

@@ -157,6 +157,7 @@ class Space(CliTest):
                 values = [summary["johnson"]["factor"] if key == "johnson.factor" else self.value(summary, key)
                           for summary in (half, whole)]
                 self.assertAlmostEqual(values[0] / values[1], 1., delta=tolerance)
+        self.assertEqual(half["contact_pairs"][0]["force"], half["contact"]["force"])
         sections = self.sections(self.directory / "half")
         self.assertAlmostEqual(sections[0]["z [mm]"], -sections[-1]["z [mm]"], delta=1e-9)
 
@@ -177,6 +178,14 @@ class Space(CliTest):
         crowned = self.run_case(self.write("crowned", [*pin, "Profile = crown", f"Crown radius = {size} m"], **given))
         self.assertAlmostEqual(self.value(crowned, "contact.peak_pressure") /
                                number(crown["after"]["peak_pressure"]), 1., delta=1e-9)
+        two = self.geneva("design", "--crown", case, case)
+        self.assertEqual(two.code, 1)
+        self.assertIn("one CASE_DIR is wanted", two.err)
+        table = self.write("table", [*pin, "Profile = table", "Profile table = pin.csv"], **given)
+        (table / "pin.csv").write_text("z [mm], height [um]\n-20, -50\n0, 0\n20, -50\n")
+        no_size = self.geneva("design", "--crown", table)
+        self.assertEqual(no_size.code, 1)
+        self.assertIn("'Pin/Profile' = 'table'", no_size.err)
         for name, parts in (("johnson-optimum-wheel", ("'Dimension' = '2'", "Dimension = 3")),
                             ("flat-patch-3d", ("'Model' = 'geometry'", "no pin to crown"))):
             refused = self.geneva("design", "--crown", self.source / "cases" / name)
