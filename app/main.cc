@@ -1,7 +1,6 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
-#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "app/kinematics.h"
 #include "app/run.h"
 #include "app/synthesis.h"
+#include "app/threads.h"
 #include "fem/contact_problem.h"
 
 namespace {
@@ -60,8 +60,7 @@ int guarded(const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  // threads of the linear algebra libraries would fight the MPI ranks
-  setenv("OMP_NUM_THREADS", "1", 1);
+  geneva::app::use_one_thread();
   const auto asked = geneva::app::read_command_line(argc, argv);
   if (const int* code = std::get_if<int>(&asked)) return *code;
   const Request& request = std::get<Request>(asked);

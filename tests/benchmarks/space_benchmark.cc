@@ -17,6 +17,7 @@
 
 #include "app/case_file.h"
 #include "app/model.h"
+#include "app/threads.h"
 #include "fem/constraints.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact_problem.h"
@@ -99,7 +100,7 @@ void measure(const app::Case& given, const double accuracy) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  setenv("OMP_NUM_THREADS", "1", 1);
+  app::use_one_thread();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   if (argc < 3) {
     std::cerr << "usage: space_benchmark CASE_DIR ACCURACY...\n";

@@ -1,0 +1,14 @@
+#include "app/threads.h"
+
+#include <dlfcn.h>
+
+namespace geneva::app {
+
+void use_one_thread() {
+  // these libraries have read their environment variables when they were loaded: it is too late to
+  // set them now
+  for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
+    if (void* function = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<void (*)(int)>(function)(1);
+}
+
+}  // namespace geneva::app
