@@ -12,11 +12,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fem/active_set_iteration.h"
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
 #include "fem/error_estimate.h"
 #include "fem/hanging_vertices.h"
-#include "fem/level.h"
 #include "fem/problem_check.h"
 #include "fem/refinement.h"
 #include "fem/resultants.h"

@@ -128,100 +128,6 @@ void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
   for (const ConstraintLine& line : level.held_lines) level.held.insert(line.dof);
 }
 
-/// K u - f with the hanging nodes' shares given to the nodes that they hang on.
-template <int dim>
-Vector residual_of(const Level<dim>& level, const MPI_Comm communicator,
-                   const Vector& displacement) {
-  Vector residual;
-  residual.reinit(level.owned, level.ghosts, communicator, true);
-  dealii::Vector<double> local;
-  dealii::Vector<double> local_residual;
-  for (const CellSystem& cell : level.cells) {
-    local.reinit(cell.load.size());
-    local_residual.reinit(cell.load.size());
-    for (unsigned int i = 0; i < local.size(); ++i) local[i] = displacement(cell.dofs[i]);
-    cell.stiffness.vmult(local_residual, local);
-    local_residual -= cell.load;
-    level.hanging.distribute_local_to_global(local_residual, cell.dofs, residual);
-  }
-  residual.compress(dealii::VectorOperation::add);
-  Vector ghosted(level.owned, level.ghosts, communicator);
-  ghosted = residual;
-  return ghosted;
-}
-
-template <int dim>
-std::vector<ConstraintLine> all_lines(const Level<dim>& level) {
-  std::vector<ConstraintLine> lines = level.hanging_lines;
-  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
-  std::set<global_dof_index> held = level.held;
-  for (const ContactInterface<dim>& interface : level.interfaces) {
-    const auto contact = contact_lines(interface, held);
-    lines.insert(lines.end(), contact.begin(), contact.end());
-  }
-  return lines;
-}
-
-template <int dim>
-std::vector<std::vector<bool>> active_sets(const Level<dim>& level) {
-  std::vector<std::vector<bool>> sets;
-  for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.active);
-  return sets;
-}
-
-/// While the active set still moves, the residual need not be reduced further than this.
-constexpr double loose_reduction = 0.02;
-
-/// The active sets seen on one mesh. A set that has been there before means cycling: from then on
-/// nodes only close, so that the iteration ends, and the next mesh starts from there.
-class ActiveSetSearch {
- public:
-  /// Takes over the next active sets. @return whether they changed
-  template <int dim>
-  bool advance(Level<dim>& level, const std::vector<ContactState>& states) {
-    const auto before = active_sets(level);
-    seen_.insert(before);
-    for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-      ContactInterface<dim>& interface = level.interfaces[i];
-      std::vector<bool> next = updated(interface, states[i]);
-      if (only_closes_)
-        for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
-      interface.active = next;
-    }
-    const auto after = active_sets(level);
-    if (after == before) return false;
-    if (seen_.count(after) > 0) only_closes_ = true;
-    return true;
-  }
-
-  /// Forgets what was seen with loosely solved systems.
-  void start_again() {
-    seen_.clear();
-    only_closes_ = false;
-  }
-
-  [[nodiscard]] bool only_closes() const { return only_closes_; }
-
- private:
-  std::set<std::vector<std::vector<bool>>> seen_;
-  bool only_closes_ = false;
-};
-
-/// Solves the system of the current active sets to a reduction of its residual (0: to the settings'
-/// tolerance) and evaluates the contacts.
-template <int dim>
-void solve_step(const LinearSystem& system, const Level<dim>& level, const double reduction,
-                const Settings& settings, const MPI_Comm communicator, Vector& displacement,
-                LevelState& state) {
-  state.linear_iterations.back() +=
-      system.solve(displacement, settings.linear_tolerance, reduction);
-  state.displacement = displacement;
-  state.residual = residual_of(level, communicator, state.displacement);
-  state.contacts.clear();
-  for (const ContactInterface<dim>& interface : level.interfaces)
-    state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
-}
-
 }  // namespace
 
 template <int dim>
@@ -244,50 +150,9 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   return level;
 }
 
-template <int dim>
-std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level, const Vector& guess,
-    const Settings& settings,
-    const std::function<void(unsigned int step, unsigned int iterations)>& report) {
-  const MPI_Comm communicator = dof_handler.get_communicator();
-  LevelState state;
-  state.displacement.reinit(level.owned, level.ghosts, communicator);
-  Vector displacement = guess;
-  ActiveSetSearch search;
-  std::unique_ptr<LinearSystem> system;
-  double reduction = loose_reduction;
-  for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {
-    const dealii::Timer timer;
-    system = std::make_unique<LinearSystem>(
-        dof_handler, level.ghosts, make_constraints(dof_handler, level.ghosts, all_lines(level)),
-        level.cells, level.tie_forces, system.get());
-    state.linear_iterations.push_back(0);
-    solve_step(*system, level, reduction, settings, communicator, displacement, state);
-    bool changed = search.advance(level, state.contacts);
-    if (!changed && reduction > 0.) {
-      reduction = 0.;
-      search.start_again();
-      system->set_up_multigrid(dof_handler);
-      solve_step(*system, level, reduction, settings, communicator, displacement, state);
-      changed = search.advance(level, state.contacts);
-    }
-    if (step == 1) state.assemble_and_solve_seconds = timer.wall_time();
-    report(step, state.linear_iterations.back());
-    state.cycled = search.only_closes();
-    if (!changed) return state;
-  }
-  return std::nullopt;
-}
-
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
                              const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
-template std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<2>&, Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&,
-    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
                              const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
-template std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<3>&, Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&,
-    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
 
 }  // namespace geneva::fem

@@ -43,24 +43,4 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
                       const Problem<dim>& scaled_problem, const Scales& scales,
                       std::optional<SurfaceOrigins<dim>>& origins);
 
-/// Converged state on one level.
-struct LevelState {
-  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
-  dealii::TrilinosWrappers::MPI::Vector residual;      ///< K u - f, ghosted
-  std::vector<ContactState> contacts;                  ///< by interface
-  std::vector<unsigned int> linear_iterations;         ///< by active-set step
-  double assemble_and_solve_seconds = 0.;              ///< of the first step
-  bool cycled = false;  ///< the active set came back to an earlier one
-};
-
-/// Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2003); level.interfaces hold
-/// the first guess of the active sets and then the final ones.
-/// @param guess displacement to start from, without ghosts
-/// @return nothing if the active set did not settle within the allowed steps
-template <int dim>
-std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
-    const dealii::TrilinosWrappers::MPI::Vector& guess, const Settings& settings,
-    const std::function<void(unsigned int step, unsigned int iterations)>& report);
-
 }  // namespace geneva::fem

@@ -3,6 +3,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -24,22 +25,31 @@ struct NodalForce {
 /// positive definite.
 class LinearSystem {
  public:
-  /// Assembles the system and sets up algebraic multigrid, or takes over that of a system that
-  /// differs by a few constraints.
-  /// @param similar the system whose multigrid is taken over; none: a new one is set up
+  /// Assembles the system.
   /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
+  /// @param cells of this rank
   template <int dim>
   LinearSystem(const dealii::DoFHandler<dim>& dof_handler, const dealii::IndexSet& ghosts,
                const dealii::AffineConstraints<double>& constraints,
-               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces,
-               const LinearSystem* similar);
+               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
 
-  /// Sets up the system's own algebraic multigrid, if it has taken over another's.
+  /// Goes over to constraints that differ in a few unknowns from those that the system was
+  /// assembled with: only the cells at these unknowns are summed up anew, and the multigrid stays.
+  /// @param cells those that the system was assembled from
+  void change(const dealii::AffineConstraints<double>& constraints,
+              const std::vector<CellSystem>& cells);
+
+  /// Sets up algebraic multigrid for the constraints that the system was assembled with.
   template <int dim>
   void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler);
 
-  /// Conjugate gradients from the given first guess until the residual is below tolerance times the
-  /// load, or below reduction times that of the first guess.
+  /// Reduces local errors by a few conjugate gradients without multigrid.
+  /// @param displacement as in solve()
+  /// @return number of iterations
+  unsigned int smooth(dealii::TrilinosWrappers::MPI::Vector& displacement) const;
+
+  /// Conjugate gradients with multigrid from the given first guess until the residual is below
+  /// tolerance times the load, or below reduction times that of the first guess.
   /// @param displacement in: first guess; out: solution, with the constraints distributed (no
   /// ghosts)
   /// @return number of iterations
@@ -48,12 +58,25 @@ class LinearSystem {
                      double reduction) const;
 
  private:
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  void correct_diagonal(Matrix& correction) const;
+  [[nodiscard]] double residual_norm(const Vector& displacement) const;
+  unsigned int iterate(Vector& displacement,
+                       const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
+                       dealii::SolverControl& control) const;
+
+  dealii::IndexSet owned_;
+  dealii::IndexSet ghosts_;
+  MPI_Comm communicator_;
+  dealii::AffineConstraints<double> first_constraints_;
   dealii::AffineConstraints<double> constraints_;
-  std::shared_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix_;
-  dealii::TrilinosWrappers::MPI::Vector load_;
-  std::shared_ptr<dealii::TrilinosWrappers::SparseMatrix>
-      multigrid_matrix_;  ///< outlives multigrid_
-  std::shared_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid_;
+  Matrix matrix_;                       ///< condensed by the first constraints
+  std::unique_ptr<Matrix> correction_;  ///< to the constraints of now; none if they are the first
+  Vector first_load_;
+  Vector load_;
+  std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid_;
 };
 
 }  // namespace geneva::fem

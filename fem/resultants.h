@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "fem/level.h"
+#include "fem/active_set_iteration.h"
 #include "fem/solution.h"
 
 namespace geneva::fem {

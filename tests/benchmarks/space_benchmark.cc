@@ -59,9 +59,10 @@ PlainSolve plain_solve(const fem::Solution<3>& solution) {
   const dealii::Timer timer;
   const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
                                        solution.mesh.surfaces);
-  const fem::LinearSystem system(dof_handler, level.ghosts,
-                                 fem::make_constraints(dof_handler, level.ghosts, lines), cells,
-                                 level.tie_forces, nullptr);
+  fem::LinearSystem system(dof_handler, level.ghosts,
+                           fem::make_constraints(dof_handler, level.ghosts, lines), cells,
+                           level.tie_forces);
+  system.set_up_multigrid(dof_handler);
   dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
   const unsigned int iterations = system.solve(displacement, 1e-8, 0.);
   return {timer.wall_time(), iterations};

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/active_set_iteration.h"
 #include "fem/contact_problem.h"
-#include "fem/level.h"
 #include "fem/resultants.h"
 #include "fem/rigid_motion.h"
 #include "mesh/extrusion.h"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "fem/active_set_iteration.h"
 #include "fem/contact/result.h"
 #include "fem/contact_problem.h"
-#include "fem/level.h"
 #include "tests/support/line_contact.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"

@@ -1,0 +1,239 @@
+#include "fem/active_set_iteration.h"
+
+#include <deal.II/base/timer.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "fem/constraints.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+using Sets = std::vector<std::vector<bool>>;
+
+/// K u - f with the hanging nodes' shares given to the nodes that they hang on.
+template <int dim>
+Vector residual_of(const Level<dim>& level, const MPI_Comm communicator,
+                   const Vector& displacement) {
+  Vector residual;
+  residual.reinit(level.owned, level.ghosts, communicator, true);
+  dealii::Vector<double> local;
+  dealii::Vector<double> local_residual;
+  for (const CellSystem& cell : level.cells) {
+    local.reinit(cell.load.size());
+    local_residual.reinit(cell.load.size());
+    for (unsigned int i = 0; i < local.size(); ++i) local[i] = displacement(cell.dofs[i]);
+    cell.stiffness.vmult(local_residual, local);
+    local_residual -= cell.load;
+    level.hanging.distribute_local_to_global(local_residual, cell.dofs, residual);
+  }
+  residual.compress(dealii::VectorOperation::add);
+  Vector ghosted(level.owned, level.ghosts, communicator);
+  ghosted = residual;
+  return ghosted;
+}
+
+template <int dim>
+std::vector<ConstraintLine> all_lines(const Level<dim>& level) {
+  std::vector<ConstraintLine> lines = level.hanging_lines;
+  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
+  std::set<global_dof_index> held = level.held;
+  for (const ContactInterface<dim>& interface : level.interfaces) {
+    const auto contact = contact_lines(interface, held);
+    lines.insert(lines.end(), contact.begin(), contact.end());
+  }
+  return lines;
+}
+
+template <int dim>
+Sets active_sets(const Level<dim>& level) {
+  Sets sets;
+  for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.active);
+  return sets;
+}
+
+/// While the active set still moves, the residual need not be reduced further than this.
+constexpr double loose_reduction = 0.02;
+
+/// The active sets seen on one mesh. A set that has been there before means cycling: from then on
+/// nodes only close, so that the iteration ends, and the next mesh starts from there.
+class ActiveSetSearch {
+ public:
+  /// Takes over the next active sets. @return whether they changed
+  template <int dim>
+  bool advance(Level<dim>& level, const std::vector<ContactState>& states) {
+    const auto before = active_sets(level);
+    seen_.insert(before);
+    for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+      ContactInterface<dim>& interface = level.interfaces[i];
+      std::vector<bool> next = updated(interface, states[i]);
+      if (only_closes_)
+        for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
+      interface.active = next;
+    }
+    const auto after = active_sets(level);
+    if (after == before) return false;
+    if (seen_.count(after) > 0) only_closes_ = true;
+    return true;
+  }
+
+  /// Forgets what was seen with loosely solved systems.
+  void start_again() {
+    seen_.clear();
+    only_closes_ = false;
+  }
+
+  [[nodiscard]] bool only_closes() const { return only_closes_; }
+
+ private:
+  std::set<Sets> seen_;
+  bool only_closes_ = false;
+};
+
+std::size_t n_active(const Sets& sets) {
+  std::size_t active = 0;
+  for (const std::vector<bool>& set : sets)
+    active += static_cast<std::size_t>(std::count(set.begin(), set.end(), true));
+  return active;
+}
+
+/// Number of nodes that differ over that of the active ones.
+double changed_share(const Sets& before, const Sets& now) {
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (std::size_t j = 0; j < now[i].size(); ++j)
+      if (now[i][j] != before[i][j]) ++changed;
+  return static_cast<double>(changed) /
+         static_cast<double>(std::max<std::size_t>(n_active(now), 1));
+}
+
+/// The linear system of the active sets as they change.
+template <int dim>
+class SystemOfSets {
+ public:
+  explicit SystemOfSets(const dealii::DoFHandler<dim>& dof_handler) : dof_handler_(dof_handler) {}
+
+  /// Goes over to the level's active sets.
+  void update(const Level<dim>& level) {
+    const Sets sets = active_sets(level);
+    is_rough_ = n_rough_steps_ < most_rough_steps && n_active(sets) >= fewest_for_rough_steps &&
+                (!system_ || changed_share(last_sets_, sets) > small_change);
+    if (is_rough_) ++n_rough_steps_;
+    const auto constraints = make_constraints(dof_handler_, level.ghosts, all_lines(level));
+    if (system_ && (is_rough_ || changed_share(assembled_sets_, sets) <= small_change)) {
+      system_->change(constraints, level.cells);
+    } else {
+      assemble(level, constraints);
+      assembled_sets_ = sets;
+    }
+    if (!is_rough_ && !has_multigrid_) set_up_multigrid();
+    last_sets_ = sets;
+  }
+
+  /// Whether the sets change by so much still that reducing local errors is enough.
+  [[nodiscard]] bool is_rough() const { return is_rough_; }
+
+  [[nodiscard]] const LinearSystem& now() const { return *system_; }
+
+  /// Time of the last assembly, with its multigrid.
+  [[nodiscard]] double assembly_seconds() const { return assembly_seconds_; }
+
+ private:
+  /// Share of the active nodes by which the sets may change before assembling anew, with a
+  /// multigrid of its own, costs less than the iterations that it spares.
+  static constexpr double small_change = 0.05;
+  static constexpr unsigned int most_rough_steps = 2;
+  /// With fewer nodes the sets may change wholly from one mesh to the next.
+  static constexpr std::size_t fewest_for_rough_steps = 100;
+
+  void assemble(const Level<dim>& level, const dealii::AffineConstraints<double>& constraints) {
+    const dealii::Timer timer;
+    system_.reset();  // two at a time would need twice the memory
+    system_ = std::make_unique<LinearSystem>(dof_handler_, level.ghosts, constraints, level.cells,
+                                             level.tie_forces);
+    has_multigrid_ = false;
+    assembly_seconds_ = timer.wall_time();
+  }
+
+  void set_up_multigrid() {
+    const dealii::Timer timer;
+    system_->set_up_multigrid(dof_handler_);
+    has_multigrid_ = true;
+    assembly_seconds_ += timer.wall_time();
+  }
+
+  const dealii::DoFHandler<dim>& dof_handler_;
+  std::unique_ptr<LinearSystem> system_;
+  Sets assembled_sets_;
+  Sets last_sets_;
+  unsigned int n_rough_steps_ = 0;
+  bool is_rough_ = false;
+  bool has_multigrid_ = false;
+  double assembly_seconds_ = 0.;
+};
+
+/// Solves the system of the current active sets to a reduction of its residual (0: to the settings'
+/// tolerance) and evaluates the contacts.
+template <int dim>
+void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const double reduction,
+                const Settings& settings, const MPI_Comm communicator, Vector& displacement,
+                LevelState& state) {
+  state.linear_iterations.back() +=
+      systems.is_rough() ? systems.now().smooth(displacement)
+                         : systems.now().solve(displacement, settings.linear_tolerance, reduction);
+  state.displacement = displacement;
+  state.residual = residual_of(level, communicator, state.displacement);
+  state.contacts.clear();
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
+}
+
+}  // namespace
+
+template <int dim>
+std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level, const Vector& guess,
+    const Settings& settings,
+    const std::function<void(unsigned int step, unsigned int iterations)>& report) {
+  const MPI_Comm communicator = dof_handler.get_communicator();
+  LevelState state;
+  state.displacement.reinit(level.owned, level.ghosts, communicator);
+  Vector displacement = guess;
+  ActiveSetSearch search;
+  SystemOfSets<dim> systems(dof_handler);
+  double reduction = loose_reduction;
+  for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {
+    systems.update(level);
+    const dealii::Timer solve_timer;
+    state.linear_iterations.push_back(0);
+    solve_step(systems, level, reduction, settings, communicator, displacement, state);
+    bool changed = search.advance(level, state.contacts);
+    if (systems.is_rough()) {
+      search.start_again();
+      changed = true;
+    } else if (!changed && reduction > 0.) {
+      reduction = 0.;
+      search.start_again();
+      solve_step(systems, level, reduction, settings, communicator, displacement, state);
+      changed = search.advance(level, state.contacts);
+    }
+    state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();
+    report(step, state.linear_iterations.back());
+    state.cycled = search.only_closes();
+    if (!changed) return state;
+  }
+  return std::nullopt;
+}
+
+template std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<2>&, Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&,
+    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
+template std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<3>&, Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&,
+    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
+
+}  // namespace geneva::fem

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "fem/level.h"
+
+namespace geneva::fem {
+
+/// Converged state on one level.
+struct LevelState {
+  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
+  dealii::TrilinosWrappers::MPI::Vector residual;      ///< K u - f, ghosted
+  std::vector<ContactState> contacts;                  ///< by interface
+  std::vector<unsigned int> linear_iterations;         ///< by active-set step
+  double assemble_and_solve_seconds = 0.;              ///< of the last step
+  bool cycled = false;  ///< the active set came back to an earlier one
+};
+
+/// Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2003); level.interfaces hold
+/// the first guess of the active sets and then the final ones.
+/// @param guess displacement to start from, without ghosts
+/// @return nothing if the active set did not settle within the allowed steps
+template <int dim>
+std::optional<LevelState> solve_level(
+    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
+    const dealii::TrilinosWrappers::MPI::Vector& guess, const Settings& settings,
+    const std::function<void(unsigned int step, unsigned int iterations)>& report);
+
+}  // namespace geneva::fem

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <set>
+
+#include "fem/elasticity.h"
+
+namespace geneva::fem {
+
+/// A cell's system in the unknowns that constraints u = C v + g leave free: (C^T K C) v =
+/// C^T (f - K g) (Shephard 1984, Linear multipoint constraints applied via transformation as part
+/// of a direct stiffness assembly process).
+/// @param constraints closed
+CellSystem condensed(const CellSystem& cell, const dealii::AffineConstraints<double>& constraints);
+
+/// The unknowns whose constraints are not the same in both.
+/// @param before, after closed
+std::set<dealii::types::global_dof_index> changed_unknowns(
+    const dealii::AffineConstraints<double>& before,
+    const dealii::AffineConstraints<double>& after);
+
+}  // namespace geneva::fem
