@@ -5,7 +5,8 @@
 
 #include "fem/solution.h"
 #include "post/closed_form.h"
-#include "post/contact_in_space.h"
+#include "post/closed_form_in_space.h"
+#include "post/contact_sections.h"
 #include "post/stress.h"
 
 namespace geneva::post {

@@ -1,21 +1,16 @@
 #include "mesh/user_geometry.h"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <optional>
-#include <set>
-#include <sstream>
 #include <string>
 
 #include "case_directory.h"
-#include "mesh/gmsh_session.h"
 #include "mesh/mesh_quality.h"
+#include "saved_mesh.h"
 #include "tests/support/refusal.h"
 
 namespace geneva::mesh {
@@ -95,26 +90,6 @@ std::size_t cells_of(const MeshData<2>& mesh, const std::string& body) {
   return static_cast<std::size_t>(
       std::count_if(mesh.cells.begin(), mesh.cells.end(),
                     [&](const Cell<2>& quad) { return mesh.bodies[quad.body] == body; }));
-}
-
-/// Meshes a geometry with Gmsh itself and writes it in a format of .msh.
-std::string saved(const std::string& geo, double version, bool binary, int dimension = 2) {
-  const CaseDirectory directory;
-  const auto source = directory.write("source.geo", geo + "\n");
-  const auto target = directory.path() / "saved.msh";
-  GmshSession session;
-  set_quadrilateral_options();
-  const auto errors = session.errors_of([&] {
-    gmsh::option::setNumber("Mesh.MshFileVersion", version);
-    gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
-    gmsh::open(source.string());
-    gmsh::model::mesh::generate(dimension);
-    gmsh::write(target.string());
-  });
-  EXPECT_TRUE(errors.empty());
-  std::ostringstream content;
-  content << std::ifstream(target, std::ios::binary).rdbuf();
-  return content.str();
 }
 
 TEST(GeoFile, OfTwoBlocksHasTheirCellsAndNamesInOrder) {
@@ -388,7 +363,7 @@ TEST(MshFile, IsReadInAllFormatsAlike) {
   const MeshData<2> direct = read_geo(geo);
   for (const double version : {2.2, 4.1})
     for (const bool binary : {false, true}) {
-      const MeshData<2> mesh = read("wheel.msh", saved(geo, version, binary));
+      const MeshData<2> mesh = read("wheel.msh", test::saved(geo, version, binary));
       EXPECT_EQ(mesh.cells.size(), direct.cells.size());
       EXPECT_EQ(edges_of(mesh, "round"), edges_of(direct, "round"));
       ASSERT_EQ(mesh.circles.size(), 1U) << version << binary;
@@ -398,7 +373,7 @@ TEST(MshFile, IsReadInAllFormatsAlike) {
 }
 
 TEST(MshFile, HasNoCircleOnAnArcOfFewNodesOrAnEllipse) {
-  const MeshData<2> coarse = read("wheel.msh", saved("lc = 2;" + disc, 4.1, false));
+  const MeshData<2> coarse = read("wheel.msh", test::saved("lc = 2;" + disc, 4.1, false));
   ASSERT_LT(edges_of(coarse, "round"), 16U);
   EXPECT_TRUE(coarse.circles.empty());
   const std::string ellipse = R"(lc = 0.2;
@@ -406,12 +381,12 @@ Point(1) = {0, 0, 0, lc}; Point(2) = {2, 0, 0, lc}; Point(3) = {0, 1.99, 0, lc};
 Ellipse(1) = {2, 1, 2, 3}; Line(2) = {3, 1}; Line(3) = {1, 2};
 Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};
 Physical Surface("quarter") = {1}; Physical Curve("edge") = {1, 2, 3};)";
-  EXPECT_TRUE(read("wheel.msh", saved(ellipse, 4.1, false)).circles.empty());
+  EXPECT_TRUE(read("wheel.msh", test::saved(ellipse, 4.1, false)).circles.empty());
 }
 
 TEST(MshFile, CutShortAnywhereIsRefused) {
   for (const std::string& whole :
-       {Msh().text(), saved(two_blocks, 4.1, false), saved(two_blocks, 4.1, true)}) {
+       {Msh().text(), test::saved(two_blocks, 4.1, false), test::saved(two_blocks, 4.1, true)}) {
     const std::size_t end = whole.find("$EndElements") + std::string("$EndElements").size();
     for (std::size_t length = 0; length < end; length += 37)
       expect_msh_refused(whole.substr(0, length), {});
@@ -447,7 +422,7 @@ TEST(MshFile, WithTrianglesIsRefusedWithWhatToDo) {
 }
 
 TEST(MshFile, OfSecondOrderIsRefused) {
-  const std::string second = saved("Mesh.ElementOrder = 2;" + two_blocks, 4.1, false);
+  const std::string second = test::saved("Mesh.ElementOrder = 2;" + two_blocks, 4.1, false);
   expect_msh_refused(second, {"17 cells are of order 2", "linear quadrilaterals only"});
 }
 
@@ -514,141 +489,6 @@ TEST(MshFile, ThatRefersToNodesThatDoNotExistIsRefused) {
   Msh msh;
   msh.elements = "3\n1 1 2 3 1 1 2\n3 3 2 1 1 1 2 3 99\n4 3 2 2 2 5 6 7 8\n";
   expect_msh_refused(msh.text(), {});
-}
-
-/// A quarter of a pipe about an axis through (1, 2, 3) along x, radii 2 and 4, length 5.
-const std::string pipe = R"(
-SetFactory("OpenCASCADE");
-Point(1) = {0, 2, 3}; Point(2) = {0, 4, 3}; Point(3) = {0, 6, 3}; Point(4) = {0, 2, 7};
-Point(5) = {0, 2, 5};
-Line(1) = {2, 3}; Circle(2) = {3, 1, 4}; Line(3) = {4, 5}; Circle(4) = {5, 1, 2};
-Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
-Transfinite Curve {1:4} = 4; Transfinite Surface {1}; Recombine Surface {1};
-pipe[] = Extrude {5, 0, 0} { Surface{1}; Layers{3}; Recombine; };
-Physical Volume("pipe") = {pipe[1]};
-Physical Surface("outside") = {pipe[3]}; Physical Surface("inside") = {pipe[5]};
-Physical Surface("end") = {1};
-)";
-
-/// A shell between spheres of radius 3 and 6 about (1, 0, 0), a sixth of the whole.
-const std::string shell = R"(
-Point(1) = {1, 0, 0};
-Macro Patch
-  r = s / Sqrt(3);
-  Point(n + 1) = {1 - r, -r, r}; Point(n + 2) = {1 + r, -r, r}; Point(n + 3) = {1 + r, r, r};
-  Point(n + 4) = {1 - r, r, r};
-  For i In {1:4}
-    Circle(n + i) = {n + i, 1, n + 1 + (i % 4)};
-  EndFor
-  Curve Loop(n) = {n + 1, n + 2, n + 3, n + 4}; Surface(n) = {n} In Sphere {1};
-Return
-n = 10; s = 3; Call Patch;
-n = 20; s = 6; Call Patch;
-For i In {1:4}
-  Line(30 + i) = {10 + i, 20 + i};
-EndFor
-For i In {1:4}
-  Curve Loop(30 + i) = {10 + i, 31 + (i % 4), -(20 + i), -(30 + i)};
-  Plane Surface(30 + i) = {30 + i};
-EndFor
-Surface Loop(1) = {10, 20, 31:34}; Volume(1) = {1};
-Transfinite Curve {11:14, 21:24, 31:34} = 4;
-Transfinite Surface {10, 20, 31:34}; Recombine Surface {10, 20, 31:34}; Transfinite Volume {1};
-Physical Volume("shell") = {1}; Physical Surface("inside") = {10}; Physical Surface("outside") = {20};
-)";
-
-MeshData<3> read_in_space(const std::string& name, const std::string& content, double unit = 1.) {
-  const CaseDirectory directory;
-  return read_geometry<3>(directory.write(name, content), unit);
-}
-
-/// Circle of a surface's faces; none if they have different ones, or none.
-std::optional<Circle> circle_of(const MeshData<3>& mesh, const std::string& surface) {
-  std::set<int> circles;
-  for (const Face<3>& face : mesh.faces)
-    if (mesh.surfaces[face.surface] == surface) circles.insert(face.circle);
-  if (circles.size() != 1 || *circles.begin() < 0) return std::nullopt;
-  return mesh.circles[static_cast<std::size_t>(*circles.begin())];
-}
-
-void expect_cylinder(const std::optional<Circle>& circle, const double radius) {
-  ASSERT_TRUE(circle);
-  EXPECT_NEAR(circle->radius, radius, 1e-10);
-  EXPECT_NEAR(circle->axis[0], 1., 1e-12);
-  EXPECT_NEAR(circle->centre[1], 2., 1e-10);
-  EXPECT_NEAR(circle->centre[2], 3., 1e-10);
-}
-
-void expect_sphere(const std::optional<Circle>& circle, const double radius) {
-  ASSERT_TRUE(circle);
-  EXPECT_NEAR(circle->radius, radius, 1e-10);
-  EXPECT_EQ(circle->axis, (std::array<double, 3>{0., 0., 0.}));
-  EXPECT_NEAR(circle->centre[0], 1., 1e-10);
-  EXPECT_NEAR(circle->centre[1], 0., 1e-10);
-  EXPECT_NEAR(circle->centre[2], 0., 1e-10);
-}
-
-TEST(GeometryInSpace, OfAnExtrudedPipeHasItsCellsNamesAndCylinders) {
-  const MeshData<3> mesh = read_in_space("geometry.geo", pipe);
-  EXPECT_EQ(mesh.bodies, std::vector<std::string>{"pipe"});
-  EXPECT_EQ(mesh.cells.size(), 27U);
-  EXPECT_EQ(mesh.faces.size(), 6U * 9U);
-  EXPECT_EQ(mesh.circles.size(), 2U);
-  expect_cylinder(circle_of(mesh, "outside"), 4.);
-  expect_cylinder(circle_of(mesh, "inside"), 2.);
-  EXPECT_FALSE(circle_of(mesh, "end"));
-}
-
-TEST(GeometryInSpace, OfAShellHasItsSpheres) {
-  const MeshData<3> mesh = read_in_space("geometry.geo", shell);
-  EXPECT_EQ(mesh.cells.size(), 27U);
-  EXPECT_EQ(mesh.circles.size(), 2U);
-  expect_sphere(circle_of(mesh, "outside"), 6.);
-  expect_sphere(circle_of(mesh, "inside"), 3.);
-}
-
-TEST(GeometryInSpace, IsScaledWithItsShapes) {
-  const MeshData<3> mesh = read_in_space("geometry.geo", shell, 0.001);
-  EXPECT_NEAR(circle_of(mesh, "outside")->radius, 0.006, 1e-13);
-  EXPECT_NEAR(circle_of(mesh, "outside")->centre[0], 0.001, 1e-13);
-}
-
-TEST(GeometryInSpace, OfAMeshFileFindsCylindersAndSpheresInTheNodes) {
-  for (const double version : {2.2, 4.1}) {
-    const MeshData<3> round = read_in_space("mesh.msh", saved(pipe, version, true, 3));
-    expect_cylinder(circle_of(round, "outside"), 4.);
-    EXPECT_FALSE(circle_of(round, "end"));
-    expect_sphere(circle_of(read_in_space("mesh.msh", saved(shell, version, false, 3)), "inside"),
-                  3.);
-  }
-}
-
-TEST(GeometryInSpace, OfTetrahedraIsRefusedWithTheWayToHexahedra) {
-  const CaseDirectory directory;
-  const auto file = directory.write("geometry.geo", R"(
-SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 1, 1};
-Physical Volume("box") = {1}; Physical Surface("side") = {1};
-)");
-  expect_refused([&] { (void)read_geometry<3>(file, 1.); },
-                 {file.string(), "linear hexahedra only", "Transfinite Volume"});
-}
-
-TEST(GeometryInSpace, AndInThePlaneAreToldApart) {
-  const CaseDirectory directory;
-  const auto plane = directory.write("plane.geo", two_blocks);
-  expect_refused([&] { (void)read_geometry<3>(plane, 1.); },
-                 {"no physical volume", "'set Dimension = 2'"});
-  const auto space = directory.write("space.geo", pipe + "Physical Curve(\"edge\") = {1};\n");
-  expect_refused([&] { (void)read_geometry<2>(space, 1.); }, {"'set Dimension = 3'"});
-}
-
-TEST(GeometryInSpace, OfBodiesThatShareVerticesIsRefused) {
-  const CaseDirectory directory;
-  const auto file = directory.write("geometry.geo", pipe + R"(
-other[] = Extrude {-5, 0, 0} { Surface{1}; Layers{3}; Recombine; };
-Physical Volume("other") = {other[1]};
-)");
-  expect_refused([&] { (void)read_geometry<3>(file, 1.); }, {"pipe", "other", "share the vertex"});
 }
 
 }  // namespace

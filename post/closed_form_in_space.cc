@@ -1,0 +1,111 @@
+#include "post/closed_form_in_space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geneva::post {
+
+using dealii::Tensor;
+
+namespace {
+
+/// Up to which relative change of its second difference a profile counts as a parabola.
+constexpr double parabolic = 0.05;
+
+/// Body that a surface bounds.
+unsigned int body_of(const fem::Solution<3>& solution, const std::string& surface) {
+  const auto& names = solution.mesh.surfaces;
+  const auto id =
+      static_cast<unsigned int>(std::find(names.begin(), names.end(), surface) - names.begin());
+  return *mesh::bodies_of(solution.mesh, id).begin();
+}
+
+loads::Elastic material_of(const fem::Solution<3>& solution, const std::string& surface) {
+  const fem::Material& material = solution.problem.bodies[body_of(solution, surface)].material;
+  return {material.youngs_modulus, material.poissons_ratio};
+}
+
+}  // namespace
+
+double ClosedFormInSpace::peak_pressure() const {
+  return line ? line->peak_pressure : ellipse->peak_pressure;
+}
+
+double ClosedFormInSpace::half_width() const {
+  if (line) return line->half_width;
+  return radius_along < radius_across ? ellipse->semi_axis_long : ellipse->semi_axis_short;
+}
+
+double ClosedFormInSpace::half_length() const {
+  if (line) return length / 2.;
+  return radius_along < radius_across ? ellipse->semi_axis_short : ellipse->semi_axis_long;
+}
+
+std::optional<double> ClosedFormInSpace::max_shear() const {
+  if (line) return line->max_shear;
+  return is_circle() ? std::optional(as_point().max_shear) : std::nullopt;
+}
+
+std::optional<double> ClosedFormInSpace::max_shear_depth() const {
+  if (line) return line->max_shear_depth;
+  return is_circle() ? std::optional(as_point().max_shear_depth) : std::nullopt;
+}
+
+bool ClosedFormInSpace::is_circle() const {
+  return ellipse && std::abs(radius_along / radius_across - 1.) < 1e-6;
+}
+
+loads::HertzPoint ClosedFormInSpace::as_point() const {
+  return loads::hertz_point(force, radius_across, contact_modulus, poissons_ratio);
+}
+
+double ClosedFormInSpace::pressure(const double across, const double along) const {
+  if (line) return std::abs(along) <= length / 2. * (1. + 1e-9) ? line->pressure(across) : 0.;
+  const double x = across / half_width();
+  const double z = along / half_length();
+  return ellipse->peak_pressure * std::sqrt(std::max(0., 1. - x * x - z * z));
+}
+
+std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
+                                             const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame) {
+  if (frame.normal.norm() == 0.) return std::nullopt;
+  ClosedFormInSpace form{};
+  form.length = loaded_length(contact, frame.along);
+  if (frame.is_mirrored(frame.along)) form.length *= 2.;
+  for (unsigned int i = 0; i < 3; ++i) form.force += contact.force[i] * frame.normal[i];
+  form.force = frame.parts() * std::abs(form.force);
+  if (frame.curvature_across * solution.scales.length <= 1e-9 || form.length <= 0.)
+    return std::nullopt;
+  const loads::Elastic source = material_of(solution, contact.source);
+  const loads::Elastic target = material_of(solution, contact.target);
+  form.radius_across = 1. / frame.curvature_across;
+  form.radius_along = std::numeric_limits<double>::infinity();
+  form.poissons_ratio = std::min(source.poissons_ratio, target.poissons_ratio);
+  form.contact_modulus = loads::contact_modulus(source, target);
+  const auto [lowest, highest] = whole_extent(contact, frame, frame.along);
+  form.even =
+      loads::hertz_line(form.force / (highest - lowest), form.radius_across, form.contact_modulus);
+  if (frame.curvature_along * form.length > 1e-9) {
+    const double along = 1. / frame.curvature_along;
+    form.radius_along = along;
+    form.ellipse = loads::hertz_ellipse(form.force, std::max(form.radius_across, along),
+                                        std::min(form.radius_across, along), form.contact_modulus);
+    // Hertz's ellipse needs a profile that is a parabola as far as the contact reaches, and a
+    // contact that ends before the surfaces do.
+    const fem::ContactPair& pair = pair_of(solution, contact);
+    const double half_length = form.half_length();
+    const double middle = Tensor<1, 3>(frame.centre) * frame.along;
+    const double reach = std::min(middle - lowest, highest - middle);
+    const double change = second_difference(pair, frame.centre[2], half_length) -
+                          second_difference(pair, frame.centre[2], 0.02 * form.length);
+    if (std::abs(change * along) < parabolic && half_length < reach) return form;
+    form.radius_along = std::numeric_limits<double>::infinity();
+    form.ellipse.reset();
+  }
+  form.line = loads::hertz_line(form.force / form.length, form.radius_across, form.contact_modulus);
+  return form;
+}
+
+}  // namespace geneva::post

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include "loads/hertz.h"
+#include "post/contact_frame.h"
+
+namespace geneva::post {
+
+/// Hertz's solution of a contact in space for the force that it carries.
+struct ClosedFormInSpace {
+  std::optional<loads::HertzLine> line;        ///< evenly loaded over the loaded length
+  std::optional<loads::HertzEllipse> ellipse;  ///< where the contact ends before the surfaces do
+  loads::HertzLine
+      even;       ///< as if loaded evenly where the surfaces face each other (Johnson 1956, Eq. 2)
+  double force;   ///< of the whole contact [N]
+  double length;  ///< along the contact that carries load [m]
+  double poissons_ratio;   ///< of the body with the greater shear
+  double radius_across;    ///< relative radii [m]
+  double radius_along;     ///< infinite for a line
+  double contact_modulus;  ///< E* [Pa]
+
+  [[nodiscard]] double peak_pressure() const;
+  /// Half of the contact's extent across.
+  [[nodiscard]] double half_width() const;
+  /// Half of its extent along.
+  [[nodiscard]] double half_length() const;
+  /// Greatest shear stress below the contact [Pa], and its depth [m]; unknown for an ellipse that
+  /// is no circle.
+  [[nodiscard]] std::optional<double> max_shear() const;
+  [[nodiscard]] std::optional<double> max_shear_depth() const;
+  /// Pressure at distances from the centre across and along [Pa].
+  [[nodiscard]] double pressure(double across, double along) const;
+
+ private:
+  [[nodiscard]] bool is_circle() const;
+  [[nodiscard]] loads::HertzPoint as_point() const;
+};
+
+/// From cylinders and spheres, the clearance along z and the materials of the two surfaces; nothing
+/// where Hertz does not apply.
+std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
+                                             const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame);
+
+}  // namespace geneva::post

@@ -1,0 +1,182 @@
+#include "post/contact_sections.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+namespace geneva::post {
+
+using dealii::Tensor;
+
+namespace {
+
+using Node = fem::ContactNode<3>;
+
+const Tensor<1, 3> z_axis({0., 0., 1.});
+
+/// Nodes of one layer, in their order across the contact.
+using Layer = std::vector<const Node*>;
+
+/// Layers with a node in contact, by ascending z.
+std::vector<Layer> loaded_layers(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double same = 1e-9 * (highest - lowest);
+  Layer all;
+  for (const Node& node : contact.nodes) all.push_back(&node);
+  std::sort(all.begin(), all.end(),
+            [](const Node* a, const Node* b) { return a->position[2] < b->position[2]; });
+  std::vector<Layer> layers;
+  for (const Node* node : all) {
+    if (layers.empty() || node->position[2] - layers.back().front()->position[2] > same)
+      layers.emplace_back();
+    layers.back().push_back(node);
+  }
+  layers.erase(std::remove_if(layers.begin(), layers.end(),
+                              [](const Layer& layer) {
+                                return std::none_of(layer.begin(), layer.end(),
+                                                    [](const Node* n) { return n->active; });
+                              }),
+               layers.end());
+  for (Layer& layer : layers)
+    std::sort(layer.begin(), layer.end(), [&](const Node* a, const Node* b) {
+      return frame.distance_across(place_of(*a)) < frame.distance_across(place_of(*b));
+    });
+  return layers;
+}
+
+/// Integrals of the pressure across a layer by the trapezoidal rule, exact for linear pressure.
+ContactSection section_of(const Layer& layer, const ContactFrame& frame) {
+  ContactSection section{layer.front()->position[2], 0., 0., 0., 0., 0.};
+  double first = 0.;
+  double second = 0.;
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    section.peak_pressure = std::max(section.peak_pressure, layer[i]->pressure);
+    if (i == 0) continue;
+    const double length = place_of(*layer[i]).distance(place_of(*layer[i - 1]));
+    for (const Node* node : {layer[i - 1], layer[i]}) {
+      const double share = length / 2. * node->pressure;
+      const double s = frame.distance_across(place_of(*node));
+      section.line_load += share;
+      first += share * s;
+      second += share * s * s;
+    }
+  }
+  if (section.line_load <= 0.) return section;
+  const double mean = first / section.line_load;
+  section.half_width = 2. * std::sqrt(std::max(0., second / section.line_load - mean * mean));
+  return section;
+}
+
+/// The greatest shear in this rank's cells below each section, and its depth.
+using ShearBySection = std::vector<std::pair<double, double>>;
+
+/// A cell counts for every section that passes through it.
+ShearBySection shear_below(const std::vector<ContactSection>& sections, const ContactFrame& frame,
+                           const std::vector<CellStress<3>>& cells) {
+  ShearBySection greatest(sections.size(), {0., 0.});
+  double widest = 0.;
+  for (const ContactSection& section : sections) widest = std::max(widest, section.half_width);
+  for (const CellStress<3>& cell : cells) {
+    const double depth = frame.depth(cell.centre);
+    if (depth > 3. * widest || std::abs(frame.distance_across(cell.centre)) > 2. * widest) continue;
+    const double reach = 0.5 * cell.height * (1. + 1e-9);
+    const std::pair entry(max_shear(principal_stresses(cell.stress)), depth);
+    const auto first = std::lower_bound(
+        sections.begin(), sections.end(), cell.centre[2] - reach,
+        [](const ContactSection& section, const double z) { return section.z < z; });
+    for (auto section = first; section != sections.end() && section->z <= cell.centre[2] + reach;
+         ++section) {
+      auto& found = greatest[static_cast<std::size_t>(section - sections.begin())];
+      found = std::max(found, entry);
+    }
+  }
+  return greatest;
+}
+
+void add_shear(std::vector<ContactSection>& sections, const MPI_Comm communicator,
+               const ShearBySection& local) {
+  for (const ShearBySection& part : dealii::Utilities::MPI::all_gather(communicator, local))
+    for (std::size_t i = 0; i < sections.size(); ++i)
+      if (part[i].first > sections[i].max_shear)
+        std::tie(sections[i].max_shear, sections[i].max_shear_depth) = part[i];
+}
+
+/// The sections and their images beyond the plane of symmetry z = plane.
+std::vector<ContactSection> mirrored(const std::vector<ContactSection>& sections,
+                                     const double plane) {
+  std::vector<ContactSection> all = sections;
+  double length = 0.;
+  for (const ContactSection& section : sections)
+    length = std::max(length, std::abs(section.z - plane));
+  for (ContactSection section : sections) {
+    if (std::abs(section.z - plane) <= 1e-9 * length) continue;
+    section.z = 2. * plane - section.z;
+    all.push_back(section);
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  return all;
+}
+
+}  // namespace
+
+std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
+                                             const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame,
+                                             const std::vector<CellStress<3>>& cells) {
+  std::vector<ContactSection> sections;
+  if (std::abs(frame.along * z_axis) < 1. - 1e-6) return sections;
+  const std::vector<Layer> layers = loaded_layers(contact, frame);
+  for (const Layer& layer : layers)
+    if (layer.size() > 1) sections.push_back(section_of(layer, frame));
+  if (2 * sections.size() < layers.size()) return {};
+  add_shear(sections, solution.dof_handler->get_communicator(),
+            shear_below(sections, frame, cells));
+  return frame.is_mirrored(z_axis) ? mirrored(sections, frame.centre[2]) : sections;
+}
+
+ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
+                          const double half_width, const std::vector<CellStress<3>>& cells) {
+  std::pair<double, double> greatest(0., 0.);
+  for (const CellStress<3>& cell : cells) {
+    const double depth = frame.depth(cell.centre);
+    const double aside =
+        std::hypot(frame.distance_across(cell.centre), frame.distance_along(cell.centre));
+    if (depth > 3. * half_width || aside > 2. * half_width) continue;
+    greatest = std::max(greatest, std::pair(max_shear(principal_stresses(cell.stress)), depth));
+  }
+  for (const auto& of_rank :
+       dealii::Utilities::MPI::all_gather(solution.dof_handler->get_communicator(), greatest))
+    greatest = std::max(greatest, of_rank);
+  return {greatest.first, greatest.second};
+}
+
+const ContactSection& middle_section(const fem::ContactResult<3>& contact,
+                                     const ContactFrame& frame,
+                                     const std::vector<ContactSection>& sections) {
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double middle = (lowest + highest) / 2.;
+  if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
+  return *std::min_element(sections.begin(), sections.end(),
+                           [&](const ContactSection& a, const ContactSection& b) {
+                             return std::abs(a.z - middle) < std::abs(b.z - middle);
+                           });
+}
+
+LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                   const std::vector<ContactSection>& sections) {
+  if (sections.empty()) return {0., 0.};
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double near = 1e-6 * (highest - lowest);
+  LineLoad load{middle_section(contact, frame, sections).line_load, 0.};
+  for (const ContactSection* end : {&sections.front(), &sections.back()})
+    if (end->z < lowest + near || end->z > highest - near)
+      load.end = std::max(load.end, end->line_load);
+  return load;
+}
+
+}  // namespace geneva::post
