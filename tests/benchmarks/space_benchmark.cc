@@ -79,7 +79,7 @@ void measure(const app::Case& given, const double accuracy) {
   fem::Settings settings = given.settings;
   settings.accuracy = accuracy;
   settings.max_memory = 24e9;
-  settings.max_dofs = 3000000;
+  settings.max_dofs = 5000000;
   const dealii::Timer timer;
   const fem::Solution<3> solution =
       fem::solve_contact(MPI_COMM_WORLD, model.mesh, model.problem, settings, {});
