@@ -38,18 +38,6 @@ Vector residual_of(const Level<dim>& level, const MPI_Comm communicator,
 }
 
 template <int dim>
-std::vector<ConstraintLine> all_lines(const Level<dim>& level) {
-  std::vector<ConstraintLine> lines = level.hanging_lines;
-  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
-  std::set<global_dof_index> held = level.held;
-  for (const ContactInterface<dim>& interface : level.interfaces) {
-    const auto contact = contact_lines(interface, held);
-    lines.insert(lines.end(), contact.begin(), contact.end());
-  }
-  return lines;
-}
-
-template <int dim>
 Sets active_sets(const Level<dim>& level) {
   Sets sets;
   for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.active);
@@ -120,22 +108,23 @@ class SystemOfSets {
   /// Goes over to the level's active sets.
   void update(const Level<dim>& level) {
     const Sets sets = active_sets(level);
-    is_rough_ = n_rough_steps_ < most_rough_steps && n_active(sets) >= fewest_for_rough_steps &&
-                (!system_ || changed_share(last_sets_, sets) > small_change);
-    if (is_rough_) ++n_rough_steps_;
-    const auto constraints = make_constraints(dof_handler_, level.ghosts, all_lines(level));
-    if (system_ && (is_rough_ || changed_share(assembled_sets_, sets) <= small_change)) {
+    is_smoothing_ = n_smoothing_steps_ < most_smoothing_steps &&
+                    n_active(sets) >= fewest_for_smoothing &&
+                    (!system_ || changed_share(last_sets_, sets) > small_change);
+    if (is_smoothing_) ++n_smoothing_steps_;
+    const auto constraints = make_constraints(dof_handler_, level.ghosts, constraint_lines(level));
+    if (system_ && (is_smoothing_ || changed_share(assembled_sets_, sets) <= small_change)) {
       system_->change(constraints, level.cells);
     } else {
       assemble(level, constraints);
       assembled_sets_ = sets;
     }
-    if (!is_rough_ && !has_multigrid_) set_up_multigrid();
+    if (!is_smoothing_ && !has_multigrid_) set_up_multigrid();
     last_sets_ = sets;
   }
 
   /// Whether the sets change by so much still that reducing local errors is enough.
-  [[nodiscard]] bool is_rough() const { return is_rough_; }
+  [[nodiscard]] bool is_smoothing() const { return is_smoothing_; }
 
   [[nodiscard]] const LinearSystem& now() const { return *system_; }
 
@@ -146,9 +135,9 @@ class SystemOfSets {
   /// Share of the active nodes by which the sets may change before assembling anew, with a
   /// multigrid of its own, costs less than the iterations that it spares.
   static constexpr double small_change = 0.05;
-  static constexpr unsigned int most_rough_steps = 2;
+  static constexpr unsigned int most_smoothing_steps = 2;
   /// With fewer nodes the sets may change wholly from one mesh to the next.
-  static constexpr std::size_t fewest_for_rough_steps = 100;
+  static constexpr std::size_t fewest_for_smoothing = 100;
 
   void assemble(const Level<dim>& level, const dealii::AffineConstraints<double>& constraints) {
     const dealii::Timer timer;
@@ -170,8 +159,8 @@ class SystemOfSets {
   std::unique_ptr<LinearSystem> system_;
   Sets assembled_sets_;
   Sets last_sets_;
-  unsigned int n_rough_steps_ = 0;
-  bool is_rough_ = false;
+  unsigned int n_smoothing_steps_ = 0;
+  bool is_smoothing_ = false;
   bool has_multigrid_ = false;
   double assembly_seconds_ = 0.;
 };
@@ -183,8 +172,9 @@ void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const
                 const Settings& settings, const MPI_Comm communicator, Vector& displacement,
                 LevelState& state) {
   state.linear_iterations.back() +=
-      systems.is_rough() ? systems.now().smooth(displacement)
-                         : systems.now().solve(displacement, settings.linear_tolerance, reduction);
+      systems.is_smoothing()
+          ? systems.now().smooth(displacement)
+          : systems.now().solve(displacement, settings.linear_tolerance, reduction);
   state.displacement = displacement;
   state.residual = residual_of(level, communicator, state.displacement);
   state.contacts.clear();
@@ -212,7 +202,7 @@ std::optional<LevelState> solve_level(
     state.linear_iterations.push_back(0);
     solve_step(systems, level, reduction, settings, communicator, displacement, state);
     bool changed = search.advance(level, state.contacts);
-    if (systems.is_rough()) {
+    if (systems.is_smoothing()) {
       search.start_again();
       changed = true;
     } else if (!changed && reduction > 0.) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <set>
 
 #include "fem/constraints.h"
@@ -150,9 +149,23 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   return level;
 }
 
+template <int dim>
+std::vector<ConstraintLine> constraint_lines(const Level<dim>& level) {
+  std::vector<ConstraintLine> lines = level.hanging_lines;
+  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
+  std::set<global_dof_index> held = level.held;
+  for (const ContactInterface<dim>& interface : level.interfaces) {
+    const auto contact = contact_lines(interface, held);
+    lines.insert(lines.end(), contact.begin(), contact.end());
+  }
+  return lines;
+}
+
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
                              const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
                              const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
+template std::vector<ConstraintLine> constraint_lines(const Level<2>&);
+template std::vector<ConstraintLine> constraint_lines(const Level<3>&);
 
 }  // namespace geneva::fem

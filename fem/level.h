@@ -43,4 +43,8 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
                       const Problem<dim>& scaled_problem, const Scales& scales,
                       std::optional<SurfaceOrigins<dim>>& origins);
 
+/// All constraints with the level's active sets: hanging boundary nodes, supports, ties, contact.
+template <int dim>
+std::vector<ConstraintLine> constraint_lines(const Level<dim>& level);
+
 }  // namespace geneva::fem

@@ -30,9 +30,9 @@ void assemble(const dealii::AffineConstraints<double>& constraints,
 /// What the cells at some unknowns contribute to the system with one set of constraints less what
 /// they contribute with another.
 std::vector<CellSystem> differences(const std::vector<CellSystem>& cells,
+                                    const std::set<dealii::types::global_dof_index>& changed,
                                     const dealii::AffineConstraints<double>& before,
                                     const dealii::AffineConstraints<double>& after) {
-  const auto changed = changed_unknowns(before, after);
   std::vector<CellSystem> result;
   for (const CellSystem& cell : cells) {
     if (std::none_of(cell.dofs.begin(), cell.dofs.end(),
@@ -111,7 +111,8 @@ void LinearSystem::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) 
 void LinearSystem::change(const dealii::AffineConstraints<double>& constraints,
                           const std::vector<CellSystem>& cells) {
   constraints_.copy_from(constraints);
-  const auto changes = differences(cells, first_constraints_, constraints_);
+  const auto changed = changed_unknowns(first_constraints_, constraints_);
+  const auto changes = differences(cells, changed, first_constraints_, constraints_);
   dealii::TrilinosWrappers::SparsityPattern pattern(owned_, owned_, ghosts_, communicator_, 1);
   for (const CellSystem& cell : changes)
     for (const auto row : cell.dofs) pattern.add_entries(row, cell.dofs.begin(), cell.dofs.end());
@@ -123,19 +124,20 @@ void LinearSystem::change(const dealii::AffineConstraints<double>& constraints,
     correction_->add(cell.dofs, cell.stiffness);
     load_.add(cell.dofs, cell.load);
   }
-  correct_diagonal(*correction_);
+  correct_diagonal(changed);
   correction_->compress(dealii::VectorOperation::add);
   load_.compress(dealii::VectorOperation::add);
 }
 
 /// A constrained unknown stands alone in the matrix, with a diagonal of its own: it goes where the
 /// unknown has become free, and comes where it was.
-void LinearSystem::correct_diagonal(Matrix& correction) const {
-  for (const auto dof : changed_unknowns(first_constraints_, constraints_)) {
+void LinearSystem::correct_diagonal(const std::set<dealii::types::global_dof_index>& changed) {
+  for (const auto dof : changed) {
     if (!owned_.is_element(dof)) continue;
     const bool was_free = !first_constraints_.is_constrained(dof);
     const bool is_free = !constraints_.is_constrained(dof);
-    if (was_free != is_free) correction.add(dof, dof, (was_free ? 1. : -1.) * matrix_.el(dof, dof));
+    if (was_free != is_free)
+      correction_->add(dof, dof, (was_free ? 1. : -1.) * matrix_.el(dof, dof));
   }
 }
 

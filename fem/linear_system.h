@@ -9,6 +9,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "fem/elasticity.h"
@@ -61,7 +62,7 @@ class LinearSystem {
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  void correct_diagonal(Matrix& correction) const;
+  void correct_diagonal(const std::set<dealii::types::global_dof_index>& changed);
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
   unsigned int iterate(Vector& displacement,
                        const dealii::TrilinosWrappers::PreconditionBase& preconditioner,

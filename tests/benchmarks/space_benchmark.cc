@@ -19,7 +19,6 @@
 #include "app/model.h"
 #include "app/threads.h"
 #include "fem/constraints.h"
-#include "fem/contact/active_set.h"
 #include "fem/contact_problem.h"
 #include "fem/level.h"
 #include "fem/linear_system.h"
@@ -49,19 +48,13 @@ struct PlainSolve {
 PlainSolve plain_solve(const fem::Solution<3>& solution) {
   const fem::Level<3> level = finest_level(solution);
   const auto& dof_handler = *solution.dof_handler;
-  std::vector<fem::ConstraintLine> lines = level.hanging_lines;
-  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
-  std::set<dealii::types::global_dof_index> held = level.held;
-  for (const fem::ContactInterface<3>& interface : level.interfaces) {
-    const auto contact = fem::contact_lines(interface, held);
-    lines.insert(lines.end(), contact.begin(), contact.end());
-  }
   const dealii::Timer timer;
   const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
                                        solution.mesh.surfaces);
-  fem::LinearSystem system(dof_handler, level.ghosts,
-                           fem::make_constraints(dof_handler, level.ghosts, lines), cells,
-                           level.tie_forces);
+  fem::LinearSystem system(
+      dof_handler, level.ghosts,
+      fem::make_constraints(dof_handler, level.ghosts, fem::constraint_lines(level)), cells,
+      level.tie_forces);
   system.set_up_multigrid(dof_handler);
   dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
   const unsigned int iterations = system.solve(displacement, 1e-8, 0.);
