@@ -14,8 +14,6 @@ namespace geneva::app {
 
 namespace {
 
-constexpr double degree = loads::pi / 180.;
-
 std::optional<DrawnWheel> drawn_wheel(const MechanismCase& mechanism) {
   if (mechanism.kind == MechanismCase::Kind::external)
     return loads::complete_dimensions(mechanism.dimensions);
@@ -56,10 +54,10 @@ void refuse_braking(const loads::PinLoad& load, const MechanismDynamics& dynamic
   throw std::invalid_argument(fmt::format(
       "'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin does not press on "
       "the driving wall; {}",
-      load.driver_angle / degree, load.force,
+      load.driver_angle / loads::degree, load.force,
       peak.force > 0.
           ? fmt::format("choose an angle with a positive force, for example '{}' ({:.6g} deg)",
-                        names::at_maximum_force, peak_angle / degree)
+                        names::at_maximum_force, peak_angle / loads::degree)
           : "nor does it anywhere else: give the wheel an inertia, a friction moment or an "
             "external torque against its motion"));
 }

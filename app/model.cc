@@ -93,7 +93,6 @@ mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
 
 /// Where the pin force is greater than at the analysed angle, if it is by a tenth of a per cent.
 std::string greater_force(const MechanismState& state) {
-  constexpr double degree = loads::pi / 180.;
   constexpr double worth_saying = 1e-3;
   const double angle = loads::peak_force_angle(state.driven, state.train);
   const double force = loads::pin_load(state.driven.at_engaged_angle(angle), state.train).force;
@@ -102,7 +101,7 @@ std::string greater_force(const MechanismState& state) {
   return fmt::format(
       "the pin force is greatest at {:.6g} deg, {:.{}f} % above that here ('Driver angle = at "
       "maximum pin force')",
-      angle / degree, 100. * excess, excess < 0.1 ? 1 : 0);
+      angle / loads::degree, 100. * excess, excess < 0.1 ? 1 : 0);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +21,13 @@ enum class PlaneKind {
 /// Components of a vector.
 template <int dim>
 using Components = std::array<double, static_cast<std::size_t>(dim)>;
+
+/// Euclidean length.
+template <std::size_t dim>
+double magnitude(const std::array<double, dim>& components) {
+  return std::sqrt(
+      std::inner_product(components.begin(), components.end(), components.begin(), 0.));
+}
 
 /// Linear elastic isotropic material.
 struct Material {

@@ -11,7 +11,7 @@ namespace geneva::fem {
 namespace {
 
 /// The contact zone is refined this far beyond its ends, as a share of its length.
-constexpr double zone_margin = 0.25;
+constexpr double margin_of_length = 0.25;
 /// The longest edge of a contact zone is at most this many times as long as the shortest, on both
 /// sides together.
 constexpr double evenness = 1.7;
@@ -42,7 +42,7 @@ void add_zone_edges(const Surface<2>& surface, const std::pair<double, double>& 
   }
   // A little more than the margin: on even meshes a node may stand exactly at its end, and
   // round-off must not decide.
-  const double margin = std::max(zone_margin * (end - begin), 0.5 * longest) + 1e-3 * longest;
+  const double margin = std::max(margin_of_length * (end - begin), 0.5 * longest) + 1e-3 * longest;
   for (const SurfaceFace<2>& face : surface.faces) {
     const auto [from, to] = span(face);
     if (from < end + margin && to > begin - margin)

@@ -11,7 +11,7 @@ namespace geneva::fem {
 namespace {
 
 /// The zone reaches this share of the contact's width beyond it.
-constexpr double zone_margin = 0.25;
+constexpr double margin_of_width = 0.25;
 
 /// First unknowns of the nodes of one side's zone.
 using ZoneNodes = std::set<global_dof_index>;
@@ -78,7 +78,7 @@ unsigned int flag_zone(dealii::DoFHandler<3>& dof_handler,
     const ContactInterface<3>& interface = interfaces[i];
     // A contact without an open node has no width: its zone is the whole surface in any case.
     const auto margin =
-        1 + static_cast<unsigned int>(zone_margin * std::min(nodes_across(interface), 400U));
+        1 + static_cast<unsigned int>(margin_of_width * std::min(nodes_across(interface), 400U));
     flagged +=
         flag_side(dof_handler, surface_ids[i].first,
                   nodes_within(interface.source, active_nodes(interface), margin), only_uneven);

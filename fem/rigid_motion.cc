@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 #include <vector>
 
 #include "fem/moment.h"
+#include "mesh/dense_algebra.h"
 
 namespace geneva::fem {
 
@@ -124,9 +125,9 @@ void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
   const RigidMotions<dim> motions(level, problem);
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
   for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  if (eigen.eigenvalues()(0) > free_motion * eigen.eigenvalues().maxCoeff()) return;
-  throw std::invalid_argument(motions.describe(eigen.eigenvectors().col(0), problem) +
+  const mesh::Eigenpairs eigen = mesh::symmetric_eigenpairs(gram);
+  if (eigen.values(0) > free_motion * eigen.values.maxCoeff()) return;
+  throw std::invalid_argument(motions.describe(eigen.vectors.col(0), problem) +
                               ": supports, rigid loads and contact pairs do not hold it; add a "
                               "support, for example 'NAME: x' on a plane of "
                               "symmetry");

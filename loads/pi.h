@@ -3,5 +3,6 @@
 namespace geneva::loads {
 
 inline constexpr double pi = 3.14159265358979323846;
+inline constexpr double degree = pi / 180.;
 
 }  // namespace geneva::loads

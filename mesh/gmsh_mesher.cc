@@ -142,8 +142,9 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
 /// Cells of an eighth of the pin's diameter at the contact.
 MeshSizing graded(double general, double pin_diameter, Point contact) {
   const double at_contact = std::min(pin_diameter / 8., general);
-  const double growth = 0.15;  // per length: a faster one distorts the cells near the contact
-  return {general, at_contact, contact, std::max((general - at_contact) / growth, pin_diameter)};
+  const double zone_growth = 0.15;  // per length: a faster one distorts the cells near the contact
+  return {general, at_contact, contact,
+          std::max((general - at_contact) / zone_growth, pin_diameter)};
 }
 
 }  // namespace

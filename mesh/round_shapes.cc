@@ -1,8 +1,11 @@
 #include "mesh/round_shapes.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/dense_algebra.h"
 
 namespace geneva::mesh {
 
@@ -56,15 +59,16 @@ Eigen::MatrixX3d centred(const std::vector<Place>& points, Vector3d& mean) {
 
 /// Direction in which vectors have the least components.
 Vector3d least_direction(const Eigen::MatrixX3d& rows) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(rows.transpose() * rows);
-  return solver.eigenvectors().col(0);
+  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+  for (const auto& row : rows.rowwise()) gram += row.transpose() * row;
+  return symmetric_eigenpairs(gram).vectors.col(0);
 }
 
 /// |x|^2 = 2 c x + (R^2 - c^2), linear in c and the last term.
 Circle fitted_sphere(const Eigen::MatrixX3d& rows, const Vector3d& mean) {
   Eigen::MatrixX4d matrix(rows.rows(), 4);
   matrix << 2. * rows, Eigen::VectorXd::Ones(rows.rows());
-  const Eigen::Vector4d solution = matrix.colPivHouseholderQr().solve(rows.rowwise().squaredNorm());
+  const Eigen::Vector4d solution = least_squares(matrix, rows.rowwise().squaredNorm());
   const Vector3d centre = solution.head<3>();
   return {place_of(mean + centre),
           std::sqrt(std::max(0., solution[3] + centre.squaredNorm())),
@@ -86,7 +90,7 @@ Circle fitted_cylinder(const Eigen::MatrixX3d& rows, const Vector3d& mean, Vecto
   Eigen::MatrixX3d matrix(rows.rows(), 3);
   const Eigen::MatrixX2d plane = rows * pair;
   matrix << 2. * plane, Eigen::VectorXd::Ones(rows.rows());
-  const Vector3d start = matrix.colPivHouseholderQr().solve(plane.rowwise().squaredNorm());
+  const Vector3d start = least_squares(matrix, plane.rowwise().squaredNorm());
   Vector3d centre = pair * start.head<2>();
   double radius = std::sqrt(std::max(0., start[2] + start.head<2>().squaredNorm()));
   for (int step = 0; step < 50; ++step) {
@@ -102,7 +106,7 @@ Circle fitted_cylinder(const Eigen::MatrixX3d& rows, const Vector3d& mean, Vecto
       jacobian.row(i) << -(pair.transpose() * outwards).transpose() / distance,
           -along * (pair.transpose() * outwards).transpose() / distance, -1.;
     }
-    const Eigen::Matrix<double, 5, 1> change = jacobian.colPivHouseholderQr().solve(-residual);
+    const Eigen::Matrix<double, 5, 1> change = least_squares(jacobian, -residual);
     centre += pair * change.head<2>();
     axis = (axis + pair * change.segment<2>(2)).normalized();
     radius += change[4];

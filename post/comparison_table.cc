@@ -130,9 +130,6 @@ std::vector<TableRow> pin_rows(const PinReport& pin, const UnitSystem units) {
                  output_unit(units, Dimension::stress))};
 }
 
-double size_of(const fem::Components<2>& force) { return std::hypot(force[0], force[1]); }
-double size_of(const fem::Components<3>& force) { return std::hypot(force[0], force[1], force[2]); }
-
 /// The line on the error estimate, and what is said of the edges.
 template <int dim>
 std::string error_lines(const fem::Solution<dim>& solution) {
@@ -153,7 +150,7 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
   const fem::ContactResult<dim>& contact = solution.contacts[leading];
   const auto& mechanism = report.mechanism;
   const double parts = mechanism ? mechanism->parts : 1.;
-  std::vector<TableRow> rows{row_of("contact force", parts * size_of(contact.force),
+  std::vector<TableRow> rows{row_of("contact force", parts * fem::magnitude(contact.force),
                                     mechanism ? std::optional(mechanism->load.force) : std::nullopt,
                                     output_unit(units, Dimension::force))};
   for (TableRow row : contact_rows(solution, contact, results.contacts[leading], units)) {

@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "post/json_values.h"
+
 namespace geneva::post {
 
 using nlohmann::json;
 
 namespace {
-
-json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
 
 json evenness_section(const LoadEvenness& load) {
   return {{"greatest_line_load", quantity(load.greatest, "N/m")},

@@ -6,14 +6,14 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "post/json_values.h"
+
 namespace geneva::post {
 
 using loads::DesignedWheel;
 using nlohmann::json;
 
 namespace {
-
-json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
 
 json wheel_section(const DesignedWheel& wheel, const char* prefix) {
   return {{std::string(prefix) + "diameter", quantity(wheel.diameter, "m")},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "post/json_values.h"
+
 namespace geneva::post {
 
 using loads::KinematicsRow;
@@ -13,13 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
-
 /// Roundings and minus signs of what is 0.
 double shown(const double value) { return std::abs(value) < 1e-12 ? 0. : value; }
-
-/// JSON knows no infinity.
-json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 json unbounded_section(const std::vector<loads::Unbounded>& places) {
   json list = json::array();

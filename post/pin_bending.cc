@@ -5,11 +5,12 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/fe_values_extractors.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "loads/pi.h"
+#include "mesh/dense_algebra.h"
 
 namespace geneva::post {
 
@@ -39,7 +40,7 @@ class Fit {
     dealii::Utilities::MPI::sum(sums, communicator, sums);
     const Eigen::Map<const Eigen::Matrix<double, n, n>> matrix(sums.data());
     const Eigen::Map<const Row> right(sums.data() + n * n);
-    return matrix.colPivHouseholderQr().solve(right);
+    return mesh::least_squares(matrix, right);
   }
 
  private:

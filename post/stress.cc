@@ -11,9 +11,11 @@
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/utility.hpp>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "mesh/dense_algebra.h"
 
 namespace geneva::post {
 
@@ -129,7 +131,7 @@ StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>
     matrix.row(i) = Eigen::Map<const Eigen::RowVectorXd>(m.value.data(), matrix.cols());
     values(i) = sample[2] / peak.value;
   }
-  const Eigen::VectorXd c = matrix.colPivHouseholderQr().solve(values);
+  const Eigen::VectorXd c = mesh::least_squares(matrix, values);
   const auto gradient = [&](const Eigen::Vector2d& at) {
     const Monomials m = monomials(at(0), at(1), degree);
     return Eigen::Vector2d(Eigen::Map<const Eigen::RowVectorXd>(m.by_x.data(), c.size()).dot(c),
@@ -145,8 +147,9 @@ StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>
     hessian.col(1) =
         (gradient(top + Eigen::Vector2d(0., h)) - gradient(top - Eigen::Vector2d(0., h))) /
         (2. * h);
-    if (hessian(0, 0) >= 0. || hessian.determinant() <= 0.) return peak;
-    const Eigen::Vector2d move = hessian.fullPivLu().solve(-gradient(top));
+    if (hessian(0, 0) >= 0. || hessian(0, 0) * hessian(1, 1) <= hessian(0, 1) * hessian(1, 0))
+      return peak;
+    const Eigen::Vector2d move = mesh::least_squares(hessian, -gradient(top));
     top += move;
     if (move.norm() < 1e-12) break;
   }

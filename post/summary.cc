@@ -6,13 +6,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "post/json_values.h"
+
 namespace geneva::post {
 
 using nlohmann::json;
 
 namespace {
-
-json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
 
 template <std::size_t dim>
 json place(const std::array<double, dim>& at) {
@@ -21,9 +21,6 @@ json place(const std::array<double, dim>& at) {
   for (std::size_t i = 0; i < dim; ++i) result[axes[i]] = quantity(at[i], "m");
   return result;
 }
-
-double size_of(const fem::Components<2>& force) { return std::hypot(force[0], force[1]); }
-double size_of(const fem::Components<3>& force) { return std::hypot(force[0], force[1], force[2]); }
 
 json hertz_section(const ClosedForm& form) {
   return {{"peak_pressure", quantity(form.peak_pressure(), "Pa")},
@@ -57,7 +54,7 @@ json common_contact_section(const fem::Solution<dim>& solution,
                             const fem::ContactResult<dim>& contact, const double parts) {
   return {{"source", contact.source},
           {"target", contact.target},
-          {"force", quantity(parts * size_of(contact.force), "N")},
+          {"force", quantity(parts * fem::magnitude(contact.force), "N")},
           {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
           {"peak_pressure_error", solution.error_estimate},
           {"max_penetration", quantity(contact.max_penetration, "m")},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "post/json_values.h"
 #include "post/synthesis_output.h"
 
 namespace geneva::post {
@@ -10,13 +11,6 @@ namespace geneva::post {
 using nlohmann::json;
 
 namespace {
-
-json quantity(const double value, const char* unit) { return {{"value", value}, {"unit", unit}}; }
-
-/// JSON knows no infinity.
-json finite(const double value, const char* unit) {
-  return std::isfinite(value) ? quantity(value, unit) : json(nullptr);
-}
 
 json position_section(const loads::QuickReturnPosition& position) {
   return {{"crank_angle", quantity(position.crank_angle, "rad")},
@@ -104,7 +98,7 @@ std::pair<const char*, json> section_of(const PathReport& report) {
   json section{{"starts", report.synthesis.starts},
                {"seed", report.task.seed},
                {"degenerate_starts", report.synthesis.degenerate},
-               {"least_residual", finite(report.synthesis.least_residual, "m")},
+               {"least_residual", quantity(report.synthesis.least_residual, "m")},
                {"points", json::array()},
                {"given", json::object()},
                {"solutions", json::array()}};

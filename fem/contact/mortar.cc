@@ -2,10 +2,12 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <boost/serialization/vector.hpp>
 #include <map>
 #include <optional>
+
+#include "mesh/dense_algebra.h"
 
 namespace geneva::fem {
 
@@ -33,10 +35,10 @@ std::optional<FaceMatrix<dim>> dual_basis(const std::vector<OverlapPoint<dim>>& 
         p.source_shapes.data());
     mass += p.weight * shapes * shapes.transpose();
   }
-  const Eigen::FullPivLU<FaceMatrix<dim>> factors(mass);
-  if (factors.rcond() <= least_condition) return std::nullopt;
+  const std::optional<Eigen::MatrixXd> inverse = mesh::inverse(mass, least_condition);
+  if (!inverse) return std::nullopt;
   // the shape functions sum to 1, so that the rows of M sum to D
-  return FaceMatrix<dim>(mass.rowwise().sum().asDiagonal() * factors.inverse());
+  return FaceMatrix<dim>(mass.rowwise().sum().asDiagonal() * *inverse);
 }
 
 /// A row under construction.

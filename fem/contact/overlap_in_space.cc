@@ -1,6 +1,5 @@
 #include <deal.II/base/quadrature_lib.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -1,12 +1,13 @@
 #include "fem/contact/result.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
 
 #include "fem/contact/surface_in_space.h"
+#include "mesh/dense_algebra.h"
 
 namespace geneva::fem {
 
@@ -22,7 +23,7 @@ Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& po
     matrix.row(i) << 1., x, x * x;
     values(i) = q;
   }
-  return matrix.colPivHouseholderQr().solve(values);
+  return mesh::least_squares(matrix, values);
 }
 
 /// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2

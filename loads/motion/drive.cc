@@ -19,8 +19,6 @@ namespace geneva::loads {
 
 namespace {
 
-constexpr double degree = pi / 180.;
-
 /// Where an increasing function takes a value, between two places.
 double inverse(const std::function<double(double)>& function, const double begin, const double end,
                const double value) {

@@ -13,7 +13,6 @@ namespace geneva::loads {
 
 namespace {
 
-constexpr double degree = pi / 180.;
 /// Driver angles formed elsewhere may differ by a few roundings from the ends of an engagement.
 constexpr double angle_rounding = 1e-12;
 /// A pin's path that meets its slot at a greater angle than this starts the wheel with a jump.

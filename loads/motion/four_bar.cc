@@ -19,8 +19,6 @@ namespace {
 using Vector = Eigen::Vector2d;
 using VectorDerivatives = std::array<Vector, 4>;
 
-constexpr double degree = pi / 180.;
-
 /// Below this sine C's distance from the line BD is lost in rounding, sqrt(2^-52) = 1.5e-8.
 constexpr double dead_point_sine = 1e-7;
 

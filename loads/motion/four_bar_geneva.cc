@@ -19,7 +19,6 @@ namespace geneva::loads {
 
 namespace {
 
-constexpr double degree = pi / 180.;
 constexpr int samples = 720;  // of a turn
 
 Jet jet(const std::array<double, 4>& derivatives) {

@@ -13,7 +13,6 @@ namespace geneva::loads {
 
 namespace {
 
-constexpr double degree = pi / 180.;
 /// Engagements may follow each other without a dwell, up to a few roundings.
 constexpr double rounding = 1e-12;
 

@@ -11,7 +11,6 @@
 namespace geneva::loads {
 
 CrankRocker crank_rocker(const CrankRockerInput& input) {
-  constexpr double degree = pi / 180.;
   if (!(input.swing > 0. && input.swing < pi))
     throw std::invalid_argument(
         fmt::format("swing of the rocker is {:.6g} deg: a crank-rocker's lies between 0 and 180 "

@@ -6,6 +6,7 @@
 
 #include "app/mechanism_motion.h"
 #include "app/motion_table.h"
+#include "loads/pi.h"
 #include "mesh/private_directory.h"
 #include "tests/unit/app/case_directory.h"
 
@@ -16,9 +17,8 @@ using geneva::app::driven_mechanism;
 using geneva::app::MechanismCase;
 using geneva::app::sizes_of;
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.;
-
+using geneva::loads::degree;
+using geneva::loads::pi;
 const std::string load = "set Load inertia = 1 kg.m^2\nset Wheel inertia = 1 kg.m^2\n";
 
 MechanismCase read(const std::string& text) {

@@ -19,8 +19,6 @@ using test::between;
 using test::expect_refused;
 using namespace test::johnson_units;
 
-constexpr double degree = pi / 180.;
-
 struct TableRow {
   int stations;
   double beta;  // degrees

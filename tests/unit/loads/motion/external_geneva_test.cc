@@ -16,8 +16,6 @@ using test::between;
 using test::expect_refused;
 using test::random_stations;
 
-constexpr double degree = pi / 180.;
-
 /// Closed forms evaluated at doubles: a few roundings, amplified by 1/(1 - s)^4 < 3100 at n = 3.
 constexpr double closed_form = 1e-12;
 

@@ -18,8 +18,6 @@ namespace {
 using test::expect_consistent;
 using test::expect_refused;
 
-constexpr double degree = pi / 180.;
-
 /// Symmetric coupler curve: BC = CD = BP.
 FourBar symmetric() { return {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, pi / 2.}; }
 

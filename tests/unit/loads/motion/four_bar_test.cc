@@ -15,8 +15,6 @@ namespace {
 
 using test::expect_refused;
 
-constexpr double degree = pi / 180.;
-
 const FourBar crank_rocker{{0., 0.}, {0.1, 0.}, 0.03, 0.09, 0.08, 0.05, 0.4};
 const FourBar double_crank{{0.01, 0.02}, {0.04, 0.06}, 0.09, 0.08, 0.1, 0.07, -1.};
 const FourBar double_rocker{{0., 0.}, {0.1, 0.}, 0.09, 0.03, 0.08, 0.05, 0.4};

@@ -17,7 +17,6 @@ namespace {
 
 using test::expect_refused;
 
-constexpr double degree = pi / 180.;
 constexpr double c = 0.1;
 constexpr WheelTrain inertia_only{2e-3, {1e-3, 0.}};
 const PinContact contact{1.1e11, 0.02, 0.015};

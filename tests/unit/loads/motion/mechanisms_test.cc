@@ -17,7 +17,6 @@ namespace {
 using test::expect_consistent;
 using test::expect_refused;
 
-constexpr double degree = pi / 180.;
 constexpr double c = 0.1;
 using Random = std::mt19937_64;
 

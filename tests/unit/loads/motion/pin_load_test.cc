@@ -24,7 +24,6 @@ using test::between;
 using test::expect_refused;
 using test::random_stations;
 
-constexpr double degree = pi / 180.;
 constexpr double centre_distance = 0.1;
 constexpr WheelTrain inertia_only{2e-3, {1e-3, 0.}};
 

@@ -16,8 +16,6 @@ namespace {
 using test::between;
 using test::expect_refused;
 
-constexpr double degree = pi / 180.;
-
 CrankRockerInput random_input() {
   const double swing = between(5., 150.) * degree;
   const double rocker = between(0.01, 1.);

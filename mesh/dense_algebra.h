@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace geneva::mesh {
+
+// Eigen's decompositions cost seconds of compile time in every source file that names one: they are
+// instantiated here only.
+
+/// The x of least |A x - b| (Householder's QR with column pivoting; Golub and Van Loan, 5.4).
+/// @param matrix A, at least as many rows as columns
+/// @param values b
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
+
+struct Eigenpairs {
+  Eigen::VectorXd values;   // ascending
+  Eigen::MatrixXd vectors;  // orthonormal columns
+};
+
+/// @param matrix symmetric
+Eigenpairs symmetric_eigenpairs(const Eigen::MatrixXd& matrix);
+
+/// Inverse by LU with full pivoting; nothing if the reciprocal condition number is not above a
+/// limit.
+/// @param matrix square
+std::optional<Eigen::MatrixXd> inverse(const Eigen::MatrixXd& matrix,
+                                       double least_reciprocal_condition);
+
+}  // namespace geneva::mesh
