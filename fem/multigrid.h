@@ -9,7 +9,8 @@
 
 namespace geneva::fem {
 
-/// Smoothed aggregation that reproduces the rigid-body modes (Vanek, Mandel and Brezina 1996).
+/// Smoothed aggregation that reproduces the rigid-body modes of each body (Vanek, Mandel and
+/// Brezina 1996), with the aggregates of aggregate().
 /// @param matrix condensed stiffness; must outlive the multigrid
 /// @param constraints by which it is condensed
 template <int dim>
