@@ -10,9 +10,10 @@ namespace {
 class Aggregation {
  public:
   Aggregation(const std::vector<std::vector<int>>& neighbours,
-              const std::vector<unsigned int>& bodies)
+              const std::vector<unsigned int>& bodies, const unsigned int least_nodes)
       : neighbours_(neighbours),
         bodies_(bodies),
+        least_nodes_(least_nodes),
         result_{std::vector<int>(bodies.size(), no_aggregate), {}} {}
 
   Aggregates run() {
@@ -46,12 +47,14 @@ class Aggregation {
   }
 
   void begin_aggregate(const std::size_t node) {
-    const auto number = static_cast<int>(result_.bodies.size());
-    result_.bodies.push_back(bodies_[node]);
-    result_.of_nodes[node] = number;
+    std::vector<std::size_t> members{node};
     visit_neighbours(node, [&](const std::size_t other) {
-      if (!is_taken(other)) result_.of_nodes[other] = number;
+      if (other != node && !is_taken(other)) members.push_back(other);
     });
+    if (members.size() < least_nodes_) return;
+    for (const std::size_t member : members)
+      result_.of_nodes[member] = static_cast<int>(result_.bodies.size());
+    result_.bodies.push_back(bodies_[node]);
   }
 
   void join_neighbours() {
@@ -71,14 +74,15 @@ class Aggregation {
 
   const std::vector<std::vector<int>>& neighbours_;
   const std::vector<unsigned int>& bodies_;
+  unsigned int least_nodes_;
   Aggregates result_;
 };
 
 }  // namespace
 
 Aggregates aggregate(const std::vector<std::vector<int>>& neighbours,
-                     const std::vector<unsigned int>& bodies) {
-  return Aggregation(neighbours, bodies).run();
+                     const std::vector<unsigned int>& bodies, const unsigned int least_nodes) {
+  return Aggregation(neighbours, bodies, least_nodes).run();
 }
 
 }  // namespace geneva::fem

@@ -19,7 +19,8 @@ inline constexpr int no_aggregate = -1;
 /// each other, which rigid motions of a common aggregate cannot follow.
 /// @param neighbours of each node, without itself, of any body; nodes without any get no aggregate
 /// @param bodies of each node
+/// @param least_nodes of an aggregate, 1 or 2; a node that stays alone gets none if it is 2
 Aggregates aggregate(const std::vector<std::vector<int>>& neighbours,
-                     const std::vector<unsigned int>& bodies);
+                     const std::vector<unsigned int>& bodies, unsigned int least_nodes);
 
 }  // namespace geneva::fem

@@ -71,6 +71,8 @@ std::vector<unsigned int> bodies_of_nodes(const dealii::DoFHandler<dim>& dof_han
 /// Bodies of this rank's nodes on the level that ML coarsens next. ML hands its callbacks nothing
 /// of the caller's, so that this cannot be an argument.
 thread_local std::vector<unsigned int> bodies_of_level;
+/// Two nodes have as many unknowns as there are rigid-body modes, one coarse node has, too.
+thread_local unsigned int least_nodes_of_level;
 
 /// Neighbours of this rank's nodes on this rank; a node with unknowns of its own that only other
 /// ranks' nodes are coupled to is its own neighbour.
@@ -105,12 +107,15 @@ static char* label_of_aggregation() {
   return label.data();
 }
 
-static int aggregate_within_bodies(ML_Operator* matrix, char*, double, double*, double*, double*,
-                                   int* of_nodes, int* n_entries) {
+static int aggregate_within_bodies(ML_Operator* matrix, char* is_given, double, double*, double*,
+                                   double*, int* of_nodes, int* n_entries) {
   *n_entries = 0;
-  Aggregates aggregates = aggregate(neighbours_of_nodes(matrix, n_entries), bodies_of_level);
+  std::fill_n(is_given, matrix->outvec_leng, 'F');  // the modes have zeros for given values already
+  Aggregates aggregates =
+      aggregate(neighbours_of_nodes(matrix, n_entries), bodies_of_level, least_nodes_of_level);
   std::copy(aggregates.of_nodes.begin(), aggregates.of_nodes.end(), of_nodes);
   bodies_of_level = std::move(aggregates.bodies);
+  least_nodes_of_level = 1;
   return static_cast<int>(bodies_of_level.size());
 }
 }
@@ -134,6 +139,7 @@ std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid(
   list.set("null space: vectors", modes.data());
   list.set("null space: add default vectors", false);
   bodies_of_level = bodies_of_nodes(dof_handler);
+  least_nodes_of_level = 2;
   ML_SetUserLabel(label_of_aggregation);
   ML_SetUserPartitions(aggregate_within_bodies);
   list.set("aggregation: type", "user");

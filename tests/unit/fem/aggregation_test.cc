@@ -36,14 +36,14 @@ TEST(Aggregates, OfAChainHaveThreeNodesAndTheLastOneWhatIsLeft) {
   for (int i = 0; i < 9; ++i)
     for (const int other : {i - 1, i + 1})
       if (0 <= other && other < 9) chain[static_cast<std::size_t>(i)].push_back(other);
-  const Aggregates aggregates = aggregate(chain, std::vector<unsigned int>(9, 7));
+  const Aggregates aggregates = aggregate(chain, std::vector<unsigned int>(9, 7), 2);
   EXPECT_EQ(aggregates.of_nodes, (std::vector<int>{0, 0, 1, 1, 1, 2, 2, 2, 2}));
   EXPECT_EQ(aggregates.bodies, (std::vector<unsigned int>{7, 7, 7}));
 }
 
 TEST(Aggregates, HoldEveryCoupledNodeAndNodesOfOneBody) {
   const Grids grids(10);
-  const Aggregates aggregates = aggregate(grids.neighbours, grids.bodies);
+  const Aggregates aggregates = aggregate(grids.neighbours, grids.bodies, 2);
   std::set<int> seen;
   for (std::size_t node = 0; node < grids.bodies.size(); ++node) {
     const int number = aggregates.of_nodes[node];
@@ -57,15 +57,21 @@ TEST(Aggregates, HoldEveryCoupledNodeAndNodesOfOneBody) {
 }
 
 TEST(Aggregates, LeaveOutNodesWithoutNeighbours) {
-  const Aggregates aggregates = aggregate({{1}, {0}, {}}, {0, 0, 0});
+  const Aggregates aggregates = aggregate({{1}, {0}, {}}, {0, 0, 0}, 1);
   EXPECT_EQ(aggregates.of_nodes, (std::vector<int>{0, 0, no_aggregate}));
 }
 
 /// On the edge of a rank a node may be coupled to the other body only, or to itself in this list.
 TEST(Aggregates, OfANodeWithoutNeighboursInItsBodyIsThatNode) {
-  const Aggregates aggregates = aggregate({{1}, {0}, {2}}, {0, 1, 0});
+  const Aggregates aggregates = aggregate({{1}, {0}, {2}}, {0, 1, 0}, 1);
   EXPECT_EQ(std::set<int>(aggregates.of_nodes.begin(), aggregates.of_nodes.end()),
             (std::set<int>{0, 1, 2}));
+}
+
+TEST(Aggregates, OfOneNodeAreLeftOutWhereTwoAreTheLeast) {
+  const Aggregates aggregates = aggregate({{1}, {0}, {3}, {2}}, {0, 1, 0, 0}, 2);
+  EXPECT_EQ(aggregates.of_nodes, (std::vector<int>{no_aggregate, no_aggregate, 0, 0}));
+  EXPECT_EQ(aggregates.bodies, std::vector<unsigned int>{0});
 }
 
 }  // namespace
