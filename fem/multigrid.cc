@@ -7,6 +7,8 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "fem/aggregation.h"

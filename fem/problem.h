@@ -22,7 +22,7 @@ enum class PlaneKind {
 template <int dim>
 using Components = std::array<double, static_cast<std::size_t>(dim)>;
 
-/// Euclidean length.
+/// Euclidean length, in the unit of the components.
 template <std::size_t dim>
 double magnitude(const std::array<double, dim>& components) {
   return std::sqrt(
