@@ -55,7 +55,7 @@ std::vector<double> rigid_body_modes(const dealii::DoFHandler<dim>& dof_handler,
   return modes;
 }
 
-/// Bodies of this rank's nodes; a node is on the surface of one body at most.
+/// Bodies of this rank's nodes: each node belongs to one body, also where two touch.
 template <int dim>
 std::vector<unsigned int> bodies_of_nodes(const dealii::DoFHandler<dim>& dof_handler) {
   const dealii::IndexSet& owned = dof_handler.locally_owned_dofs();

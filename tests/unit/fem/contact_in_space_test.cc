@@ -108,7 +108,7 @@ TEST(ContactInSpace, ForcesOfBothSidesCancel) {
 }
 
 /// The upper block slides on the lower one, pushed by its weight. With aggregates of both bodies'
-/// nodes the second mesh takes 1.6 times as many as the first.
+/// nodes the second mesh takes 1.5 times as many as the first.
 TEST(ContactInSpace, TakesHardlyMoreIterationsOnFineMeshesThanOnCoarseOnes) {
   const mesh::MeshData<3> mesh = blocks();
   Problem<3> problem = pressed(mesh);
