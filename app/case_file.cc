@@ -82,12 +82,6 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   return parameters;
 }
 
-post::UnitSystem read_units(const CaseSection& section) {
-  const std::string units = section.text("Output units");
-  if (units == "mm-N") return post::UnitSystem::mm_newton;
-  return units == "in-lbf" ? post::UnitSystem::inch_pound : post::UnitSystem::si;
-}
-
 fem::Settings read_settings(const CaseSection& section) {
   fem::Settings settings;
   settings.accuracy = section.value("Accuracy");
@@ -113,7 +107,7 @@ Case read_case(const fs::path& directory) {
 
   const CaseSection general(values, {});
   result.title = general.text("Title");
-  result.units = read_units(general);
+  result.units = post::unit_system_named(general.text("Output units"));
   if (model == "synthesis") {
     result.synthesis = read_synthesis(values, result.directory);
   } else {

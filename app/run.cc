@@ -3,10 +3,12 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
+#include <ctime>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -20,7 +22,7 @@
 #include "app/version.h"
 #include "fem/contact_problem.h"
 #include "loads/pi.h"
-#include "post/comparison_table.h"
+#include "post/comparison.h"
 #include "post/contact_output.h"
 #include "post/field_output.h"
 #include "post/output_file.h"
@@ -140,6 +142,11 @@ double peak_memory(const MPI_Comm communicator) {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
 }
 
+/// Local date and time, ISO 8601.
+std::string date_and_time() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr)));
+}
+
 /// Runs a task on this rank and makes all ranks fail together if it fails on one.
 template <typename Task>
 void together(const MPI_Comm communicator, const Task& task) {
@@ -154,6 +161,17 @@ void together(const MPI_Comm communicator, const Task& task) {
     if (!text.empty()) throw std::invalid_argument(text);
 }
 
+/// What the user should know of the solution.
+template <int dim>
+std::vector<std::string> notices_of(const Case& given, const fem::Solution<dim>& solution,
+                                    const post::Results<dim>& results) {
+  std::vector<std::string> notices = validity_notices(solution);
+  if (given.mechanism)
+    for (const std::string& notice : length_notices(solution, results, given.units))
+      notices.push_back(notice);
+  return notices;
+}
+
 /// What the report says beside the solution; times are added as they become known.
 template <int dim>
 post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
@@ -162,6 +180,12 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   report.case_name = name_of(given);
   report.title = given.title;
   report.mechanism = mechanism_report(model, given.mechanism, solution, results);
+  report.date = date_and_time();
+  report.units = given.units;
+  report.accuracy = given.settings.accuracy;
+  report.notices = model.notices;
+  for (const std::string& notice : notices_of(given, solution, results))
+    report.notices.push_back(notice);
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
   report.geneva_version = version;
@@ -176,10 +200,8 @@ template <int dim>
 void present(const Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report, const bool is_first,
              ProgressDisplay& progress) {
-  for (const std::string& notice : validity_notices(solution)) progress.line("note: " + notice);
-  if (given.mechanism)
-    for (const std::string& notice : length_notices(solution, results, given.units))
-      progress.line("note: " + notice);
+  for (const std::string& notice : notices_of(given, solution, results))
+    progress.line("note: " + notice);
   if (const std::string why = shortfall(solution, given.settings.accuracy); !why.empty()) {
     progress.line(why);
     if (is_first) std::cerr << "geneva: " << why << '\n';

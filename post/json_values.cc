@@ -1,5 +1,6 @@
 #include "post/json_values.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,13 @@ using nlohmann::json;
 json quantity(const double value, const char* unit) {
   if (!std::isfinite(value)) return nullptr;
   return {{"value", value}, {"unit", unit}};
+}
+
+json quantity(const double value, const Dimension dimension) {
+  if (dimension == Dimension::slope) return quantity(value, "rad");
+  std::string unit = output_unit(UnitSystem::si, dimension).name;
+  std::replace(unit.begin(), unit.end(), '.', ' ');
+  return quantity(value, unit.c_str());
 }
 
 json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "post/checks.h"
+#include "post/comparison.h"
 #include "post/json_values.h"
 
 namespace geneva::post {
@@ -171,6 +173,46 @@ json equilibrium_section(const Results<dim>& results, const RunReport& report) {
   return section;
 }
 
+json quantity_if(const std::optional<double>& value, const Dimension dimension) {
+  return value ? quantity(*value, dimension) : json();
+}
+
+template <int dim>
+json comparison_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                        const RunReport& report) {
+  json rows = json::array();
+  for (const ComparisonRow& row : comparison(solution, results, report)) {
+    rows.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"computed", quantity_if(row.computed, row.dimension)},
+                    {"closed_form", quantity_if(row.closed_form, row.dimension)},
+                    {"published", quantity_if(row.published, row.dimension)}});
+  }
+  return rows;
+}
+
+template <int dim>
+json checks_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                    const RunReport& report) {
+  json list = json::array();
+  for (const Check& check : checks(solution, results, report))
+    list.push_back({{"name", check.name},
+                    {"meaning", check.meaning},
+                    {"value", finite(check.value)},
+                    {"limit", check.limit},
+                    {"passed", check.is_passed()}});
+  return list;
+}
+
+json case_section(const RunReport& report, const int dimension) {
+  return {{"name", report.case_name},
+          {"title", report.title},
+          {"date", report.date},
+          {"dimension", dimension},
+          {"output_units", name_of(report.units)},
+          {"accuracy", report.accuracy}};
+}
+
 template <int dim>
 json solver_section(const fem::Solution<dim>& solution) {
   json levels = json::array();
@@ -200,12 +242,15 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
              const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   const double parts = report.mechanism ? report.mechanism->parts : 1.;
-  json result{{"case", {{"name", report.case_name}, {"title", report.title}}},
+  json result{{"case", case_section(report, dim)},
               {"contact", contact_section(solution, solution.contacts[leading],
                                           results.contacts[leading], parts)},
               {"bodies", bodies_section(solution, results)},
               {"equilibrium", equilibrium_section(results, report)},
-              {"solver", solver_section(solution)}};
+              {"solver", solver_section(solution)},
+              {"comparison", comparison_section(solution, results, report)},
+              {"checks", checks_section(solution, results, report)},
+              {"notices", report.notices}};
   const fem::LevelRecord& finest = solution.history.back();
   result["mesh"] = {
       {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};

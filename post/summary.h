@@ -1,54 +1,11 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
 
-#include "loads/motion/pin_load.h"
-#include "loads/pin/pin_beam.h"
-#include "post/pin_bending.h"
 #include "post/results.h"
-#include "post/units.h"
+#include "post/run_report.h"
 
 namespace geneva::post {
-
-/// The pin of a mechanism in space.
-struct PinReport {
-  PinBending bending;
-  std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
-  std::string profile;                     ///< as the case names it
-  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
-  double crown_radius;                     ///< [m]; 0: other ones
-};
-
-/// What the mechanism asks of the contact, SI units.
-struct MechanismReport {
-  loads::PinLoad load;
-  std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none unless a wheel is drawn
-  double inertia_used;                          ///< [kg m^2]
-  double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
-  std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
-  std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
-  std::optional<PinReport> pin;       ///< in space
-  double parts;                       ///< of which the model is one: 2 of a half model
-};
-
-/// What a run is about and what it cost.
-struct RunReport {
-  std::string case_name;
-  std::string title;
-  std::optional<MechanismReport> mechanism;
-  std::optional<double> published_peak_pressure;  ///< [Pa]
-  std::string published_source;
-  double mesh_seconds;
-  double solve_seconds;
-  double post_seconds;
-  double total_seconds;
-  double peak_memory;  ///< resident, all ranks [bytes]
-  unsigned int ranks;
-  std::string geneva_version;
-  std::string gmsh_version;
-};
 
 /// The machine-readable summary, always in SI units; doc/results.md lists the keys.
 template <int dim>

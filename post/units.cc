@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -34,9 +35,12 @@ struct DimensionFacts {
   std::array<const char*, 3> output;  ///< by UnitSystem
 };
 
-const DimensionFacts& facts(Dimension dimension) {
+/// By UnitSystem.
+constexpr std::array<std::string_view, 3> unit_system_names{"SI", "mm-N", "in-lbf"};
+
+const std::array<DimensionFacts, 17>& all_facts() {
   // in the order of the enumeration
-  static const std::array<DimensionFacts, 16> table{{
+  static const std::array<DimensionFacts, 17> table{{
       {"plain number",
        "a plain number or a percentage",
        "'0.3' or '30 %'",
@@ -52,6 +56,11 @@ const DimensionFacts& facts(Dimension dimension) {
        "'-11.46 deg' or '-0.2 rad'",
        {0, 0, 0, 1},
        {"rad", "deg", "deg"}},
+      {"slope",
+       "a small angle with its unit",
+       "'0.1 deg' or '2 mrad'",
+       {0, 0, 0, 1},
+       {"mrad", "mrad", "mrad"}},
       {"angular speed",
        "an angular speed with its unit",
        "'600 rpm' or '62.8 rad/s'",
@@ -110,7 +119,11 @@ const DimensionFacts& facts(Dimension dimension) {
        {0, 0, 0, 0},
        {"GB", "GB", "GB"}},
   }};
-  return table.at(static_cast<std::size_t>(dimension));
+  return table;
+}
+
+const DimensionFacts& facts(const Dimension dimension) {
+  return all_facts().at(static_cast<std::size_t>(dimension));
 }
 
 using UnitPointer = std::unique_ptr<ut_unit, decltype(&ut_free)>;
@@ -328,6 +341,23 @@ double any_scale(const std::string& unit, Dimension dimension, const std::string
 }  // namespace
 
 std::string name_of(Dimension dimension) { return facts(dimension).name; }
+
+Dimension dimension_named(const std::string& name) {
+  for (std::size_t i = 0; i < all_facts().size(); ++i)
+    if (all_facts()[i].name == name) return static_cast<Dimension>(i);
+  throw std::invalid_argument(in_quotes(name) + " is the name of no dimension");
+}
+
+std::string name_of(const UnitSystem system) {
+  return std::string(unit_system_names.at(static_cast<std::size_t>(system)));
+}
+
+UnitSystem unit_system_named(const std::string& name) {
+  const auto found = std::find(unit_system_names.begin(), unit_system_names.end(), name);
+  if (found == unit_system_names.end())
+    throw std::invalid_argument(in_quotes(name) + " is the name of no system of units");
+  return static_cast<UnitSystem>(found - unit_system_names.begin());
+}
 
 std::string wanted(Dimension dimension) { return facts(dimension).wanted; }
 

@@ -9,6 +9,7 @@ enum class Dimension {
   dimensionless,
   length,
   angle,
+  slope,  ///< an angle so small that it is shown in mrad
   angular_speed,
   angular_acceleration,
   acceleration,
@@ -46,8 +47,18 @@ std::string in_quotes(const std::string& text);
 /// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
 double parse_quantity(const std::string& text, Dimension dimension);
 
+/// The dimension of a name that name_of() gives.
+/// @throws std::invalid_argument if there is none
+Dimension dimension_named(const std::string& name);
+
 /// What files and tables show.
 enum class UnitSystem { si, mm_newton, inch_pound };
+
+/// As the case file names it: "SI", "mm-N", "in-lbf".
+std::string name_of(UnitSystem system);
+
+/// @throws std::invalid_argument unless name_of() gives the name
+UnitSystem unit_system_named(const std::string& name);
 
 /// Name of the unit of a dimension in a unit system ("psi"; empty if dimensionless), and what to
 /// multiply an SI value with to get it.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "post/results.h"
+#include "post/run_report.h"
+#include "post/units.h"
+
+namespace geneva::post {
+
+/// One figure of a run beside what others say of it; SI units, what is missing does not exist.
+struct ComparisonRow {
+  std::string quantity;
+  Dimension dimension;
+  std::optional<double> computed;
+  std::optional<double> closed_form;
+  std::optional<double> published;
+};
+
+/// The figures of a run, the contact force first.
+template <int dim>
+std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
+                                      const Results<dim>& results, const RunReport& report);
+
+/// The table that ends a run: this program, closed form, published value, difference, and below it
+/// the estimated error and the balance of forces.
+template <int dim>
+std::string comparison_table(const fem::Solution<dim>& solution, const Results<dim>& results,
+                             const RunReport& report, UnitSystem units);
+
+}  // namespace geneva::post
