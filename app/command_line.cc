@@ -42,6 +42,12 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   synthesize->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
   synthesize->add_option("-o,--output", output,
                          "Where synthesis.json and synthesis.csv go (default: CASE_DIR/results)");
+  std::vector<std::string> results;
+  auto* report = app.add_subcommand(
+      "report", "Make report.html from a results directory again, without solving");
+  report->add_option("RESULTS_DIR", results, "Directory with results")->required();
+  report->add_option("-o,--output", output,
+                     "The HTML file to write (default: report.html in RESULTS_DIR)");
   const auto* parameters = app.add_subcommand(
       "parameters", "Print the whole parameter file with defaults and explanations");
   try {
@@ -55,6 +61,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   if (run->parsed()) return Request{Request::Command::run, {case_directory}, output, steps};
   if (kinematics->parsed())
     return Request{Request::Command::kinematics, {case_directory}, output, steps};
+  if (report->parsed())
+    return Request{Request::Command::report, {results.begin(), results.end()}, output, steps};
   if (synthesize->parsed())
     return Request{Request::Command::synthesize, {case_directory}, output, steps};
   return Request{is_crown ? Request::Command::crown : Request::Command::design,

@@ -8,9 +8,10 @@ namespace geneva::app {
 
 /// What the command line asks for.
 struct Request {
-  enum class Command { run, kinematics, design, crown, synthesize, parameters };
+  enum class Command { run, kinematics, design, crown, synthesize, report, parameters };
   Command command;
-  std::vector<std::filesystem::path> cases;  ///< one; for design one or more; for parameters none
+  std::vector<std::filesystem::path> cases;  ///< one; for design one or more; of results for
+                                             ///< report; for parameters none
   std::filesystem::path output;              ///< empty: results in the case's directory
   int steps = 720;                           ///< of the kinematic curves
 };

@@ -12,6 +12,7 @@
 #include "app/crown.h"
 #include "app/design.h"
 #include "app/kinematics.h"
+#include "app/report.h"
 #include "app/run.h"
 #include "app/synthesis.h"
 #include "app/threads.h"
@@ -40,6 +41,7 @@ int obey(const Request& request) {
   if (!is_first_rank()) return 0;
   if (command == Command::synthesize) return synthesize_case(cases.front(), output);
   if (command == Command::kinematics) return kinematics_of_case(cases.front(), output, steps);
+  if (command == Command::report) return make_report(cases, output);
   return design_cases(cases, output);
 }
 

@@ -21,8 +21,9 @@ namespace {
 /// Files that this program writes; a later run may remove them.
 bool is_result_file(const fs::path& file) {
   static const std::set<std::string> names{"solution.pvd", "solution.pvtu", "contact.vtu",
-                                           "contact.csv",  "results.h5",    "results.xdmf",
-                                           "summary.json", "case.prm",      "log.txt"};
+                                           "contact.csv",  "sections.csv",  "depth.csv",
+                                           "results.h5",   "results.xdmf",  "summary.json",
+                                           "case.prm",     "log.txt",       "report.html"};
   const std::string name = file.filename().string();
   return names.count(name) > 0 || (name.rfind("solution.", 0) == 0 && file.extension() == ".vtu");
 }

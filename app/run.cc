@@ -19,6 +19,7 @@
 #include "app/output_directory.h"
 #include "app/pin_in_space.h"
 #include "app/progress.h"
+#include "app/report.h"
 #include "app/version.h"
 #include "fem/contact_problem.h"
 #include "loads/pi.h"
@@ -252,10 +253,13 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   report.post_seconds = timer.wall_time();
   report.total_seconds = total.wall_time();
   together(communicator, [&] {
-    if (is_first) publish(given, solution, results, report, progress.log(), directory);
+    if (!is_first) return;
+    publish(given, solution, results, report, progress.log(), directory);
+    write_report(directory.final());
   });
-  progress.line(fmt::format("results in {} ({:.2f} s, {:.0f} MB)", shown_path(directory.final()),
-                            total.wall_time(), report.peak_memory / 1e6));
+  progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",
+                            shown_path(directory.final()), total.wall_time(),
+                            report.peak_memory / 1e6));
   return fem::is_success(solution.outcome) ? 0 : 2;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/surface_body.h"
+
 namespace geneva::post {
 
 using dealii::Point;
@@ -15,16 +17,6 @@ double curvature(const fem::Solution<2>& solution, const int circle, const bool 
   if (circle < 0) return 0.;
   const double radius = solution.mesh.circles[static_cast<std::size_t>(circle)].radius;
   return is_convex ? 1. / radius : -1. / radius;
-}
-
-/// The material of the body that a surface belongs to.
-loads::Elastic material_of(const fem::Solution<2>& solution, const std::string& surface) {
-  const mesh::MeshData<2>& mesh = solution.mesh;
-  const auto name = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
-  const unsigned int body =
-      *mesh::bodies_of(mesh, static_cast<unsigned int>(name - mesh.surfaces.begin())).begin();
-  const fem::Material& material = solution.problem.bodies[body].material;
-  return {material.youngs_modulus, material.poissons_ratio};
 }
 
 bool on_axis(const fem::Solution<2>& solution, const int circle) {

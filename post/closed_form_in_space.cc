@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "post/surface_body.h"
+
 namespace geneva::post {
 
 using dealii::Tensor;
@@ -12,19 +14,6 @@ namespace {
 
 /// Up to which relative change of its second difference a profile counts as a parabola.
 constexpr double parabolic = 0.05;
-
-/// Body that a surface bounds.
-unsigned int body_of(const fem::Solution<3>& solution, const std::string& surface) {
-  const auto& names = solution.mesh.surfaces;
-  const auto id =
-      static_cast<unsigned int>(std::find(names.begin(), names.end(), surface) - names.begin());
-  return *mesh::bodies_of(solution.mesh, id).begin();
-}
-
-loads::Elastic material_of(const fem::Solution<3>& solution, const std::string& surface) {
-  const fem::Material& material = solution.problem.bodies[body_of(solution, surface)].material;
-  return {material.youngs_modulus, material.poissons_ratio};
-}
 
 }  // namespace
 

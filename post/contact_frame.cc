@@ -15,8 +15,6 @@ namespace {
 
 using Node = fem::ContactNode<3>;
 
-const Tensor<1, 3> z_axis({0., 0., 1.});
-
 /// Lowest and highest place along a direction where the surfaces face each other.
 std::pair<double, double> extent_along(const fem::ContactResult<3>& contact,
                                        const Tensor<1, 3>& direction) {

@@ -48,6 +48,9 @@ double second_difference(const fem::ContactPair& pair, double z, double step);
 /// Length along a direction over which the model's contact carries load [m].
 double loaded_length(const fem::ContactResult<3>& contact, const dealii::Tensor<1, 3>& direction);
 
+/// Along which a mechanism's pin and wheel extend.
+inline const dealii::Tensor<1, 3> z_axis({0., 0., 1.});
+
 /// Lowest and highest place along a direction where the surfaces face each other [m], with the part
 /// of the contact that a plane of symmetry has cut off.
 std::pair<double, double> whole_extent(const fem::ContactResult<3>& contact,

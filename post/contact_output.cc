@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "post/output_file.h"
 
@@ -74,6 +76,29 @@ std::vector<ContactColumn> section_columns(const ContactAnalysis<3>& analysis,
                                     section.max_shear * stress.factor,
                                     section.max_shear_depth * length.factor};
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
+  }
+  return columns;
+}
+
+std::vector<ContactColumn> depth_columns(const ContactAnalysis<2>& analysis,
+                                         const UnitSystem units) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  std::vector<ContactColumn> columns{{"depth", length.name, {}}};
+  for (const char* const prefix : {"", "mcewen_"})
+    for (const char* const name :
+         {"stress_along", "stress_across", "stress_out_of_plane", "greatest_shear"})
+      columns.push_back({std::string(prefix) + name, stress.name, {}});
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const DepthSample& sample : analysis.depth_line) {
+    const ContactStress& computed = sample.computed;
+    const ContactStress exact = sample.closed_form.value_or(ContactStress{none, none, none, none});
+    const std::array<double, 8> stresses{computed.along,     computed.across, computed.out_of_plane,
+                                         computed.shear,     exact.along,     exact.across,
+                                         exact.out_of_plane, exact.shear};
+    columns[0].values.push_back(sample.depth * length.factor);
+    for (std::size_t i = 0; i < stresses.size(); ++i)
+      columns[i + 1].values.push_back(stresses[i] * stress.factor);
   }
   return columns;
 }
@@ -202,11 +227,15 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
       },
       directory / "contact.csv");
   write_contact_vtu(solution, results, units, directory / "contact.vtu");
-  if constexpr (dim == 3)
-    write_csv(
-        solution,
-        [&](const std::size_t pair) { return section_columns(results.contacts[pair], units); },
-        directory / "sections.csv");
+  write_csv(
+      solution,
+      [&](const std::size_t pair) {
+        if constexpr (dim == 3)
+          return section_columns(results.contacts[pair], units);
+        else
+          return depth_columns(results.contacts[pair], units);
+      },
+      directory / (dim == 3 ? "sections.csv" : "depth.csv"));
 }
 
 template void write_contact(const fem::Solution<2>&, const Results<2>&, UnitSystem,

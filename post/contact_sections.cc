@@ -17,8 +17,6 @@ namespace {
 
 using Node = fem::ContactNode<3>;
 
-const Tensor<1, 3> z_axis({0., 0., 1.});
-
 /// Nodes of one layer, in their order across the contact.
 using Layer = std::vector<const Node*>;
 

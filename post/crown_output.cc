@@ -96,7 +96,7 @@ json crown_summary(const CrownReport& report) {
           {"before", evenness_section(report.before)},
           {"after", evenness_section(report.after)},
           {"search", trials},
-          {"versions", {{"geneva", report.geneva_version}}}};
+          {"versions", versions_section(report.geneva_version)}};
 }
 
 std::string crown_table(const CrownReport& report, const UnitSystem units) {

@@ -91,7 +91,7 @@ json design_summary(const DesignReport& report) {
   if (report.pressure_ratio) result["wheel"]["peak_pressure_ratio"] = *report.pressure_ratio;
   if (report.shaft) result["shaft"] = shaft_section(*report.shaft);
   result["table"] = table_section();
-  result["versions"] = {{"geneva", report.geneva_version}};
+  result["versions"] = versions_section(report.geneva_version);
   return result;
 }
 

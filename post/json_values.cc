@@ -22,4 +22,8 @@ json quantity(const double value, const Dimension dimension) {
 
 json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
+json versions_section(const std::string& geneva_version) {
+  return {{"geneva", geneva_version}, {"results", results_format}};
+}
+
 }  // namespace geneva::post

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "post/units.h"
 
@@ -14,5 +15,11 @@ nlohmann::json quantity(double value, Dimension dimension);
 
 /// The number, or null if it is not finite.
 nlohmann::json finite(double value);
+
+/// Of the files that the program writes; grows whenever a reader of the files must know.
+constexpr int results_format = 1;
+
+/// Section "versions" of a document: the program's and results_format.
+nlohmann::json versions_section(const std::string& geneva_version);
 
 }  // namespace geneva::post

@@ -111,7 +111,7 @@ json kinematics_summary(const KinematicsReport& report) {
               {"title", report.title},
               {"mechanism", report.mechanism},
               {"reference_speed", quantity(report.reference_speed, "rad/s")},
-              {"versions", {{"geneva", report.geneva_version}}}};
+              {"versions", versions_section(report.geneva_version)}};
   result["peak_speed_ratio"] = values.speed_ratio.value;
   result["peak_acceleration_ratio"] = values.acceleration_ratio.value;
   result["peak_acceleration_angle"] = quantity(values.acceleration_ratio.driver_angle, "rad");

@@ -70,20 +70,24 @@ std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution
 
 ContactAnalysis<2> analyse_contact(const fem::Solution<2>& solution,
                                    const fem::ContactResult<2>& contact,
-                                   const std::vector<CellStress<2>>& cells) {
-  ContactAnalysis<2> analysis{
-      pressure_centre(solution, contact), closed_form(solution, contact), {}, 0., {}};
+                                   const std::vector<CellStress<2>>& cells,
+                                   const NodalStress<2>& nodal) {
+  ContactAnalysis<2> analysis{};
+  analysis.centre = pressure_centre(solution, contact);
+  analysis.hertz = closed_form(solution, contact);
   const double half_width = std::max(contact.half_width, 1e-12 * solution.scales.length);
   analysis.max_shear = peak_shear(solution, cells, analysis.centre.place, 3. * half_width);
   const Point<2> place(analysis.max_shear.place[0], analysis.max_shear.place[1]);
   analysis.max_shear_depth = std::abs((place - analysis.centre.place) * analysis.centre.normal);
   if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, cells);
+  analysis.depth_line = depth_line(solution, contact, analysis.centre, analysis.hertz, nodal);
   return analysis;
 }
 
 ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
                                    const fem::ContactResult<3>& contact,
-                                   const std::vector<CellStress<3>>& cells) {
+                                   const std::vector<CellStress<3>>& cells,
+                                   const NodalStress<3>& /*unused*/) {
   ContactAnalysis<3> analysis{};
   analysis.frame = contact_frame(solution, contact);
   if (analysis.frame.normal.norm() == 0.) return analysis;
@@ -129,7 +133,7 @@ Results<dim> analyse(const fem::Solution<dim>& solution) {
   results.cells = cell_stresses(solution);
   results.nodal = nodal_stress(solution);
   for (const fem::ContactResult<dim>& contact : solution.contacts)
-    results.contacts.push_back(analyse_contact(solution, contact, results.cells));
+    results.contacts.push_back(analyse_contact(solution, contact, results.cells, results.nodal));
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));
   results.equilibrium = equilibrium(solution);

@@ -7,6 +7,7 @@
 #include "post/closed_form.h"
 #include "post/closed_form_in_space.h"
 #include "post/contact_sections.h"
+#include "post/depth_line.h"
 #include "post/stress.h"
 
 namespace geneva::post {
@@ -36,6 +37,7 @@ struct ContactAnalysis<2> {
   StressPeak<2> max_shear;  ///< greatest in-plane shear [Pa] below the contact
   double max_shear_depth;   ///< [m]
   std::optional<FieldDifference> difference;
+  std::vector<DepthSample> depth_line;
 };
 
 template <>

@@ -288,9 +288,9 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
                     {"post", quantity(report.post_seconds, "s")},
                     {"total", quantity(report.total_seconds, "s")}};
   result["memory"] = {{"peak", quantity(report.peak_memory, "byte")}, {"ranks", report.ranks}};
-  result["versions"] = {{"geneva", report.geneva_version},
-                        {"deal.II", DEAL_II_PACKAGE_VERSION},
-                        {"gmsh", report.gmsh_version}};
+  result["versions"] = versions_section(report.geneva_version);
+  result["versions"]["deal.II"] = DEAL_II_PACKAGE_VERSION;
+  result["versions"]["gmsh"] = report.gmsh_version;
   return result;
 }
 

@@ -120,7 +120,7 @@ json synthesis_summary(const SynthesisReport& report) {
   return {{"case", {{"name", report.case_name}, {"title", report.title}}},
           {"kind", kind},
           {kind, section},
-          {"versions", {{"geneva", report.geneva_version}}}};
+          {"versions", versions_section(report.geneva_version)}};
 }
 
 }  // namespace geneva::post

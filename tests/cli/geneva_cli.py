@@ -25,12 +25,12 @@ TIME_LIMIT = 120.0
 CRASH_SIGNS = ("terminate called", "Stack trace", "Stacktrace", "Aborted", "what():", "Segmentation fault",
                "internal error", "dealii::", "std::", "MPI_ABORT", "An error occurred in line")
 
-# Everything that a run writes, beside one solution.N.vtu for each MPI rank.
+# Everything that a run in the plane writes, beside one solution.N.vtu for each MPI rank.
 RESULT_FILES = ("solution.pvd", "solution.pvtu", "contact.vtu", "contact.csv", "results.h5", "results.xdmf",
-                "summary.json", "case.prm", "log.txt")
+                "depth.csv", "summary.json", "case.prm", "log.txt", "report.html")
 
 # Fields of summary.json that differ from run to run.
-UNREPEATABLE = ("time", "memory", "elapsed", "finest_assembly_and_solve")
+UNREPEATABLE = ("date", "time", "memory", "elapsed", "finest_assembly_and_solve")
 
 
 @dataclasses.dataclass

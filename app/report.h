@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace geneva::app {
+
+/// Writes the report on what a results directory holds; a missing JavaScript package is a warning
+/// on standard error.
+/// @param file the HTML file; empty: report.html in that directory
+/// @throws std::invalid_argument where the directory's contents are refused, or the file cannot be
+/// written
+void write_report(const std::filesystem::path& results, const std::filesystem::path& file = {});
+
+/// `geneva report`: writes the report and says where it is.
+/// @return exit code 0
+/// @throws std::invalid_argument where write_report() does
+int make_report(const std::vector<std::filesystem::path>& results,
+                const std::filesystem::path& file);
+
+}  // namespace geneva::app

@@ -1,0 +1,76 @@
+// Draws the charts that the page names, with Chart.js.
+(function () {
+  "use strict";
+  const specifications = JSON.parse(document.getElementById("charts").textContent);
+  // Okabe and Ito's colours, which the colour-blind can tell apart.
+  const colours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+  const style = getComputedStyle(document.documentElement);
+  const ink = () => style.getPropertyValue("--ink").trim();
+  const rule = () => style.getPropertyValue("--rule").trim();
+
+  function baseName(name) {
+    return name.split(",")[0];
+  }
+
+  function datasets(series) {
+    const bases = [...new Set(series.map((one) => baseName(one.name)))];
+    const paired = bases.length < series.length;
+    return series.map((one, index) => {
+      const colour = colours[(paired ? bases.indexOf(baseName(one.name)) : index) % colours.length];
+      const markers = one.style === "markers";
+      return {
+        label: one.name,
+        data: one.points.map(([x, y]) => ({ x: x, y: y })),
+        showLine: !markers,
+        borderColor: colour,
+        backgroundColor: markers ? "transparent" : colour,
+        pointStyle: markers ? "circle" : one.style === "dashed" || one.points.length >= 20 ? "line" : "rectRot",
+        borderWidth: 2,
+        borderDash: one.style === "dashed" ? [6, 4] : [],
+        pointRadius: markers ? 3 : one.points.length < 20 ? 3 : 0,
+        pointHitRadius: 6,
+      };
+    });
+  }
+
+  function axis(specification) {
+    return {
+      type: specification.logarithmic ? "logarithmic" : "linear",
+      title: { display: true, text: specification.label, color: ink() },
+      ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12 },
+      grid: { color: rule() },
+    };
+  }
+
+  window.genevaCharts = {};
+  for (const chart of specifications) {
+    const canvas = document.getElementById(chart.id);
+    window.genevaCharts[chart.id] = new Chart(canvas, {
+      type: "scatter",
+      data: { datasets: datasets(chart.series) },
+      options: {
+        animation: false,
+        maintainAspectRatio: false,
+        interaction: { mode: "nearest", intersect: false },
+        scales: { x: axis(chart.x), y: axis(chart.y) },
+        plugins: { legend: { labels: { color: ink(), usePointStyle: true, boxWidth: 22 } } },
+      },
+    });
+  }
+  // Paper is white, whatever the screen is.
+  function recolour(onPaper) {
+    document.documentElement.classList.toggle("paper", onPaper);
+    for (const chart of Object.values(window.genevaCharts)) {
+      for (const scale of Object.values(chart.options.scales)) {
+        scale.title.color = scale.ticks.color = ink();
+        scale.grid.color = rule();
+      }
+      chart.options.plugins.legend.labels.color = ink();
+      chart.resize();
+      chart.update();
+    }
+  }
+  window.addEventListener("beforeprint", () => recolour(true));
+  window.addEventListener("afterprint", () => recolour(false));
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => recolour(false));
+})();

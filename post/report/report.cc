@@ -1,0 +1,80 @@
+#include "post/report/report.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "post/report/html.h"
+#include "post/report/report_assets.h"
+#include "post/report/run_section.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+/// A script element; its text may not end the element early.
+std::string script(std::string text, const std::string& attributes = "") {
+  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 1))
+    text.replace(at, 2, "<\\/");
+  return fmt::format("<script{}>\n{}\n</script>\n", attributes, text);
+}
+
+std::string page_title(const json& about) {
+  const std::string title = about.at("title");
+  const std::string name = about.at("name");
+  return title.empty() ? name : fmt::format("{}: {}", name, title);
+}
+
+std::string head(const ResultsDirectory& results, const json& document) {
+  const json& about = results.about();
+  std::string versions;
+  for (const char* const library : {"geneva", "deal.II", "gmsh"})
+    if (document.at("versions").contains(library))
+      versions += fmt::format("{}{} {}", versions.empty() ? "" : ", ", library,
+                              document.at("versions").at(library).get<std::string>());
+  std::string date = about.at("date");
+  return fmt::format(
+      "<header>\n<h1>{}</h1>\n<p>Case <strong>{}</strong>, <time datetime=\"{}\">{} {}</time>. "
+      "Units: "
+      "{}. {}.</p>\n</header>\n",
+      escaped(page_title(about)), escaped(about.at("name")), date, date.substr(0, 10),
+      date.substr(11, 5), escaped(about.at("output_units")), escaped(versions));
+}
+
+std::string missing_note(const Libraries& libraries) {
+  std::string text;
+  for (const std::string& package : libraries.missing)
+    text += fmt::format(
+        "<p class=\"warning\"><strong>Note:</strong> the package {} was not installed "
+        "when this report was written: parts of it are missing.</p>\n",
+        escaped(package));
+  return text;
+}
+
+}  // namespace
+
+std::string report_html(const ResultsDirectory& results, const Libraries& libraries) try {
+  const json& summary = *results.document("summary");
+  const ReportPart part = run_part(results);
+  json charts = json::array();
+  for (const Chart& chart : part.charts) charts.push_back(to_json(chart));
+  std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+      "<style>\n{}\n</style>\n</head>\n<body>\n",
+      escaped(page_title(results.about())), report_assets::style);
+  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
+  if (libraries.charts) {
+    page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
+    page += script(*libraries.charts) + script(std::string(report_assets::charts));
+  }
+  return page + "</body>\n</html>\n";
+} catch (const json::exception& error) {
+  throw std::invalid_argument(
+      fmt::format("the results in {} lack something that a report needs ({}); make them again",
+                  results.path.string(), error.what()));
+}
+
+}  // namespace geneva::post

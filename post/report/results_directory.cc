@@ -1,0 +1,108 @@
+#include "post/report/results_directory.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "post/json_values.h"
+
+namespace geneva::post {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// A document and the tables that were written with it.
+struct DocumentFiles {
+  const char* name;
+  const char* command;
+  std::vector<const char*> tables;
+};
+
+const std::vector<DocumentFiles>& all_documents() {
+  static const std::vector<DocumentFiles> documents{
+      {"summary", "geneva run", {"contact"}},
+      {"kinematics", "geneva kinematics", {"kinematics"}},
+      {"design", "geneva design", {"design"}}};
+  return documents;
+}
+
+json read_json(const fs::path& file) {
+  std::ifstream stream(file);
+  json document = json::parse(stream, nullptr, false);
+  if (document.is_discarded() || !document.is_object())
+    throw std::invalid_argument(file.string() +
+                                " is no JSON document: it is damaged; make it again");
+  return document;
+}
+
+void check_format(const json& document, const fs::path& file, const std::string& command) {
+  const json& versions = document.value("versions", json::object());
+  const int format = versions.value("results", 0);
+  if (format == results_format) return;
+  throw std::invalid_argument(fmt::format(
+      "{} has results of format {}, written by geneva {}; this program reads format {}: "
+      "make them again with '{}'",
+      file.string(), format == 0 ? "0 (none is named)" : std::to_string(format),
+      versions.value("geneva", std::string("of unknown version")), results_format, command));
+}
+
+}  // namespace
+
+const json* ResultsDirectory::document(const std::string& name) const {
+  const auto found = documents.find(name);
+  return found == documents.end() ? nullptr : &found->second;
+}
+
+const CsvTable* ResultsDirectory::table(const std::string& name) const {
+  const auto found = tables.find(name);
+  return found == tables.end() ? nullptr : &found->second;
+}
+
+const json& ResultsDirectory::about() const {
+  for (const DocumentFiles& files : all_documents())
+    if (const json* found = document(files.name)) return found->at("case");
+  throw std::logic_error("a results directory without results");
+}
+
+UnitSystem ResultsDirectory::units() const {
+  return unit_system_named(about().at("output_units").get<std::string>());
+}
+
+ResultsDirectory read_results(const fs::path& directory) {
+  if (!fs::is_directory(directory))
+    throw std::invalid_argument(
+        fmt::format("{}: there is no such directory; give one with results", directory.string()));
+  ResultsDirectory results{directory, {}, {}};
+  for (const DocumentFiles& files : all_documents()) {
+    const fs::path file = directory / (std::string(files.name) + ".json");
+    if (!fs::exists(file)) continue;
+    json document = read_json(file);
+    check_format(document, file, files.command);
+    std::vector<const char*> tables = files.tables;
+    if (std::string(files.name) == "summary")
+      tables.push_back(document.at("case").at("dimension") == 3 ? "sections" : "depth");
+    for (const char* const table : tables) {
+      const fs::path csv = directory / (std::string(table) + ".csv");
+      if (!fs::exists(csv))
+        throw std::invalid_argument(
+            fmt::format("{} is missing, which belongs to {}: the results are not complete; make "
+                        "them again with '{}'",
+                        csv.string(), file.filename().string(), files.command));
+      results.tables[table] = read_csv(csv);
+    }
+    results.documents[files.name] = std::move(document);
+  }
+  if (results.documents.empty())
+    throw std::invalid_argument(
+        fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
+                    "kinematics.json ('geneva kinematics') and design.json ('geneva design')",
+                    directory.string()));
+  return results;
+}
+
+}  // namespace geneva::post

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "post/report/csv_table.h"
+#include "post/units.h"
+
+namespace geneva::post {
+
+/// What the commands left in a results directory; SI units in JSON, output units in tables.
+struct ResultsDirectory {
+  std::filesystem::path path;
+  std::map<std::string, nlohmann::json> documents;  ///< "summary", "kinematics", ... that exist
+  std::map<std::string, CsvTable> tables;           ///< "contact", "sections", ... that exist
+
+  [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
+  [[nodiscard]] const CsvTable* table(const std::string& name) const;
+  /// Section "case" of the first document.
+  [[nodiscard]] const nlohmann::json& about() const;
+  [[nodiscard]] UnitSystem units() const;
+};
+
+/// Reads the results of `geneva run`, `geneva kinematics` and `geneva design` that a directory
+/// holds.
+/// @throws std::invalid_argument if it holds none, if a file that belongs to another one is missing
+/// or damaged, or if one was written in another format than this program's
+ResultsDirectory read_results(const std::filesystem::path& directory);
+
+}  // namespace geneva::post

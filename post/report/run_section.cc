@@ -1,0 +1,300 @@
+#include "post/report/run_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/report/html.h"
+#include "post/report/shown_values.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+std::string percent(const double ratio) {
+  const double value = 100. * ratio;
+  return std::abs(value) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", value);
+}
+
+std::string difference(const json& row) {
+  const json& computed = row.at("computed");
+  const json& form = row.at("closed_form");
+  if (computed.is_null() || form.is_null() || number_of(form) == 0.) return "–";
+  return percent(number_of(computed) / number_of(form) - 1.);
+}
+
+std::string verdict_table(const json& summary, const UnitSystem units) {
+  HtmlTable table{"This program beside the closed forms of Hertz and Johnson and published values",
+                  {"quantity", "this program", "closed form", "published", "difference"},
+                  {}};
+  for (const json& row : summary.at("comparison")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    const auto cell = [&](const char* key) { return shown(row.at(key), dimension, units); };
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)), cell("computed"),
+                          cell("closed_form"), cell("published"), difference(row)});
+  }
+  return table.html();
+}
+
+/// Whether the result is as accurate as wanted, in a sentence.
+std::string verdict_sentence(const json& summary) {
+  const json& solver = summary.at("solver");
+  const double error = summary.at("contact").at("peak_pressure_error");
+  const bool is_edge = summary.at("contact").contains("edge") &&
+                       !summary.at("contact").at("edge").at("bounded").get<bool>();
+  const std::string of = is_edge ? "pressure in the middle" : "peak contact pressure";
+  const std::string estimate =
+      error < 1. ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
+                 : fmt::format("The error of the {} is not known", of);
+  std::string text = fmt::format("<p class=\"verdict\">{}; {:.2g} % was asked for.</p>\n", estimate,
+                                 100. * summary.at("case").at("accuracy").get<double>());
+  const std::string message = solver.at("message");
+  if (!message.empty())
+    text += fmt::format("<p class=\"warning\"><strong>{}</strong> {}</p>\n",
+                        is_edge ? "Warning:" : "Not converged:", escaped(message));
+  return text;
+}
+
+std::string notices(const json& summary) {
+  std::string text;
+  for (const json& notice : summary.at("notices"))
+    text += fmt::format("<p class=\"warning\"><strong>Note:</strong> {}</p>\n",
+                        escaped(notice.get<std::string>()));
+  return text;
+}
+
+std::string checks_table(const json& summary) {
+  HtmlTable table{"What must be small in a sound result",
+                  {"check", "value", "limit", "verdict", "meaning"},
+                  {}};
+  for (const json& check : summary.at("checks")) {
+    const bool is_passed = check.at("passed");
+    table.rows.push_back({escaped(check.at("name")),
+                          check.at("value").is_null()
+                              ? "not known"
+                              : fmt::format("{:.2g}", check.at("value").get<double>()),
+                          fmt::format("{:.2g}", check.at("limit").get<double>()),
+                          is_passed ? "<span class=\"pass\">✓ passed</span>"
+                                    : "<span class=\"fail\">✗ failed</span>",
+                          escaped(check.at("meaning"))});
+  }
+  return table.html();
+}
+
+ChartSeries series(const std::string& name, const SeriesStyle style, const std::vector<double>& x,
+                   const std::vector<double>& y) {
+  ChartSeries result{name, style, {}};
+  for (std::size_t i = 0; i < x.size(); ++i) result.points.push_back({x[i], y[i]});
+  return result;
+}
+
+/// Every third point: a curve below the markers stays visible.
+void thin_out(ChartSeries& series) {
+  std::vector<std::array<double, 2>> kept;
+  for (std::size_t i = 0; i < series.points.size(); i += 3) kept.push_back(series.points[i]);
+  series.points = kept;
+}
+
+std::string axis_label(const std::string& name, const CsvColumn& column) {
+  return column.unit.empty() ? name : fmt::format("{} [{}]", name, column.unit);
+}
+
+/// The rows of the contact pair with the greatest pressure.
+CsvTable leading_rows(const ResultsDirectory& results, const std::string& table) {
+  const json& contact = results.document("summary")->at("contact");
+  return results.table(table)->rows_with(
+      "pair", fmt::format("{} -> {}", contact.at("source").get<std::string>(),
+                          contact.at("target").get<std::string>()));
+}
+
+/// Pressure along the contact of a plane model, three half-widths to either side of its middle.
+Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
+  const CsvTable contact = leading_rows(results, "contact");
+  const CsvColumn& arc = contact.column("arc_length");
+  const CsvColumn& pressure = contact.column("contact_pressure");
+  const CsvColumn& hertz = contact.column("hertz_pressure");
+  double force = 0.;
+  double moment = 0.;
+  for (std::size_t i = 0; i < arc.values.size(); ++i) {
+    force += pressure.values[i];
+    moment += pressure.values[i] * arc.values[i];
+  }
+  const json& summary = *results.document("summary");
+  const double half_width =
+      in_units(summary.at("contact").at("half_width"), Dimension::length, units);
+  const bool is_axis = std::abs(arc.values.front()) < half_width && pressure.values.front() > 0.;
+  const double middle = is_axis ? arc.values.front() : force > 0. ? moment / force : 0.;
+  Chart chart{
+      "chart-pressure",
+      "Contact pressure beside Hertz's",
+      fmt::format("Contact pressure along the contact; its greatest value is {} {}",
+                  shown(summary.at("contact").at("peak_pressure"), Dimension::stress, units),
+                  pressure.unit),
+      {axis_label("distance from the middle of the contact", arc)},
+      {axis_label("contact pressure", pressure)},
+      {{"this program", SeriesStyle::markers, {}}, {"Hertz", SeriesStyle::line, {}}}};
+  for (std::size_t i = 0; i < arc.values.size(); ++i) {
+    const double at = arc.values[i] - middle;
+    if (std::abs(at) > 2. * half_width) continue;
+    chart.series[0].points.push_back({at, pressure.values[i]});
+    chart.series[1].points.push_back({at, hertz.values[i]});
+  }
+  if (!summary.contains("hertz")) chart.series.pop_back();
+  return chart;
+}
+
+Chart depth_chart(const ResultsDirectory& results) {
+  const CsvTable table = leading_rows(results, "depth");
+  const CsvColumn& depth = table.column("depth");
+  Chart chart{"chart-depth",
+              "Stress below the middle of the contact beside McEwen's",
+              "Normal stresses and greatest shear against the depth below the contact",
+              {axis_label("depth", depth)},
+              {axis_label("stress", table.column("stress_along"))},
+              {}};
+  const std::array<std::array<const char*, 2>, 3> stresses{{{"stress_along", "along the contact"},
+                                                            {"stress_across", "across it"},
+                                                            {"greatest_shear", "greatest shear"}}};
+  for (const auto& [column, name] : stresses) {
+    chart.series.push_back(
+        series(name, SeriesStyle::markers, depth.values, table.column(column).values));
+    thin_out(chart.series.back());
+    const std::vector<double>& exact = table.column(std::string("mcewen_") + column).values;
+    if (std::any_of(exact.begin(), exact.end(), [](const double x) { return std::isfinite(x); }))
+      chart.series.push_back(
+          series(std::string(name) + ", McEwen", SeriesStyle::line, depth.values, exact));
+  }
+  return chart;
+}
+
+/// Slope of the straight line through the last points of log y over log x.
+double last_slope(const std::vector<std::array<double, 2>>& points) {
+  if (points.size() < 2) return std::nan("");
+  const auto& [x0, y0] = points[points.size() - 2];
+  const auto& [x1, y1] = points.back();
+  return std::log(y1 / y0) / std::log(x1 / x0);
+}
+
+Chart error_chart(const json& summary) {
+  Chart chart{"chart-error",
+              "",
+              "",
+              {"unknowns", true},
+              {"estimated relative error", true},
+              {{"error estimate", SeriesStyle::line, {}}, {"asked for", SeriesStyle::dashed, {}}}};
+  const double accuracy = summary.at("case").at("accuracy");
+  for (const json& level : summary.at("solver").at("levels")) {
+    const double error = level.at("error_estimate");
+    if (error >= 1.) continue;
+    chart.series[0].points.push_back({level.at("dofs").get<double>(), error});
+    chart.series[1].points.push_back({level.at("dofs").get<double>(), accuracy});
+  }
+  const double slope = last_slope(chart.series[0].points);
+  chart.title =
+      std::isfinite(slope)
+          ? fmt::format("Estimated error of the pressure; slope {:.2f} over the last two meshes",
+                        slope)
+          : "Estimated error of the pressure";
+  chart.summary = chart.title;
+  return chart;
+}
+
+Chart convergence_chart(const json& summary, const UnitSystem units) {
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  Chart chart{"chart-convergence",
+              "Peak contact pressure, mesh by mesh",
+              "Peak contact pressure against the number of unknowns",
+              {"unknowns", true},
+              {fmt::format("peak contact pressure [{}]", stress.name)},
+              {{"this program", SeriesStyle::line, {}}}};
+  for (const json& level : summary.at("solver").at("levels"))
+    chart.series[0].points.push_back(
+        {level.at("dofs").get<double>(), number_of(level.at("peak_pressure")) * stress.factor});
+  return chart;
+}
+
+Chart line_load_chart(const ResultsDirectory& results, const UnitSystem units) {
+  const CsvTable table = leading_rows(results, "sections");
+  const CsvColumn& z = table.column("z");
+  const CsvColumn& load = table.column("line_load");
+  Chart chart{"chart-line-load",
+              "Line load along the pin",
+              "Line load along the pin, beside that of an even load",
+              {axis_label("place along the pin, z", z)},
+              {axis_label("line load", load)},
+              {series("this program", SeriesStyle::line, z.values, load.values)}};
+  for (const json& row : results.document("summary")->at("comparison"))
+    if (row.at("quantity") == "line load, middle" && !row.at("closed_form").is_null()) {
+      const double even = in_units(row.at("closed_form"), Dimension::force_per_length, units);
+      chart.series.push_back(
+          {"even load", SeriesStyle::dashed, {{z.values.front(), even}, {z.values.back(), even}}});
+    }
+  return chart;
+}
+
+Chart section_pressure_chart(const ResultsDirectory& results) {
+  const CsvTable table = leading_rows(results, "sections");
+  const CsvColumn& z = table.column("z");
+  const CsvColumn& pressure = table.column("peak_pressure");
+  return {"chart-section-pressure",
+          "Greatest contact pressure along the pin",
+          "Greatest contact pressure of each section along the pin",
+          {axis_label("place along the pin, z", z)},
+          {axis_label("contact pressure", pressure)},
+          {series("this program", SeriesStyle::line, z.values, pressure.values)}};
+}
+
+std::vector<Chart> contact_charts(const ResultsDirectory& results, const UnitSystem units) {
+  if (results.document("summary")->at("case").at("dimension") == 2)
+    return {pressure_chart(results, units), depth_chart(results)};
+  if (leading_rows(results, "sections").n_rows() < 2) return {};
+  return {line_load_chart(results, units), section_pressure_chart(results)};
+}
+
+std::string places_of(const std::vector<Chart>& charts) {
+  std::string text = "<div class=\"charts\">\n";
+  for (const Chart& chart : charts) text += html(chart);
+  return text + "</div>\n";
+}
+
+std::string effort_table(const json& summary) {
+  HtmlTable table{
+      "What it took, mesh by mesh",
+      {"mesh", "unknowns", "nodes in contact", "active-set steps", "error estimate", "time [s]"},
+      {}};
+  const json& levels = summary.at("solver").at("levels");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double error = levels[i].at("error_estimate");
+    table.rows.push_back({std::to_string(i + 1), levels[i].at("dofs").dump(),
+                          levels[i].at("active_nodes").dump(),
+                          levels[i].at("active_set_iterations").dump(),
+                          error < 1. ? fmt::format("{:.2g} %", 100. * error) : "–",
+                          fmt::format("{:.2f}", number_of(levels[i].at("elapsed")))});
+  }
+  return table.html();
+}
+
+}  // namespace
+
+ReportPart run_part(const ResultsDirectory& results) {
+  const json& summary = *results.document("summary");
+  const UnitSystem units = unit_system_named(summary.at("case").at("output_units"));
+  const std::vector<Chart> contact = contact_charts(results, units);
+  const std::vector<Chart> convergence{convergence_chart(summary, units), error_chart(summary)};
+  ReportPart part;
+  part.html =
+      html_section("verdict", "Verdict",
+                   verdict_sentence(summary) + notices(summary) + verdict_table(summary, units)) +
+      html_section("checks", "Is it right?", checks_table(summary));
+  if (!contact.empty()) part.html += html_section("contact", "Contact", places_of(contact));
+  part.html +=
+      html_section("convergence", "Convergence", places_of(convergence) + effort_table(summary));
+  part.charts = contact;
+  part.charts.insert(part.charts.end(), convergence.begin(), convergence.end());
+  return part;
+}
+
+}  // namespace geneva::post

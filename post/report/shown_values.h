@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "post/units.h"
+
+namespace geneva::post {
+
+/// The number of a quantity {"value", "unit"} [SI], or the plain number; not a number for null.
+double number_of(const nlohmann::json& quantity);
+
+/// The same in output units.
+double in_units(const nlohmann::json& quantity, Dimension dimension, UnitSystem units);
+
+/// The same as text with five digits, a dash for null.
+std::string shown(const nlohmann::json& quantity, Dimension dimension, UnitSystem units);
+
+/// "contact force [lbf]"; the name alone if the dimension has no unit.
+std::string labelled(const std::string& name, Dimension dimension, UnitSystem units);
+
+}  // namespace geneva::post

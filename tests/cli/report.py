@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Reports: made by the commands, made again from their files, looked at in a browser."""
+
+import html.parser
+import json
+import os
+import re
+import shutil
+import unittest
+
+from browser import Browser
+from geneva_cli import CliTest, change_case, main, read_summary
+
+# Elements without an end.
+VOID = {"meta", "img", "br", "input", "hr", "link", "path", "circle", "line", "rect", "polyline", "polygon", "image"}
+
+
+class Outline(html.parser.HTMLParser):
+    """Refuses elements that are not closed in their order, and collects ids and texts."""
+
+    def __init__(self):
+        super().__init__()
+        self.open = []
+        self.ids = []
+        self.text = ""
+
+    def handle_starttag(self, tag, attrs):
+        self.ids += [value for name, value in attrs if name == "id"]
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attrs):
+        self.ids += [value for name, value in attrs if name == "id"]
+
+    def handle_endtag(self, tag):
+        if not self.open or self.open.pop() != tag:
+            raise AssertionError(f"</{tag}> closes nothing, line {self.getpos()[0]}")
+
+    def handle_data(self, data):
+        if self.open and self.open[-1] not in ("script", "style"):
+            self.text += data
+
+
+def read_report(file):
+    outline = Outline()
+    outline.feed(file.read_text())
+    outline.close()
+    return outline
+
+
+class ReportTest(CliTest):
+    """A report that one run made, for all tests of a class."""
+
+    case_name = None
+
+    @classmethod
+    def setUpClass(cls):
+        if cls.case_name is None:
+            raise unittest.SkipTest("a base class")
+        runner = cls("setUp")
+        runner.setUp()
+        cls.addClassCleanup(runner.doCleanups)
+        cls.case = runner.copy_case(cls.case_name)
+        cls.summary = runner.run_case(cls.case)
+        cls.results = cls.case / "results"
+        cls.browser = cls.enterClassContext(Browser()) if hasattr(cls, "enterClassContext") else Browser().__enter__()
+        if not hasattr(cls, "enterClassContext"):
+            cls.addClassCleanup(cls.browser.__exit__)
+        cls.browser.open(cls.results / "report.html")
+
+    def chart(self, name):
+        """The points of a chart's series, as the browser drew them, by the series' name."""
+        return self.browser.run(
+            "return Object.fromEntries(genevaCharts[arguments[0]].data.datasets.map((d) => [d.label, d.data]))", name)
+
+    def check_page(self):
+        """What holds for every report."""
+        self.assertEqual([entry["message"] for entry in self.browser.console()], [])
+        outline = read_report(self.results / "report.html")
+        self.assertEqual(outline.open, [])
+        self.assertEqual(len(outline.ids), len(set(outline.ids)))
+        self.assertLess((self.results / "report.html").stat().st_size, 6e6)
+        for chart in self.browser.run("return Object.keys(genevaCharts)"):
+            painted = self.browser.run(
+                "const c = document.getElementById(arguments[0]); const d = c.getContext('2d')"
+                ".getImageData(0, 0, c.width, c.height).data; let n = 0;"
+                "for (let i = 3; i < d.length; i += 4) if (d[i] > 0) ++n; return n;", chart)
+            self.assertGreater(painted, 2000, f"{chart} is blank")
+        for width in (1280, 390):
+            self.browser.resize(width, 900)
+            fits = self.browser.wait_for(f"return document.documentElement.scrollWidth <= {width}")
+            self.assertTrue(fits, f"scrolls sideways at {width} pixels")
+        self.browser.resize(1280, 1000)
+        pages = len(re.findall(rb"/Type\s*/Page[^s]", self.browser.pdf()))
+        self.assertTrue(1 <= pages <= 6, f"{pages} pages")
+
+
+class PlaneReport(ReportTest):
+    """The report of Johnson's optimum wheel in the plane."""
+
+    case_name = "johnson-optimum-wheel"
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_tells_the_same_figures_as_the_summary(self):
+        text = read_report(self.results / "report.html").text
+        for figure in ("232.39", "72775", "72675", "72600", "+0.14 %", "0.28 %"):
+            self.assertIn(figure, text)
+        self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
+
+    def test_draws_the_pressure_of_the_summary(self):
+        psi = 6894.757293168361
+        drawn = max(point["y"] for point in self.chart("chart-pressure")["this program"])
+        self.assert_close(drawn * psi, self.summary["contact"]["peak_pressure"]["value"], 1e-9, "pressure")
+        hertz = max(point["y"] for point in self.chart("chart-pressure")["Hertz"])
+        self.assert_close(hertz * psi, self.summary["hertz"]["peak_pressure"]["value"], 1e-3, "Hertz's")
+
+    def test_draws_every_mesh(self):
+        levels = self.summary["solver"]["levels"]
+        drawn = self.chart("chart-convergence")["this program"]
+        self.assertEqual([point["x"] for point in drawn], [level["dofs"] for level in levels])
+
+    def test_is_the_same_when_made_again(self):
+        first = (self.results / "report.html").read_text()
+        run = self.geneva("report", self.results, "-o", self.case / "again.html")
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertEqual((self.case / "again.html").read_text(), first)
+
+
+class Reporting(CliTest):
+    """`geneva report` without a browser."""
+
+    def results_of(self, name="johnson-optimum-wheel", **changes):
+        case = self.copy_case(name)
+        if changes:
+            change_case(case, changes)
+        self.run_case(case)
+        return case / "results"
+
+    def test_escapes_the_title(self):
+        results = self.results_of(Title="<script>alert(1)</script> & \"quotes\"")
+        text = (results / "report.html").read_text()
+        self.assertNotIn("<script>alert", text)
+        self.assertIn("&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;quotes&quot;", text)
+
+    def test_does_without_the_packages_and_says_so(self):
+        results = self.results_of()
+        os.environ["GENEVA_JAVASCRIPT"] = str(self.directory)
+        self.addCleanup(os.environ.pop, "GENEVA_JAVASCRIPT")
+        run = self.geneva("report", results)
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertIn("libjs-chart.js", run.err)
+        outline = read_report(results / "report.html")
+        self.assertIn("libjs-chart.js", outline.text)
+        self.assertIn("72775", outline.text)
+
+    def assert_refused(self, results, *words):
+        run = self.geneva("report", results)
+        self.assertEqual(run.code, 1, run.describe())
+        for word in words:
+            self.assertIn(word, run.err)
+
+    def test_refuses_a_directory_without_results(self):
+        self.assert_refused(self.directory / "nowhere", "no such directory")
+        self.assert_refused(self.directory, "no results", "geneva run")
+
+    def test_refuses_incomplete_and_foreign_results(self):
+        results = self.results_of()
+        kept = self.directory / "kept"
+        shutil.copytree(results, kept)
+        (results / "depth.csv").unlink()
+        self.assert_refused(results, "depth.csv is missing", "geneva run")
+        summary = json.loads((kept / "summary.json").read_text())
+        del summary["versions"]["results"]
+        (results / "summary.json").write_text(json.dumps(summary))
+        self.assert_refused(results, "format 0", "make them again")
+        (results / "summary.json").write_text("{ half")
+        self.assert_refused(results, "summary.json", "damaged")
+        self.assertEqual(read_summary(kept)["versions"]["results"], 1)
+
+
+if __name__ == "__main__":
+    main()
