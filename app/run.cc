@@ -29,6 +29,7 @@
 #include "post/output_file.h"
 #include "post/results.h"
 #include "post/summary.h"
+#include "post/view/view_output.h"
 
 namespace geneva::app {
 
@@ -248,6 +249,7 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   post::RunReport report = make_report(communicator, given, model, solution, results);
   present(given, solution, results, report, is_first, progress);
   post::write_fields(solution, results, given.units, directory.working());
+  post::write_view(solution, results, given.units, directory.working());
   report.mesh_seconds = mesh_seconds;
   report.solve_seconds = solve_seconds;
   report.post_seconds = timer.wall_time();

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "post/report/field_section.h"
 #include "post/report/html.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
@@ -65,10 +66,16 @@ std::string report_html(const ResultsDirectory& results, const Libraries& librar
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<style>\n{}\n</style>\n</head>\n<body>\n",
       escaped(page_title(results.about())), report_assets::style);
-  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
+  const json* const view = libraries.graphics ? results.document("view") : nullptr;
+  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html +
+          (view == nullptr ? "" : field_section(*view)) + "</main>\n";
   if (libraries.charts) {
     page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
     page += script(*libraries.charts) + script(std::string(report_assets::charts));
+  }
+  if (view != nullptr) {
+    page += script(view->dump(), " type=\"application/json\" id=\"view\"");
+    page += script(*libraries.graphics) + script(std::string(report_assets::field));
   }
   return page + "</body>\n</html>\n";
 } catch (const json::exception& error) {

@@ -7,5 +7,6 @@ namespace geneva::post::report_assets {
 
 extern const std::string_view style;   ///< report.css
 extern const std::string_view charts;  ///< charts.js
+extern const std::string_view field;   ///< field.js
 
 }  // namespace geneva::post::report_assets

@@ -96,6 +96,9 @@ ResultsDirectory read_results(const fs::path& directory) {
       results.tables[table] = read_csv(csv);
     }
     results.documents[files.name] = std::move(document);
+    const fs::path view = directory / "view.json";  // there is none without contact
+    if (std::string(files.name) == "summary" && fs::exists(view))
+      results.documents["view"] = read_json(view);
   }
   if (results.documents.empty())
     throw std::invalid_argument(

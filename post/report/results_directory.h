@@ -14,7 +14,7 @@ namespace geneva::post {
 /// What the commands left in a results directory; SI units in JSON, output units in tables.
 struct ResultsDirectory {
   std::filesystem::path path;
-  std::map<std::string, nlohmann::json> documents;  ///< "summary", "kinematics", ... that exist
+  std::map<std::string, nlohmann::json> documents;  ///< "summary", "view", ... that exist
   std::map<std::string, CsvTable> tables;           ///< "contact", "sections", ... that exist
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;

@@ -11,6 +11,8 @@ import unittest
 from browser import Browser
 from geneva_cli import CliTest, change_case, main, read_summary
 
+PSI = 6894.757293168361
+
 # Elements without an end.
 VOID = {"meta", "img", "br", "input", "hr", "link", "path", "circle", "line", "rect", "polyline", "polygon", "image"}
 
@@ -95,6 +97,76 @@ class ReportTest(CliTest):
         self.assertTrue(1 <= pages <= 6, f"{pages} pages")
 
 
+    def choose(self, control, value):
+        """Sets a control of the field view as a user would."""
+        self.browser.run(
+            "const c = document.querySelector(`#field-view [name=\"${arguments[0]}\"]`); c.value = arguments[1];"
+            "c.dispatchEvent(new Event(c.tagName === 'INPUT' ? 'input' : 'change'));", control, value)
+
+    def field_picture(self):
+        return self.browser.run("return genevaField.canvas.toDataURL()")
+
+    def colours_in_picture(self):
+        """Number of different colours of the field view, every 10th pixel looked at."""
+        return self.browser.run(
+            "const c = document.createElement('canvas'), g = genevaField.canvas; c.width = g.width; c.height = g.height;"
+            "const x = c.getContext('2d'); x.drawImage(g, 0, 0); const d = x.getImageData(0, 0, c.width, c.height).data;"
+            "const s = new Set(); for (let i = 0; i < d.length; i += 40) s.add(d[i] << 16 | d[i + 1] << 8 | d[i + 2]);"
+            "return s.size")
+
+    def check_field(self, fields):
+        """Every choice of the field view draws a picture of its own."""
+        pictures = {}
+        for field in fields:
+            self.choose("field", field)
+            self.assertGreater(self.colours_in_picture(), 30, field)
+            pictures[self.field_picture()] = field
+        self.assertEqual(set(pictures.values()), set(fields))
+        self.choose("field", "von_mises")
+        for part in ("model", "zone"):
+            self.choose("part", part)
+            pictures[self.field_picture()] = part
+        self.choose("deformation", 1)
+        pictures[self.field_picture()] = "deformed"
+        self.choose("deformation", 0)
+        self.assertEqual(len(pictures), len(fields) + 2)
+
+    def status_at_middle(self):
+        self.browser.run(
+            "const b = genevaField.canvas.getBoundingClientRect();"
+            "genevaField.canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: b.x + b.width / 2,"
+            " clientY: b.y + b.height / 2 - 3}))")
+        return self.browser.run("return document.querySelector('#field-view .status').textContent")
+
+
+STRESSES = ("von_mises", "max_shear", "principal_stress_1", "principal_stress_2", "principal_stress_3", "displacement",
+            "contact_pressure")
+
+
+class SpaceReport(ReportTest):
+    """The report of two blocks pressed together in space."""
+
+    case_name = "flat-patch-3d"
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_cuts_the_bodies(self):
+        self.choose("part", "model")
+        pictures = set()
+        for cut in ("none", "across", "along"):
+            self.choose("cut", cut)
+            pictures.add(self.field_picture())
+        self.assertEqual(len(pictures), 3)
+
+    def test_shows_the_even_pressure(self):
+        peak = self.summary["contact"]["peak_pressure"]["value"]
+        view = json.loads((self.results / "view.json").read_text())
+        self.choose("field", "contact_pressure")
+        factor = {"Pa": 1., "MPa": 1e6, "psi": PSI}[view["stress_unit"]]
+        self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * factor, peak, 1e-6, "colour bar")
+
+
 class PlaneReport(ReportTest):
     """The report of Johnson's optimum wheel in the plane."""
 
@@ -110,16 +182,33 @@ class PlaneReport(ReportTest):
         self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
 
     def test_draws_the_pressure_of_the_summary(self):
-        psi = 6894.757293168361
         drawn = max(point["y"] for point in self.chart("chart-pressure")["this program"])
-        self.assert_close(drawn * psi, self.summary["contact"]["peak_pressure"]["value"], 1e-9, "pressure")
+        self.assert_close(drawn * PSI, self.summary["contact"]["peak_pressure"]["value"], 1e-9, "pressure")
         hertz = max(point["y"] for point in self.chart("chart-pressure")["Hertz"])
-        self.assert_close(hertz * psi, self.summary["hertz"]["peak_pressure"]["value"], 1e-3, "Hertz's")
+        self.assert_close(hertz * PSI, self.summary["hertz"]["peak_pressure"]["value"], 1e-3, "Hertz's")
 
     def test_draws_every_mesh(self):
         levels = self.summary["solver"]["levels"]
         drawn = self.chart("chart-convergence")["this program"]
         self.assertEqual([point["x"] for point in drawn], [level["dofs"] for level in levels])
+
+    def test_field_view_shows_what_is_chosen(self):
+        self.check_field((*STRESSES, "mcewen_difference"))
+
+    def test_reads_the_value_under_the_cursor(self):
+        self.choose("field", "von_mises")
+        self.choose("part", "zone")
+        status = self.status_at_middle()
+        found = re.match(r"([\d.]+) psi in the (pin|wheel) at x = ([-\d.]+), y = ([-\d.]+) in$", status)
+        self.assertTrue(found, status)
+        self.assertTrue(20000 < float(found.group(1)) < 45000, status)
+        distance = self.summary["load"]["pin_distance"]["value"] / 0.0254
+        self.assertAlmostEqual(float(found.group(3)), distance, delta=0.003)
+
+    def test_draws_the_greatest_contact_pressure(self):
+        self.choose("field", "contact_pressure")
+        self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * PSI,
+                          self.summary["contact"]["peak_pressure"]["value"], 1e-6, "colour bar")
 
     def test_is_the_same_when_made_again(self):
         first = (self.results / "report.html").read_text()

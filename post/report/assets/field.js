@@ -1,0 +1,408 @@
+// The field view: triangles of view.json, coloured by a stress, deformed, cut and turned with three.js.
+(function () {
+  "use strict";
+  const box = document.getElementById("field-view");
+  const view = JSON.parse(document.getElementById("view").textContent);
+  const FIELDS = [
+    ["von_mises", "von Mises stress"],
+    ["max_shear", "greatest shear"],
+    ["principal_stress_1", "greatest principal stress"],
+    ["principal_stress_2", "middle principal stress"],
+    ["principal_stress_3", "least principal stress"],
+    ["displacement", "displacement"],
+    ["contact_pressure", "contact pressure"],
+    ["mcewen_difference", "difference from McEwen's stress"],
+  ];
+  const NONE = -1e30; // in place of a value that does not exist
+  // Points of the colour map viridis (CC0): of even lightness steps, also for the colour-blind.
+  const VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"];
+
+  function decoded(text, Type) {
+    const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    return new Type(bytes.buffer);
+  }
+
+  function decodedMesh(mesh) {
+    const result = {
+      name: mesh.name,
+      normal: mesh.normal,
+      points: decoded(mesh.points, Float32Array),
+      displacements: decoded(mesh.displacements, Float32Array),
+      bodies: decoded(mesh.bodies, Uint32Array),
+      triangles: decoded(mesh.triangles, Uint32Array),
+      fields: {},
+    };
+    for (const name of Object.keys(mesh.fields)) result.fields[name] = decoded(mesh.fields[name], Float32Array);
+    const u = result.displacements;
+    if (mesh.name !== "contact")
+      result.fields.displacement = Float32Array.from({ length: u.length / 3 }, (_, i) =>
+        Math.hypot(u[3 * i], u[3 * i + 1], u[3 * i + 2]));
+    return result;
+  }
+
+  const meshes = Object.fromEntries(view.meshes.map((mesh) => [mesh.name, decodedMesh(mesh)]));
+
+  // In space the pressure is drawn as a mountain over the contact surface, which is far longer than wide.
+  const mountain = { widening: 1 };
+  function raiseMountain() {
+    const { points, displacements, fields, triangles } = meshes.contact;
+    const [along, across] = [meshes.across.normal, meshes.along.normal];
+    const dot = (v, i) => v[0] * points[i] + v[1] * points[i + 1] + v[2] * points[i + 2];
+    const wide = 2.5 * view.half_width;
+    const kept = [];
+    const widths = Array.from({ length: points.length / 3 }, (_, i) => dot(across, 3 * i));
+    const lengths = widths.map((_, i) => dot(along, 3 * i));
+    for (let i = 0; i < triangles.length; i += 3) {
+      const corners = [triangles[i], triangles[i + 1], triangles[i + 2]];
+      if (corners.every((corner) => Math.abs(widths[corner]) < wide)) kept.push(...corners);
+    }
+    const ends = kept.map((corner) => lengths[corner]);
+    const [first, last] = [Math.min(...ends), Math.max(...ends)];
+    const peak = Math.max(...fields.contact_pressure);
+    mountain.widening = Math.max(1, Math.round((0.12 * (last - first)) / view.half_width));
+    mountain.length = last - first;
+    mountain.places = points.slice();
+    for (let i = 0; i < widths.length; ++i) {
+      points[3 * i] = lengths[i] - (first + last) / 2;
+      points[3 * i + 1] = (0.3 * mountain.length * fields.contact_pressure[i]) / peak;
+      points[3 * i + 2] = mountain.widening * widths[i];
+    }
+    displacements.fill(0);
+    meshes.contact.triangles = Uint32Array.from(kept);
+  }
+
+  // The displacement of the contact, which the deformed shape is drawn relative to.
+  function displacementOfContact() {
+    const { displacements, fields } = meshes.contact;
+    const pressure = fields.contact_pressure;
+    const mean = [0, 0, 0];
+    let weight = 0;
+    for (let i = 0; i < pressure.length; ++i) {
+      weight += pressure[i];
+      for (let k = 0; k < 3; ++k) mean[k] += pressure[i] * displacements[3 * i + k];
+    }
+    return mean.map((sum) => sum / weight);
+  }
+
+  const still = displacementOfContact();
+  if (view.dimension === 3) raiseMountain();
+
+  function extentOf(points) {
+    let extent = 0;
+    for (let i = 0; i < points.length; ++i) extent = Math.max(extent, Math.abs(points[i]));
+    return extent;
+  }
+  const extent = extentOf(meshes.model.points);
+  const zone = 4 * view.half_width;
+
+  function rangeOf(mesh, field, isZone) {
+    const values = mesh.fields[field];
+    if (!values) return [0, 1];
+    const points = mesh.points;
+    let low = Infinity;
+    let high = -Infinity;
+    for (let i = 0; i < values.length; ++i) {
+      const distance = Math.hypot(points[3 * i], points[3 * i + 1], view.dimension === 2 || mesh.name === "across" ? points[3 * i + 2] : 0);
+      if (!Number.isFinite(values[i]) || (isZone ? distance > zone : distance < Math.max(6 * view.half_width, 0.05 * extent))) continue;
+      low = Math.min(low, values[i]);
+      high = Math.max(high, values[i]);
+    }
+    return low < high ? [low, high] : isZone ? rangeOf(mesh, field, false) : [0, 1];
+  }
+
+  function palette() {
+    const colours = new Uint8Array(256 * 3);
+    for (let i = 0; i < 256; ++i) {
+      const at = (i / 255) * (VIRIDIS.length - 1);
+      const k = Math.min(Math.floor(at), VIRIDIS.length - 2);
+      for (let c = 0; c < 3; ++c) {
+        const [a, b] = [k, k + 1].map((j) => parseInt(VIRIDIS[j].substr(2 * c, 2), 16));
+        colours[3 * i + c] = Math.round(a + (at - k) * (b - a));
+      }
+    }
+    const texture = new THREE.DataTexture(colours, 256, 1, THREE.RGBFormat);
+    texture.magFilter = texture.minFilter = THREE.LinearFilter;
+    texture.needsUpdate = true;
+    return texture;
+  }
+
+  const uniforms = {
+    palette: { value: palette() },
+    factor: { value: 0 },
+    still: { value: new THREE.Vector3(...still) },
+    low: { value: 0 },
+    high: { value: 1 },
+    shade: { value: view.dimension === 3 ? 0.45 : 0 },
+  };
+  const VERTEX = `
+    attribute vec3 displacement;
+    attribute float value;
+    uniform float factor;
+    uniform vec3 still;
+    varying float shown;
+    varying vec3 place;
+    #include <clipping_planes_pars_vertex>
+    void main() {
+      shown = value;
+      vec4 mvPosition = modelViewMatrix * vec4(position + factor * (displacement - still), 1.0);
+      vec3 viewPosition = -mvPosition.xyz;
+      #include <clipping_planes_vertex>
+      place = mvPosition.xyz;
+      gl_Position = projectionMatrix * mvPosition;
+    }`;
+  const FRAGMENT = `
+    uniform sampler2D palette;
+    uniform float low;
+    uniform float high;
+    uniform float shade;
+    varying float shown;
+    varying vec3 place;
+    #include <clipping_planes_pars_fragment>
+    void main() {
+      #include <clipping_planes_fragment>
+      vec3 colour = vec3(0.72);
+      if (shown > -1e29)
+        colour = texture2D(palette, vec2(clamp((shown - low) / (high - low), 0.002, 0.998), 0.5)).rgb;
+      vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
+      gl_FragColor = vec4(colour * (1.0 - shade + shade * abs(normal.z)), 1.0);
+    }`;
+
+  function geometryOf(mesh) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(mesh.points, 3));
+    geometry.setAttribute("displacement", new THREE.BufferAttribute(mesh.displacements, 3));
+    geometry.setAttribute("value", new THREE.BufferAttribute(new Float32Array(mesh.bodies.length), 1));
+    geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
+    return geometry;
+  }
+
+  function objectOf(mesh) {
+    const inFront = mesh.name !== "model";
+    const material = new THREE.ShaderMaterial({
+      uniforms: uniforms,
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      side: THREE.DoubleSide,
+      clipping: true,
+      extensions: { derivatives: true },
+      polygonOffset: inFront,
+      polygonOffsetFactor: -1,
+      polygonOffsetUnits: -4,
+    });
+    const object = new THREE.Mesh(geometryOf(mesh), material);
+    object.frustumCulled = false;
+    return object;
+  }
+
+  let renderer;
+  try {
+    renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+  } catch (error) {
+    box.querySelector(".status").textContent = "This browser cannot draw in three dimensions: the picture stands in for the field view.";
+    document.documentElement.classList.add("no-webgl");
+    return;
+  }
+  renderer.localClippingEnabled = true;
+  const scene = new THREE.Scene();
+  const objects = Object.fromEntries(Object.entries(meshes).map(([name, mesh]) => [name, objectOf(mesh)]));
+  scene.add(...Object.values(objects));
+  const outlines = new THREE.LineSegments(
+    new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x808890 }));
+  outlines.geometry.setAttribute("position", objects.model.geometry.attributes.position);
+  outlines.geometry.setIndex(new THREE.BufferAttribute(decoded(view.outlines, Uint32Array), 1));
+  outlines.frustumCulled = false;
+  scene.add(outlines);
+  const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
+  const stage = box.querySelector(".stage");
+  stage.appendChild(renderer.domElement);
+  renderer.domElement.setAttribute("role", "img");
+  renderer.domElement.setAttribute("aria-label", "Stress field of the model; the controls beside it choose what is shown");
+  const controls = new THREE.OrbitControls(camera, renderer.domElement);
+  controls.enableRotate = view.dimension === 3;
+  controls.screenSpacePanning = true;
+  if (view.dimension === 2) controls.mouseButtons.LEFT = THREE.MOUSE.PAN;
+
+  const control = (name) => box.querySelector(`[name="${name}"]`);
+  for (const [value, label] of FIELDS) {
+    if (!Object.values(meshes).some((mesh) => value in mesh.fields)) continue;
+    control("field").add(new Option(label, value));
+  }
+
+  const cut = () => (view.dimension === 3 ? control("cut").value : "none");
+  const isMountain = () => view.dimension === 3 && control("field").value === "contact_pressure";
+  const isZone = () => control("part").value === "zone" && (view.dimension === 2 || cut() !== "none");
+
+  function unitOf(field) {
+    return field === "displacement" ? view.length_unit : view.stress_unit;
+  }
+
+  function colour() {
+    const field = control("field").value;
+    for (const [name, mesh] of Object.entries(meshes)) {
+      const attribute = objects[name].geometry.attributes.value;
+      const values = mesh.fields[field];
+      for (let i = 0; i < attribute.count; ++i) attribute.array[i] = values && Number.isFinite(values[i]) ? values[i] : NONE;
+      attribute.needsUpdate = true;
+    }
+    const isPressure = field === "contact_pressure";
+    const leading = meshes[isPressure ? "contact" : cut() === "none" ? "model" : cut()];
+    [uniforms.low.value, uniforms.high.value] = isPressure
+      ? [0, Math.max(...leading.fields[field])]
+      : rangeOf(leading, field, isZone());
+    objects.contact.visible = isPressure;
+    label(field);
+  }
+
+  function label(field) {
+    const { low, high } = uniforms;
+    const bar = box.querySelector(".bar");
+    const text = (value) => Number(value.toPrecision(4)).toString();
+    bar.style.background = `linear-gradient(to right, ${VIRIDIS.map((c) => "#" + c).join(",")})`;
+    const ticks = [0, 0.25, 0.5, 0.75, 1].map((f) => text(low.value + f * (high.value - low.value)));
+    if (!isZone() && field !== "displacement" && !isMountain()) ticks[4] = "≥ " + ticks[4]; // greater at the contact
+    box.querySelector(".ticks").replaceChildren(...ticks.map((t) => Object.assign(document.createElement("span"), { textContent: t })));
+    const name = FIELDS.find(([value]) => value === field)[1];
+    const note = isMountain() ? `, drawn ${mountain.widening} times as wide as it is` : "";
+    box.querySelector(".unit").textContent = `${name} [${unitOf(field)}]${note}`;
+  }
+
+  function clip() {
+    const name = cut();
+    objects.model.visible = !isMountain();
+    for (const one of ["across", "along"]) if (objects[one]) objects[one].visible = name === one && !isMountain();
+    const planes = name === "none" ? [] : [new THREE.Plane(new THREE.Vector3(...meshes[name].normal).negate(), 0)];
+    objects.model.material.clippingPlanes = planes;
+    outlines.material.clippingPlanes = planes;
+    outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
+  }
+
+  function deform() {
+    const share = Number(control("deformation").value);
+    const u = isZone() ? relativeDisplacement(zone) : relativeDisplacement(Infinity);
+    const greatest = u > 0 ? (0.15 * (isZone() ? zone : extent)) / u : 0;
+    const factor = share * Math.max(greatest, 1);
+    uniforms.factor.value = isMountain() ? 0 : factor;
+    control("deformation").nextElementSibling.textContent =
+      factor === 0 ? "undeformed" : `${Number(factor.toPrecision(2))} times`;
+  }
+
+  function relativeDisplacement(within) {
+    const { points, displacements } = meshes.model;
+    let greatest = 0;
+    for (let i = 0; i < points.length; i += 3) {
+      if (Math.hypot(points[i], points[i + 1], points[i + 2]) > within) continue;
+      greatest = Math.max(greatest, Math.hypot(...still.map((s, k) => displacements[i + k] - s)));
+    }
+    return greatest;
+  }
+
+  function boundsOfShown() {
+    const name = cut() === "none" ? "model" : cut();
+    return new THREE.Box3().setFromBufferAttribute(objects[name].geometry.attributes.position);
+  }
+
+  function directionOfLook() {
+    if (isMountain()) return new THREE.Vector3(0.35, 0.8, 1).normalize();
+    if (view.dimension === 2) return new THREE.Vector3(0, 0, 1);
+    if (cut() === "none") return new THREE.Vector3(0.5, 0.35, 0.8).normalize();
+    const lean = isZone() ? [0, 0, 0] : [0.25, 0.2, 0.25];
+    return new THREE.Vector3(...meshes[cut()].normal).add(new THREE.Vector3(...lean)).normalize();
+  }
+
+  function lookAt() {
+    const target = new THREE.Vector3();
+    if (isMountain()) target.set(0, 0.12 * mountain.length, 0);
+    else if (!isZone()) boundsOfShown().getCenter(target);
+    const direction = directionOfLook();
+    camera.up.set(0, 1, 0);
+    if (Math.abs(direction.y) > 0.9) camera.up.set(1, 0, 0);
+    camera.position.copy(target).addScaledVector(direction, 4 * extent);
+    camera.zoom = 1;
+    controls.target.copy(target);
+    controls.update();
+    frame();
+  }
+
+  function halfHeight() {
+    if (isMountain()) return Math.max(0.45, (0.6 * stage.clientHeight) / stage.clientWidth) * mountain.length;
+    if (isZone()) return zone;
+    const size = boundsOfShown().getSize(new THREE.Vector3());
+    const aspect = stage.clientWidth / stage.clientHeight;
+    const diagonal = view.dimension === 3 ? size.length() / 1.6 : 0;
+    return 0.55 * Math.max(size.y, size.x / aspect, diagonal);
+  }
+
+  function frame() {
+    const [width, height] = [stage.clientWidth, stage.clientHeight];
+    if (width === 0 || height === 0) return;
+    renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    renderer.setSize(width, height);
+    const half = halfHeight();
+    camera.top = half;
+    camera.bottom = -half;
+    camera.right = (half * width) / height;
+    camera.left = -camera.right;
+    camera.updateProjectionMatrix();
+    draw();
+  }
+
+  function draw() {
+    renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue("--panel").trim());
+    renderer.render(scene, camera);
+  }
+
+  // The value under the cursor, from the front triangle there.
+  const ray = new THREE.Raycaster();
+  function probe(event) {
+    const frameBox = renderer.domElement.getBoundingClientRect();
+    const at = new THREE.Vector2(
+      (2 * (event.clientX - frameBox.left)) / frameBox.width - 1,
+      1 - (2 * (event.clientY - frameBox.top)) / frameBox.height);
+    ray.setFromCamera(at, camera);
+    const planes = objects.model.material.clippingPlanes || [];
+    const hit = ray.intersectObjects(Object.values(objects).filter((object) => object.visible))
+      .find((one) => one.object !== objects.model || planes.every((plane) => plane.distanceToPoint(one.point) >= 0));
+    box.querySelector(".status").textContent = hit ? describe(hit) : "Point at the model to read a value.";
+  }
+
+  function describe(hit) {
+    const name = Object.keys(objects).find((one) => objects[one] === hit.object);
+    const mesh = meshes[name];
+    const field = control("field").value;
+    const values = mesh.fields[field];
+    const corners = ["a", "b", "c"].map((corner) => new THREE.Vector3().fromArray(mesh.points, 3 * hit.face[corner]));
+    const weights = THREE.Triangle.getBarycoord(hit.point, ...corners, new THREE.Vector3()).toArray();
+    const value = values ? ["a", "b", "c"].reduce((sum, corner, k) => sum + weights[k] * values[hit.face[corner]], 0) : NaN;
+    const at = isMountain() ? placeOnSurface(hit.face, weights) : hit.point.toArray();
+    const place = at.slice(0, view.dimension)
+      .map((x, k) => `${"xyz"[k]} = ${Number((x + view.origin[k]).toPrecision(6))}`).join(", ");
+    const shown = Number.isFinite(value) ? `${Number(value.toPrecision(5))} ${unitOf(field)}` : "no value";
+    return `${shown} in the ${view.bodies[mesh.bodies[hit.face.a]]} at ${place} ${view.length_unit}`;
+  }
+
+  function placeOnSurface(face, weights) {
+    return [0, 1, 2].map((k) => ["a", "b", "c"].reduce((sum, corner, i) => sum + weights[i] * mountain.places[3 * face[corner] + k], 0));
+  }
+
+  function refresh(moveCamera) {
+    clip();
+    colour();
+    deform();
+    if (moveCamera) lookAt();
+    else draw();
+  }
+  let wasMountain = false;
+  control("field").addEventListener("change", () => {
+    refresh(isMountain() !== wasMountain);
+    wasMountain = isMountain();
+  });
+  control("part").addEventListener("change", () => refresh(true));
+  if (view.dimension === 3) control("cut").addEventListener("change", () => refresh(true));
+  control("deformation").addEventListener("input", () => refresh(false));
+  controls.addEventListener("change", draw);
+  renderer.domElement.addEventListener("pointermove", probe);
+  new ResizeObserver(frame).observe(stage);
+  window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
+  refresh(true);
+  window.genevaField = { uniforms: uniforms, canvas: renderer.domElement, meshes: meshes };
+})();

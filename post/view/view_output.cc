@@ -1,0 +1,259 @@
+#include "post/view/view_output.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "post/output_file.h"
+#include "post/surface_body.h"
+#include "post/view/view_mesh.h"
+
+namespace geneva::post {
+
+using dealii::Point;
+using dealii::Tensor;
+using nlohmann::json;
+
+namespace {
+
+/// The bytes of numbers, little-endian, in base 64.
+template <typename Number>
+std::string encoded(const std::vector<Number>& numbers) {
+  std::vector<unsigned char> bytes(sizeof(Number) * numbers.size());
+  if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return dealii::Utilities::encode_base64(bytes);
+}
+
+/// Factors from SI to output units, and the place that coordinates are told from: single precision
+/// would not resolve a contact far from the origin.
+struct ViewScale {
+  double length;
+  double stress;
+  Point<3> origin;  ///< [m]
+};
+
+std::vector<float> scaled(const std::vector<float>& values, const double factor) {
+  std::vector<float> result;
+  for (const float value : values) result.push_back(static_cast<float>(factor * value));
+  return result;
+}
+
+json mesh_section(const std::string& name, const std::string& title, const ViewMesh& mesh,
+                  const ViewScale& scale) {
+  std::vector<float> points;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    points.push_back(static_cast<float>(
+        scale.length * (mesh.points[i] - scale.origin[static_cast<unsigned int>(i % 3)])));
+  json fields = json::object();
+  for (std::size_t i = 0; i < view_fields.size(); ++i) {
+    const auto& values = mesh.fields[i];
+    if (std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
+      fields[view_fields[i]] = encoded(scaled(values, scale.stress));
+  }
+  return {{"name", name},
+          {"title", title},
+          {"n_points", mesh.bodies.size()},
+          {"n_triangles", mesh.triangles.size() / 3},
+          {"points", encoded(points)},
+          {"displacements", encoded(scaled(mesh.displacements, scale.length))},
+          {"bodies", encoded(mesh.bodies)},
+          {"triangles", encoded(mesh.triangles)},
+          {"fields", fields}};
+}
+
+template <int dim>
+Point<3> in_space(const fem::Components<dim>& place) {
+  Point<3> result;
+  for (unsigned int i = 0; i < dim; ++i) result[i] = place[i];
+  return result;
+}
+
+/// Points of one body, to be found by their place.
+class PointFinder {
+ public:
+  PointFinder(const ViewMesh& mesh, const unsigned int body, const double spacing)
+      : spacing_(spacing) {
+    for (unsigned int i = 0; i < mesh.bodies.size(); ++i)
+      if (mesh.bodies[i] == body)
+        points_.emplace(key({mesh.points[3 * i], mesh.points[3 * i + 1], mesh.points[3 * i + 2]}),
+                        i);
+  }
+
+  /// The point at a place; nothing if there is none within the spacing.
+  [[nodiscard]] std::optional<unsigned int> at(const Point<3>& place) const {
+    const Key middle = key(place);
+    for (long i = -1; i <= 1; ++i)
+      for (long j = -1; j <= 1; ++j)
+        for (long k = -1; k <= 1; ++k) {
+          const auto found = points_.find({middle[0] + i, middle[1] + j, middle[2] + k});
+          if (found != points_.end()) return found->second;
+        }
+    return std::nullopt;
+  }
+
+ private:
+  using Key = std::array<long, 3>;
+  [[nodiscard]] Key key(const Point<3>& place) const {
+    return {std::lround(place[0] / spacing_), std::lround(place[1] / spacing_),
+            std::lround(place[2] / spacing_)};
+  }
+
+  double spacing_;
+  std::map<Key, unsigned int> points_;
+};
+
+/// The pressure on the source surface: in space its faces, in the plane a band that is as high as
+/// the pressure is great.
+struct PressureMesh {
+  ViewMesh mesh;
+  std::vector<float> pressure;  ///< [Pa]
+};
+
+void append(const Point<3>& place, const double pressure, const std::optional<unsigned int> like,
+            const ViewMesh& visible, PressureMesh& result) {
+  for (unsigned int i = 0; i < 3; ++i) {
+    result.mesh.points.push_back(place[i]);
+    result.mesh.displacements.push_back(like ? visible.displacements[3 * *like + i] : 0.F);
+  }
+  result.mesh.bodies.push_back(like ? visible.bodies[*like] : 0);
+  result.pressure.push_back(static_cast<float>(pressure));
+}
+
+PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const ViewMesh& visible,
+                           const PointFinder& finder) {
+  PressureMesh result;
+  const double height = contact.half_width / contact.peak_pressure;
+  for (const fem::ContactNode<2>& node : contact.nodes) {
+    const Point<3> foot = in_space<2>(node.position);
+    const auto like = finder.at(foot);
+    const Point<3> top(foot[0] + height * node.pressure * node.normal[0],
+                       foot[1] + height * node.pressure * node.normal[1], 0.);
+    append(foot, node.pressure, like, visible, result);
+    append(top, node.pressure, like, visible, result);
+  }
+  for (unsigned int i = 0; i + 1 < contact.nodes.size(); ++i)
+    for (const unsigned int corner : {0U, 2U, 3U, 0U, 3U, 1U})
+      result.mesh.triangles.push_back(2 * i + corner);
+  return result;
+}
+
+PressureMesh pressure_mesh(const fem::ContactResult<3>& contact, const ViewMesh& visible,
+                           const PointFinder& finder) {
+  PressureMesh result;
+  for (const fem::ContactNode<3>& node : contact.nodes) {
+    const Point<3> place = in_space<3>(node.position);
+    append(place, node.pressure, finder.at(place), visible, result);
+  }
+  for (const auto& face : contact.faces)
+    for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
+      result.mesh.triangles.push_back(static_cast<unsigned int>(face[corner]));
+  return result;
+}
+
+double half_width_of(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& /*unused*/) {
+  return contact.half_width;
+}
+double half_width_of(const fem::ContactResult<3>& /*unused*/, const ContactAnalysis<3>& analysis) {
+  return analysis.half_width;
+}
+
+Point<3> place_of_peak(const fem::ContactResult<2>& /*unused*/,
+                       const ContactAnalysis<2>& analysis) {
+  return {analysis.centre.place[0], analysis.centre.place[1], 0.};
+}
+/// The middle of the nodes that carry the greatest pressure to a thousandth: of a flat contact all.
+Point<3> place_of_peak(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& /*unused*/) {
+  constexpr double nearly_all = 0.999;
+  Point<3> sum;
+  double n_nodes = 0.;
+  for (const fem::ContactNode<3>& node : contact.nodes)
+    if (node.pressure >= nearly_all * contact.peak_pressure) {
+      sum += in_space<3>(node.position);
+      ++n_nodes;
+    }
+  return Point<3>(sum / n_nodes);
+}
+
+json vector(const Tensor<1, 3>& of) {
+  json list = json::array();
+  for (unsigned int i = 0; i < 3; ++i) list.push_back(of[i]);
+  return list;
+}
+
+/// Cuts through the point of greatest pressure.
+std::vector<json> cuts(const fem::Solution<2>& /*unused*/, const Results<2>& /*unused*/,
+                       const ContactAnalysis<2>& /*unused*/, const ViewScale& /*unused*/) {
+  return {};
+}
+std::vector<json> cuts(const fem::Solution<3>& solution, const Results<3>& results,
+                       const ContactAnalysis<3>& analysis, const ViewScale& scale) {
+  std::vector<json> list;
+  const std::array<std::tuple<const char*, const char*, Tensor<1, 3>>, 2> planes{
+      {{"across", "cut across the contact where the pressure is greatest", analysis.frame.along},
+       {"along", "cut along the contact where the pressure is greatest", analysis.frame.across}}};
+  for (const auto& [name, title, normal] : planes) {
+    list.push_back(
+        mesh_section(name, title, cut_mesh(solution, results, {scale.origin, normal}), scale));
+    list.back()["normal"] = vector(normal);
+  }
+  return list;
+}
+
+Tensor<1, 3> normal_of(const ContactAnalysis<2>& analysis) {
+  return Point<3>(analysis.centre.normal[0], analysis.centre.normal[1], 0.);
+}
+Tensor<1, 3> normal_of(const ContactAnalysis<3>& analysis) { return analysis.frame.normal; }
+
+}  // namespace
+
+template <int dim>
+void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
+                const UnitSystem units, const std::filesystem::path& directory) {
+  const std::size_t leading = leading_contact(solution);
+  const fem::ContactResult<dim>& contact = solution.contacts[leading];
+  const ContactAnalysis<dim>& analysis = results.contacts[leading];
+  if (contact.peak_pressure <= 0.) return;
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const ViewScale scale{length.factor, stress.factor, place_of_peak(contact, analysis)};
+  const ViewMesh visible = visible_mesh(solution, results);
+  json meshes = json::array();
+  meshes.push_back(mesh_section("model", "whole model", visible, scale));
+  for (json& cut : cuts(solution, results, analysis, scale)) meshes.push_back(std::move(cut));
+  if (dealii::Utilities::MPI::this_mpi_process(solution.dof_handler->get_communicator()) != 0)
+    return;
+
+  const double half_width = half_width_of(contact, analysis);
+  const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * half_width);
+  const PressureMesh pressure = pressure_mesh(contact, visible, finder);
+  meshes.push_back(mesh_section("contact", "contact surface", pressure.mesh, scale));
+  meshes.back()["fields"]["contact_pressure"] = encoded(scaled(pressure.pressure, scale.stress));
+  json bodies = json::array();
+  for (const fem::Body<dim>& body : solution.problem.bodies) bodies.push_back(body.name);
+  json view;
+  view["dimension"] = dim;
+  view["length_unit"] = length.name;
+  view["stress_unit"] = stress.name;
+  view["origin"] = vector(scale.length * scale.origin);
+  view["half_width"] = scale.length * half_width;
+  view["normal"] = vector(normal_of(analysis));
+  view["bodies"] = std::move(bodies);
+  view["outlines"] = encoded(visible.outlines);
+  view["meshes"] = std::move(meshes);
+  const std::filesystem::path file = directory / "view.json";
+  std::ofstream stream = open_output(file);
+  stream << view.dump() << '\n';
+  close_output(stream, file);
+}
+
+template void write_view(const fem::Solution<2>&, const Results<2>&, UnitSystem,
+                         const std::filesystem::path&);
+template void write_view(const fem::Solution<3>&, const Results<3>&, UnitSystem,
+                         const std::filesystem::path&);
+
+}  // namespace geneva::post
