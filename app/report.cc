@@ -19,8 +19,9 @@ void write_report(const fs::path& results, const fs::path& file) {
         "geneva: the report lacks its interactive parts: the package {} is not installed "
         "('apt-get install {}')\n",
         package, package);
-  write_and_rename(file.empty() ? results / "report.html" : file,
-                   post::report_html(post::read_results(results), libraries));
+  const post::Report report = post::make_report(post::read_results(results), libraries);
+  if (report.picture) write_and_rename(results / "stress.svg", *report.picture);
+  write_and_rename(file.empty() ? results / "report.html" : file, report.html);
 }
 
 int make_report(const std::vector<fs::path>& results, const fs::path& file) {

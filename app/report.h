@@ -5,8 +5,8 @@
 
 namespace geneva::app {
 
-/// Writes the report on what a results directory holds; a missing JavaScript package is a warning
-/// on standard error.
+/// Writes the report on what a results directory holds, and the picture stress.svg beside its
+/// files; a missing JavaScript package is a warning on standard error.
 /// @param file the HTML file; empty: report.html in that directory
 /// @throws std::invalid_argument where the directory's contents are refused, or the file cannot be
 /// written

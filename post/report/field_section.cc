@@ -34,10 +34,17 @@ constexpr const char* field_place = R"(<div id="field-view">
 
 }  // namespace
 
-std::string field_section(const nlohmann::json& view) {
+std::string field_section(const nlohmann::json& view, const std::string& picture,
+                          const bool is_interactive) {
   const bool is_space = view.at("dimension") == 3;
-  return html_section("field", "Stress field",
-                      fmt::format(fmt::runtime(field_place), is_space ? cut_control : ""));
+  std::string content =
+      is_interactive ? fmt::format(fmt::runtime(field_place), is_space ? cut_control : "") : "";
+  content += fmt::format(
+      "<figure class=\"{}\">\n{}<figcaption>von Mises stress around the contact{}</figcaption>\n"
+      "</figure>\n",
+      is_interactive ? "still" : "picture", picture,
+      is_space ? ", in the cut across it where the pressure is greatest" : "");
+  return html_section("field", "Stress field", content);
 }
 
 }  // namespace geneva::post

@@ -4,8 +4,10 @@
 
 #include <stdexcept>
 
+#include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
+#include "post/report/picture.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
 
@@ -56,7 +58,8 @@ std::string missing_note(const Libraries& libraries) {
 
 }  // namespace
 
-std::string report_html(const ResultsDirectory& results, const Libraries& libraries) try {
+Report make_report(const ResultsDirectory& results, const Libraries& libraries) try {
+  Report report;
   const json& summary = *results.document("summary");
   const ReportPart part = run_part(results);
   json charts = json::array();
@@ -66,18 +69,23 @@ std::string report_html(const ResultsDirectory& results, const Libraries& librar
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<style>\n{}\n</style>\n</head>\n<body>\n",
       escaped(page_title(results.about())), report_assets::style);
-  const json* const view = libraries.graphics ? results.document("view") : nullptr;
+  const json* const view = results.document("view");
+  if (view != nullptr) report.picture = field_picture(*view);
+  const bool is_interactive = view != nullptr && libraries.graphics;
   page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html +
-          (view == nullptr ? "" : field_section(*view)) + "</main>\n";
+          (view == nullptr ? "" : field_section(*view, *report.picture, is_interactive)) +
+          "</main>\n";
   if (libraries.charts) {
     page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
     page += script(*libraries.charts) + script(std::string(report_assets::charts));
   }
-  if (view != nullptr) {
+  if (is_interactive) {
+    page += script(json(palette()).dump(), " type=\"application/json\" id=\"palette\"");
     page += script(view->dump(), " type=\"application/json\" id=\"view\"");
     page += script(*libraries.graphics) + script(std::string(report_assets::field));
   }
-  return page + "</body>\n</html>\n";
+  report.html = page + "</body>\n</html>\n";
+  return report;
 } catch (const json::exception& error) {
   throw std::invalid_argument(
       fmt::format("the results in {} lack something that a report needs ({}); make them again",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "post/report/library.h"
@@ -7,8 +8,14 @@
 
 namespace geneva::post {
 
-/// The report on a results directory: one HTML page that needs nothing besides itself.
+/// What is made for looking at.
+struct Report {
+  std::string html;                    ///< one page that needs nothing besides itself
+  std::optional<std::string> picture;  ///< of the stress around the contact, as SVG; none without
+};
+
+/// The report on a results directory.
 /// @throws std::invalid_argument if a document lacks what its format promises
-std::string report_html(const ResultsDirectory& results, const Libraries& libraries);
+Report make_report(const ResultsDirectory& results, const Libraries& libraries);
 
 }  // namespace geneva::post

@@ -7,6 +7,14 @@
 
 namespace geneva::post {
 
+std::string significant(const double value, const int digits) {
+  const double size = std::abs(value);
+  const double whole = std::pow(10., digits);
+  if (!(size >= whole && size < 1e7)) return fmt::format("{:.{}g}", value, digits);
+  const double unit = std::pow(10., std::floor(std::log10(size)) + 1. - digits);
+  return fmt::format("{:.0f}", unit * std::round(value / unit));
+}
+
 double number_of(const nlohmann::json& quantity) {
   if (quantity.is_null()) return std::nan("");
   return (quantity.is_object() ? quantity.at("value") : quantity).get<double>();
@@ -18,7 +26,7 @@ double in_units(const nlohmann::json& quantity, const Dimension dimension, const
 
 std::string shown(const nlohmann::json& quantity, const Dimension dimension,
                   const UnitSystem units) {
-  return quantity.is_null() ? "–" : fmt::format("{:.5g}", in_units(quantity, dimension, units));
+  return quantity.is_null() ? "–" : significant(in_units(quantity, dimension, units), 5);
 }
 
 std::string labelled(const std::string& name, const Dimension dimension, const UnitSystem units) {

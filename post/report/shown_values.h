@@ -7,6 +7,9 @@
 
 namespace geneva::post {
 
+/// A number with so many significant digits; without a power of ten between 1e-4 and 1e7.
+std::string significant(double value, int digits);
+
 /// The number of a quantity {"value", "unit"} [SI], or the plain number; not a number for null.
 double number_of(const nlohmann::json& quantity);
 

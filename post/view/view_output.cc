@@ -1,16 +1,15 @@
 #include "post/view/view_output.h"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "post/output_file.h"
 #include "post/surface_body.h"
+#include "post/view/encoded_numbers.h"
 #include "post/view/view_mesh.h"
 
 namespace geneva::post {
@@ -20,14 +19,6 @@ using dealii::Tensor;
 using nlohmann::json;
 
 namespace {
-
-/// The bytes of numbers, little-endian, in base 64.
-template <typename Number>
-std::string encoded(const std::vector<Number>& numbers) {
-  std::vector<unsigned char> bytes(sizeof(Number) * numbers.size());
-  if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
-  return dealii::Utilities::encode_base64(bytes);
-}
 
 /// Factors from SI to output units, and the place that coordinates are told from: single precision
 /// would not resolve a contact far from the origin.

@@ -14,8 +14,7 @@
     ["mcewen_difference", "difference from McEwen's stress"],
   ];
   const NONE = -1e30; // in place of a value that does not exist
-  // Points of the colour map viridis (CC0): of even lightness steps, also for the colour-blind.
-  const VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"];
+  const COLOURS = JSON.parse(document.getElementById("palette").textContent);
 
   function decoded(text, Type) {
     const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -113,10 +112,10 @@
   function palette() {
     const colours = new Uint8Array(256 * 3);
     for (let i = 0; i < 256; ++i) {
-      const at = (i / 255) * (VIRIDIS.length - 1);
-      const k = Math.min(Math.floor(at), VIRIDIS.length - 2);
+      const at = (i / 255) * (COLOURS.length - 1);
+      const k = Math.min(Math.floor(at), COLOURS.length - 2);
       for (let c = 0; c < 3; ++c) {
-        const [a, b] = [k, k + 1].map((j) => parseInt(VIRIDIS[j].substr(2 * c, 2), 16));
+        const [a, b] = [k, k + 1].map((j) => parseInt(COLOURS[j].substr(2 * c, 2), 16));
         colours[3 * i + c] = Math.round(a + (at - k) * (b - a));
       }
     }
@@ -257,7 +256,7 @@
     const { low, high } = uniforms;
     const bar = box.querySelector(".bar");
     const text = (value) => Number(value.toPrecision(4)).toString();
-    bar.style.background = `linear-gradient(to right, ${VIRIDIS.map((c) => "#" + c).join(",")})`;
+    bar.style.background = `linear-gradient(to right, ${COLOURS.map((c) => "#" + c).join(",")})`;
     const ticks = [0, 0.25, 0.5, 0.75, 1].map((f) => text(low.value + f * (high.value - low.value)));
     if (!isZone() && field !== "displacement" && !isMountain()) ticks[4] = "≥ " + ticks[4]; // greater at the contact
     box.querySelector(".ticks").replaceChildren(...ticks.map((t) => Object.assign(document.createElement("span"), { textContent: t })));

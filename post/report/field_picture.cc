@@ -1,0 +1,188 @@
+#include "post/report/field_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "post/report/html.h"
+#include "post/report/picture.h"
+#include "post/report/shown_values.h"
+#include "post/view/encoded_numbers.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr int width = 900;
+constexpr int height = 540;
+constexpr double left = 80.;
+constexpr double top = 20.;
+constexpr double half_widths_up = 4.;
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Directions to the right and up on the picture of a plane with this normal; y is up if it can be.
+struct PictureAxes {
+  Vector right;
+  Vector up;
+};
+PictureAxes axes_of(const Vector& normal) {
+  const Vector given = std::abs(normal[1]) < 0.9 ? Vector{0., 1., 0.} : Vector{1., 0., 0.};
+  Vector right = cross(given, normal);
+  const double length = std::sqrt(dot(right, right));
+  for (double& component : right) component /= length;
+  return {right, cross(normal, right)};
+}
+
+/// A flat mesh, on the picture's axes [output units] from the contact.
+struct FlatMesh {
+  std::vector<double> right;
+  std::vector<double> up;
+  std::vector<float> values;
+  std::vector<unsigned int> triangles;
+};
+
+FlatMesh flat_mesh(const json& view) {
+  const std::string name = view.at("dimension") == 3 ? "across" : "model";
+  const json& meshes = view.at("meshes");
+  const auto mesh = std::find_if(meshes.begin(), meshes.end(),
+                                 [&](const json& one) { return one.at("name") == name; });
+  if (mesh == meshes.end()) throw std::invalid_argument("view.json lacks the mesh " + name);
+  const auto normal = mesh->value("normal", std::vector<double>{0., 0., 1.});
+  const PictureAxes axes = axes_of({normal.at(0), normal.at(1), normal.at(2)});
+  const auto points = decoded<float>(mesh->at("points"));
+  FlatMesh result{{},
+                  {},
+                  decoded<float>(mesh->at("fields").at("von_mises")),
+                  decoded<unsigned int>(mesh->at("triangles"))};
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    const Vector place{points[i], points[i + 1], points[i + 2]};
+    result.right.push_back(dot(place, axes.right));
+    result.up.push_back(dot(place, axes.up));
+  }
+  if (result.values.size() != result.right.size())
+    throw std::invalid_argument("view.json is damaged: points and stresses differ in number");
+  return result;
+}
+
+/// From places [output units] to pixels.
+struct Window {
+  double scale;  ///< pixels per unit of length
+
+  [[nodiscard]] double column(const double right) const { return 0.5 * width + scale * right; }
+  [[nodiscard]] double row(const double up) const { return 0.5 * height - scale * up; }
+  [[nodiscard]] bool shows(const double right, const double up) const {
+    return std::abs(column(right) - 0.5 * width) < 0.5 * width &&
+           std::abs(row(up) - 0.5 * height) < 0.5 * height;
+  }
+};
+
+std::array<double, 2> range_in(const FlatMesh& mesh, const Window& window) {
+  std::array<double, 2> range{std::numeric_limits<double>::max(), 0.};
+  for (std::size_t i = 0; i < mesh.values.size(); ++i)
+    if (window.shows(mesh.right[i], mesh.up[i])) {
+      range[0] = std::min<double>(range[0], mesh.values[i]);
+      range[1] = std::max<double>(range[1], mesh.values[i]);
+    }
+  return range[0] < range[1] ? range : std::array<double, 2>{0., 1.};
+}
+
+Picture painted(const FlatMesh& mesh, const Window& window, const std::array<double, 2>& range) {
+  Picture picture(width, height, {255, 255, 255});
+  const auto corner = [&](const unsigned int point) {
+    return Picture::Corner{window.column(mesh.right.at(point)), window.row(mesh.up.at(point)),
+                           (mesh.values.at(point) - range[0]) / (range[1] - range[0])};
+  };
+  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
+    picture.paint(
+        {corner(mesh.triangles[i]), corner(mesh.triangles[i + 1]), corner(mesh.triangles[i + 2])});
+  return picture;
+}
+
+/// Round numbers between -extent and extent, about eight of them.
+std::vector<double> round_numbers(const double extent) {
+  const double raw = extent / 4.;
+  const double power = std::pow(10., std::floor(std::log10(raw)));
+  const double step = power * (raw / power < 1.5 ? 1. : raw / power < 3.5 ? 2. : 5.);
+  std::vector<double> numbers;
+  for (int i = static_cast<int>(std::ceil(-extent / step)); i * step <= extent; ++i)
+    numbers.push_back(i * step);
+  return numbers;
+}
+
+std::string text(const double x, const double y, const char* anchor, const std::string& content) {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
+                     escaped(content));
+}
+
+std::string axes(const Window& window, const std::string& unit) {
+  std::string result;
+  for (const double at : round_numbers(0.5 * width / window.scale)) {
+    const double x = left + window.column(at);
+    result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v6\"/>\n", x, top + height);
+    result += text(x, top + height + 22., "middle", fmt::format("{:.4g}", at));
+  }
+  for (const double at : round_numbers(0.5 * height / window.scale)) {
+    const double y = top + window.row(at);
+    result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}h-6\"/>\n", left, y);
+    result += text(left - 10., y + 5., "end", fmt::format("{:.4g}", at));
+  }
+  return result + text(left + 0.5 * width, top + height + 44., "middle",
+                       fmt::format("distance from the middle of the contact [{}]", unit));
+}
+
+std::string colour_bar(const std::array<double, 2>& range, const std::string& unit) {
+  const double y = top + height + 60.;
+  std::string stops;
+  for (std::size_t i = 0; i < palette().size(); ++i)
+    stops += fmt::format("<stop offset=\"{:.2f}\" stop-color=\"#{}\"/>",
+                         static_cast<double>(i) / static_cast<double>(palette().size() - 1),
+                         palette()[i]);
+  std::string result = fmt::format(
+      "<defs><linearGradient id=\"stress-colours\">{}</linearGradient></defs>\n<rect x=\"{}\" "
+      "y=\"{}\" width=\"{}\" height=\"16\" fill=\"url(#stress-colours)\"/>\n",
+      stops, left, y, width);
+  for (int i = 0; i <= 4; ++i)
+    result += text(left + 0.25 * i * width, y + 34.,
+                   i == 0   ? "start"
+                   : i == 4 ? "end"
+                            : "middle",
+                   significant(range[0] + 0.25 * i * (range[1] - range[0]), 4));
+  return result +
+         text(left + 0.5 * width, y + 54., "middle", fmt::format("von Mises stress [{}]", unit));
+}
+
+}  // namespace
+
+std::string field_picture(const json& view) {
+  const FlatMesh mesh = flat_mesh(view);
+  const Window window{0.5 * height / (half_widths_up * view.at("half_width").get<double>())};
+  const std::array<double, 2> range = range_in(mesh, window);
+  const std::string image = encoded_bytes(painted(mesh, window, range).png());
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+             "aria-label=\"von Mises stress around the contact, at most {2:.4g} {3}\" "
+             "font-family=\"DejaVu Sans, sans-serif\" font-size=\"15\" fill=\"#1b2126\">\n"
+             "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
+             "<image x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\" "
+             "href=\"data:image/png;base64,{8}\"/>\n<g stroke=\"#1b2126\" fill=\"none\">"
+             "<rect x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\"/></g>\n",
+             width + left + 30., height + top + 130., range[1],
+             view.at("stress_unit").get<std::string>(), left, top, width, height, image) +
+         axes(window, view.at("length_unit")) + colour_bar(range, view.at("stress_unit")) +
+         "</svg>\n";
+}
+
+}  // namespace geneva::post

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace geneva::post {
+
+using Colour = std::array<unsigned char, 3>;
+
+/// Colours at equal distances of the colour map viridis, whose lightness grows evenly, also for the
+/// colour-blind: "440154", ...
+const std::vector<std::string>& palette();
+
+/// The colour of a value between 0 and 1; beyond, that of the nearer end.
+Colour colour_of(double value);
+
+/// A picture by rows from the top.
+class Picture {
+ public:
+  Picture(int width, int height, Colour background);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] Colour at(int column, int row) const;
+
+  struct Corner {
+    double x;      ///< from the left [pixels]
+    double y;      ///< from the top [pixels]
+    double value;  ///< between 0 and 1
+  };
+  /// Paints a triangle with the colours of linearly interpolated values; pixels whose middle it
+  /// covers.
+  void paint(const std::array<Corner, 3>& corners);
+
+  /// As a PNG file.
+  [[nodiscard]] std::vector<unsigned char> png() const;
+
+ private:
+  int width_;
+  int height_;
+  std::vector<unsigned char> pixels_;
+};
+
+}  // namespace geneva::post
