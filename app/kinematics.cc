@@ -5,6 +5,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/mechanism_picture.h"
 #include "app/mechanism_state.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
@@ -17,10 +18,7 @@ post::KinematicsReport make_kinematics(const Case& given, const int steps) {
     refuse_model(given, "there is no Geneva mechanism", "geneva kinematics", "mechanism");
   const MechanismCase& mechanism = *given.mechanism;
   const MechanismDynamics dynamics = mechanism_dynamics(mechanism);
-  const loads::PinContact contact{
-      loads::contact_modulus({mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
-                             {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio}),
-      dynamics.sizes.thickness, dynamics.sizes.pin_diameter};
+  const loads::PinContact contact = pin_contact(mechanism, dynamics.sizes);
   return {name_of(given),
           given.title,
           version,

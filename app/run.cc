@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case_file.h"
+#include "app/mechanism_picture.h"
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
@@ -215,8 +216,14 @@ void present(const Case& given, const fem::Solution<dim>& solution,
 template <int dim>
 void publish(const Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report,
-             const std::string& log, OutputDirectory& directory) {
+             const Model<dim>& model, const std::string& log, OutputDirectory& directory) {
   const fs::path& working = directory.working();
+  if (model.mechanism)
+    write_text(working / "mechanism.json",
+               post::mechanism_document(
+                   mechanism_picture(*given.mechanism, *model.mechanism, model.mechanism->load))
+                       .dump() +
+                   "\n");
   post::write_contact(solution, results, given.units, working);
   write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
   write_text(working / "case.prm", given.completed);
@@ -256,7 +263,7 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   report.total_seconds = total.wall_time();
   together(communicator, [&] {
     if (!is_first) return;
-    publish(given, solution, results, report, progress.log(), directory);
+    publish(given, solution, results, report, model, progress.log(), directory);
     write_report(directory.final());
   });
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",

@@ -7,6 +7,7 @@
 #include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
+#include "post/report/mechanism_section.h"
 #include "post/report/picture.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
@@ -56,12 +57,38 @@ std::string missing_note(const Libraries& libraries) {
   return text;
 }
 
+/// Verdict, mechanism, contact, field, convergence.
+ReportPart whole_page(const ResultsDirectory& results, const std::string& field) {
+  ReportPart page = verdict_part(results);
+  const auto append = [&](const ReportPart& part) {
+    page.html += part.html;
+    page.charts.insert(page.charts.end(), part.charts.begin(), part.charts.end());
+  };
+  if (const json* const mechanism = results.document("mechanism"))
+    append(mechanism_part(*mechanism, results.units()));
+  append(contact_part(results));
+  append({field, {}});
+  append(convergence_part(results));
+  return page;
+}
+
+/// The drawing's data and the script that moves it.
+std::string mechanism_script(json mechanism) {
+  mechanism["projection"] = drawing_projection(mechanism);
+  return script(mechanism.dump(), " type=\"application/json\" id=\"mechanism-data\"") +
+         script(std::string(report_assets::mechanism));
+}
+
 }  // namespace
 
 Report make_report(const ResultsDirectory& results, const Libraries& libraries) try {
   Report report;
   const json& summary = *results.document("summary");
-  const ReportPart part = run_part(results);
+  const json* const view = results.document("view");
+  const bool is_interactive = view != nullptr && libraries.graphics;
+  if (view != nullptr) report.picture = field_picture(*view);
+  const ReportPart part = whole_page(
+      results, view == nullptr ? "" : field_section(*view, *report.picture, is_interactive));
   json charts = json::array();
   for (const Chart& chart : part.charts) charts.push_back(to_json(chart));
   std::string page = fmt::format(
@@ -69,16 +96,13 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<style>\n{}\n</style>\n</head>\n<body>\n",
       escaped(page_title(results.about())), report_assets::style);
-  const json* const view = results.document("view");
-  if (view != nullptr) report.picture = field_picture(*view);
-  const bool is_interactive = view != nullptr && libraries.graphics;
-  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html +
-          (view == nullptr ? "" : field_section(*view, *report.picture, is_interactive)) +
-          "</main>\n";
+  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
   if (libraries.charts) {
     page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
     page += script(*libraries.charts) + script(std::string(report_assets::charts));
   }
+  if (const json* const mechanism = results.document("mechanism"))
+    page += mechanism_script(*mechanism);
   if (is_interactive) {
     page += script(json(palette()).dump(), " type=\"application/json\" id=\"palette\"");
     page += script(view->dump(), " type=\"application/json\" id=\"view\"");

@@ -5,8 +5,9 @@
 /// The report's own style sheet and scripts, built in from the files in assets/.
 namespace geneva::post::report_assets {
 
-extern const std::string_view style;   ///< report.css
-extern const std::string_view charts;  ///< charts.js
-extern const std::string_view field;   ///< field.js
+extern const std::string_view style;      ///< report.css
+extern const std::string_view charts;     ///< charts.js
+extern const std::string_view field;      ///< field.js
+extern const std::string_view mechanism;  ///< mechanism.js
 
 }  // namespace geneva::post::report_assets

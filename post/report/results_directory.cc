@@ -96,9 +96,11 @@ ResultsDirectory read_results(const fs::path& directory) {
       results.tables[table] = read_csv(csv);
     }
     results.documents[files.name] = std::move(document);
-    const fs::path view = directory / "view.json";  // there is none without contact
-    if (std::string(files.name) == "summary" && fs::exists(view))
-      results.documents["view"] = read_json(view);
+    if (std::string(files.name) != "summary") continue;
+    for (const char* const name : {"view", "mechanism"}) {  // not of every run
+      const fs::path more = directory / (std::string(name) + ".json");
+      if (fs::exists(more)) results.documents[name] = read_json(more);
+    }
   }
   if (results.documents.empty())
     throw std::invalid_argument(

@@ -279,22 +279,27 @@ std::string effort_table(const json& summary) {
 
 }  // namespace
 
-ReportPart run_part(const ResultsDirectory& results) {
+ReportPart verdict_part(const ResultsDirectory& results) {
   const json& summary = *results.document("summary");
-  const UnitSystem units = unit_system_named(summary.at("case").at("output_units"));
-  const std::vector<Chart> contact = contact_charts(results, units);
-  const std::vector<Chart> convergence{convergence_chart(summary, units), error_chart(summary)};
-  ReportPart part;
-  part.html =
-      html_section("verdict", "Verdict",
-                   verdict_sentence(summary) + notices(summary) + verdict_table(summary, units)) +
-      html_section("checks", "Is it right?", checks_table(summary));
-  if (!contact.empty()) part.html += html_section("contact", "Contact", places_of(contact));
-  part.html +=
-      html_section("convergence", "Convergence", places_of(convergence) + effort_table(summary));
-  part.charts = contact;
-  part.charts.insert(part.charts.end(), convergence.begin(), convergence.end());
-  return part;
+  return {html_section("verdict", "Verdict",
+                       verdict_sentence(summary) + notices(summary) +
+                           verdict_table(summary, results.units())) +
+              html_section("checks", "Is it right?", checks_table(summary)),
+          {}};
+}
+
+ReportPart contact_part(const ResultsDirectory& results) {
+  const std::vector<Chart> charts = contact_charts(results, results.units());
+  if (charts.empty()) return {};
+  return {html_section("contact", "Contact", places_of(charts)), charts};
+}
+
+ReportPart convergence_part(const ResultsDirectory& results) {
+  const json& summary = *results.document("summary");
+  const std::vector<Chart> charts{convergence_chart(summary, results.units()),
+                                  error_chart(summary)};
+  return {html_section("convergence", "Convergence", places_of(charts) + effort_table(summary)),
+          charts};
 }
 
 }  // namespace geneva::post

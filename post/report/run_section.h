@@ -14,8 +14,14 @@ struct ReportPart {
   std::vector<Chart> charts;
 };
 
-/// What `geneva run` computed: verdict, checks, warnings, pressure, depth, convergence, in space
-/// line load.
-ReportPart run_part(const ResultsDirectory& results);
+/// What `geneva run` computed: the verdict beside closed forms and published values, warnings and
+/// checks.
+ReportPart verdict_part(const ResultsDirectory& results);
+
+/// Pressure and stress below the contact; in space line load and pressure along the pin.
+ReportPart contact_part(const ResultsDirectory& results);
+
+/// Pressure and error mesh by mesh, and what it took.
+ReportPart convergence_part(const ResultsDirectory& results);
 
 }  // namespace geneva::post

@@ -3,6 +3,7 @@
 
 import html.parser
 import json
+import math
 import os
 import re
 import shutil
@@ -209,6 +210,39 @@ class PlaneReport(ReportTest):
         self.choose("field", "contact_pressure")
         self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * PSI,
                           self.summary["contact"]["peak_pressure"]["value"], 1e-6, "colour bar")
+
+    def test_slider_turns_the_mechanism(self):
+        mechanism = json.loads((self.results / "mechanism.json").read_text())
+        for index in (0, 100, 180, 300):
+            self.browser.run(
+                "const s = document.querySelector('#mechanism-controls [name=step]'); s.value = arguments[0];"
+                "s.dispatchEvent(new Event('input'))", index)
+            step = mechanism["steps"][index]
+            drawn = self.browser.run("return document.getElementById('mechanism-drawing').dataset.wheelAngle")
+            self.assertAlmostEqual(float(drawn), step["wheel_angle"], 12)
+            shown = self.browser.run(
+                "return document.querySelector('#mechanism-readings [data-key=wheel_speed]').textContent")
+            self.assertAlmostEqual(float(shown), step["wheel_speed"] * 30. / math.pi, delta=0.1)
+            self.check_pin_is_in_slot(mechanism, step)
+
+    def check_pin_is_in_slot(self, mechanism, step):
+        """The drawn pin lies on the middle of a slot of the drawn wheel whenever it is engaged."""
+        if step["engaged_pin"] is None:
+            return
+        x, y, _ = step["pins"][step["engaged_pin"]]
+        pitch = 2. * math.pi / 4
+        self.assertAlmostEqual(math.remainder(math.atan2(y, x) - step["wheel_angle"], pitch), 0., 12)
+        centre = self.browser.run(
+            "const p = document.querySelector('#mechanism-drawing .pin'), w = document.querySelector('#mechanism-wheel');"
+            "const at = document.getElementById('mechanism-drawing').createSVGPoint();"
+            "at.x = p.cx.baseVal.value; at.y = p.cy.baseVal.value; return w.isPointInFill(at)")
+        self.assertFalse(centre, "the pin's middle is in the wheel's material")
+
+    def test_marks_the_analysed_angle(self):
+        load = self.summary["load"]
+        (mark,) = self.chart("chart-pin_force")["analysed"]
+        self.assert_close(mark["x"], math.degrees(load["driver_angle"]["value"]), 1e-9, "angle")
+        self.assert_close(mark["y"] * 4.4482216152605, load["force"]["value"], 1e-9, "force")
 
     def test_is_the_same_when_made_again(self):
         first = (self.results / "report.html").read_text()

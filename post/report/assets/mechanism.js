@@ -1,0 +1,75 @@
+// Turns the drawing of the mechanism with the slider.
+(function () {
+  "use strict";
+  const mechanism = JSON.parse(document.getElementById("mechanism-data").textContent);
+  const { rows, offset, arrow } = mechanism.projection;
+  const drawing = document.getElementById("mechanism-drawing");
+  const slider = document.querySelector('#mechanism-controls [name="step"]');
+  const button = document.querySelector('#mechanism-controls [name="run"]');
+  const scale = Math.hypot(...rows[0]);
+  const greatestForce = Math.max(...mechanism.steps.map((step) => Math.abs(step.pin_force)));
+
+  const pixel = (place) => rows.map((row, i) => offset[i] + row[0] * place[0] + row[1] * place[1] + row[2] * place[2]);
+
+  function turned([x, y, z], angle) {
+    return [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), z];
+  }
+
+  function pathData(places, angle) {
+    return places.map((place, i) => (i === 0 ? "M" : "L") + pixel(turned(place, angle)).map((c) => c.toFixed(2)).join(" ")).join("");
+  }
+
+  function setLine(element, from, to) {
+    [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]].forEach(([name, value]) => element.setAttribute(name, value.toFixed(2)));
+  }
+
+  function drawForce(step) {
+    const line = document.getElementById("mechanism-force");
+    const isThere = step.engaged_pin !== null && Math.abs(step.pin_force) > 1e-3 * greatestForce;
+    line.style.visibility = isThere ? "visible" : "hidden";
+    if (!isThere) return;
+    line.setAttribute("marker-end", "url(#arrow)");
+    const pin = step.pins[step.engaged_pin];
+    const angle = Math.atan2(pin[1], pin[0]);
+    const along = (length) => {
+      const side = Math.sign(step.pin_force) * length;
+      return pixel([pin[0] - side * Math.sin(angle), pin[1] + side * Math.cos(angle), pin[2]]);
+    };
+    const radius = mechanism.pin_diameter / 2;
+    setLine(line, along(radius), along(radius + (arrow * Math.abs(step.pin_force)) / greatestForce / scale));
+  }
+
+  function show(step) {
+    document.getElementById("mechanism-wheel").setAttribute("d", mechanism.wheel.map((loop) => pathData(loop, step.wheel_angle) + "Z").join(""));
+    const linkage = document.getElementById("mechanism-linkage");
+    if (linkage) linkage.setAttribute("d", pathData(step.linkage, 0));
+    drawing.querySelectorAll(".pin").forEach((circle, i) => {
+      const at = pixel(step.pins[i]);
+      circle.setAttribute("cx", at[0].toFixed(2));
+      circle.setAttribute("cy", at[1].toFixed(2));
+    });
+    if (mechanism.driver_axis)
+      drawing.querySelectorAll(".mechanism-crank").forEach((line, i) => setLine(line, pixel(mechanism.driver_axis), pixel(step.pins[i])));
+    drawForce(step);
+    document.querySelectorAll("#mechanism-readings output").forEach((output) => {
+      const value = step[output.dataset.key];
+      output.textContent = value === null ? "not bounded" : Number((value * Number(output.dataset.factor)).toPrecision(5)).toString();
+    });
+    drawing.dataset.wheelAngle = step.wheel_angle;
+  }
+
+  const goTo = () => show(mechanism.steps[Number(slider.value)]);
+  let running = 0;
+  function advance() {
+    slider.value = (Number(slider.value) + 1) % mechanism.steps.length;
+    goTo();
+    running = requestAnimationFrame(advance);
+  }
+  slider.addEventListener("input", goTo);
+  button.addEventListener("click", () => {
+    if (running) cancelAnimationFrame(running);
+    running = running ? 0 : requestAnimationFrame(advance);
+    button.textContent = running ? "Stop" : "Run";
+    button.setAttribute("aria-pressed", String(running !== 0));
+  });
+})();

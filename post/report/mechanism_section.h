@@ -1,0 +1,16 @@
+#pragma once
+
+#include "post/report/run_section.h"
+
+namespace geneva::post {
+
+/// The mechanism drawn to scale at the analysed driver angle, a slider that turns it, its lengths,
+/// and its curves over the cycle.
+/// @param mechanism what mechanism.json holds
+ReportPart mechanism_part(const nlohmann::json& mechanism, UnitSystem units);
+
+/// Where places [m] appear on the drawing, for the script that moves it: two rows of a matrix and
+/// the offset [pixels].
+nlohmann::json drawing_projection(const nlohmann::json& mechanism);
+
+}  // namespace geneva::post
