@@ -54,6 +54,11 @@ struct FlatMesh {
   std::vector<unsigned int> triangles;
 };
 
+std::vector<float> restored_numbers(const json& section) {
+  return restored({section.at("low"), section.at("high"),
+                   decoded<std::uint16_t>(section.at("steps").get<std::string>())});
+}
+
 FlatMesh flat_mesh(const json& view) {
   const std::string name = view.at("dimension") == 3 ? "across" : "model";
   const json& meshes = view.at("meshes");
@@ -65,7 +70,7 @@ FlatMesh flat_mesh(const json& view) {
   const auto points = decoded<float>(mesh->at("points"));
   FlatMesh result{{},
                   {},
-                  decoded<float>(mesh->at("fields").at("von_mises")),
+                  restored_numbers(mesh->at("fields").at("von_mises")),
                   decoded<unsigned int>(mesh->at("triangles"))};
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     const Vector place{points[i], points[i + 1], points[i + 2]};

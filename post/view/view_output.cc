@@ -34,6 +34,11 @@ std::vector<float> scaled(const std::vector<float>& values, const double factor)
   return result;
 }
 
+json quantised_section(const std::vector<float>& values) {
+  const Quantised numbers = quantised(values);
+  return {{"low", numbers.low}, {"high", numbers.high}, {"steps", encoded(numbers.steps)}};
+}
+
 json mesh_section(const std::string& name, const std::string& title, const ViewMesh& mesh,
                   const ViewScale& scale) {
   std::vector<float> points;
@@ -44,15 +49,15 @@ json mesh_section(const std::string& name, const std::string& title, const ViewM
   for (std::size_t i = 0; i < view_fields.size(); ++i) {
     const auto& values = mesh.fields[i];
     if (std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
-      fields[view_fields[i]] = encoded(scaled(values, scale.stress));
+      fields[view_fields[i]] = quantised_section(scaled(values, scale.stress));
   }
   return {{"name", name},
           {"title", title},
           {"n_points", mesh.bodies.size()},
           {"n_triangles", mesh.triangles.size() / 3},
           {"points", encoded(points)},
-          {"displacements", encoded(scaled(mesh.displacements, scale.length))},
-          {"bodies", encoded(mesh.bodies)},
+          {"displacements", quantised_section(scaled(mesh.displacements, scale.length))},
+          {"bodies", encoded(std::vector<std::uint8_t>(mesh.bodies.begin(), mesh.bodies.end()))},
           {"triangles", encoded(mesh.triangles)},
           {"fields", fields}};
 }
@@ -223,7 +228,8 @@ void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
   const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * half_width);
   const PressureMesh pressure = pressure_mesh(contact, visible, finder);
   meshes.push_back(mesh_section("contact", "contact surface", pressure.mesh, scale));
-  meshes.back()["fields"]["contact_pressure"] = encoded(scaled(pressure.pressure, scale.stress));
+  meshes.back()["fields"]["contact_pressure"] =
+      quantised_section(scaled(pressure.pressure, scale.stress));
   json bodies = json::array();
   for (const fem::Body<dim>& body : solution.problem.bodies) bodies.push_back(body.name);
   json view;

@@ -27,7 +27,7 @@ CRASH_SIGNS = ("terminate called", "Stack trace", "Stacktrace", "Aborted", "what
 
 # Everything that a run in the plane writes, beside one solution.N.vtu for each MPI rank.
 RESULT_FILES = ("solution.pvd", "solution.pvtu", "contact.vtu", "contact.csv", "results.h5", "results.xdmf",
-                "depth.csv", "mechanism.json", "summary.json", "case.prm", "log.txt", "view.json",
+                "depth.csv", "summary.json", "case.prm", "log.txt", "view.json",
                 "stress.svg", "report.html")
 
 # Fields of summary.json that differ from run to run.

@@ -21,17 +21,22 @@
     return new Type(bytes.buffer);
   }
 
+  // Numbers that are kept as steps between the least and the greatest.
+  function restored({ low, high, steps }) {
+    return Float32Array.from(decoded(steps, Uint16Array), (step) => (step === 65535 ? NaN : low + ((high - low) * step) / 65534));
+  }
+
   function decodedMesh(mesh) {
     const result = {
       name: mesh.name,
       normal: mesh.normal,
       points: decoded(mesh.points, Float32Array),
-      displacements: decoded(mesh.displacements, Float32Array),
-      bodies: decoded(mesh.bodies, Uint32Array),
+      displacements: restored(mesh.displacements),
+      bodies: decoded(mesh.bodies, Uint8Array),
       triangles: decoded(mesh.triangles, Uint32Array),
       fields: {},
     };
-    for (const name of Object.keys(mesh.fields)) result.fields[name] = decoded(mesh.fields[name], Float32Array);
+    for (const name of Object.keys(mesh.fields)) result.fields[name] = restored(mesh.fields[name]);
     const u = result.displacements;
     if (mesh.name !== "contact")
       result.fields.displacement = Float32Array.from({ length: u.length / 3 }, (_, i) =>

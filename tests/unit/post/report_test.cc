@@ -78,6 +78,16 @@ TEST(EncodedNumbers, ComeBack) {
   EXPECT_TRUE(decoded<float>("").empty());
 }
 
+TEST(QuantisedNumbers, KeepTheirEndsAndGapsAndFourDigits) {
+  const std::vector<float> numbers{-3.F, NAN, 0.1F, 7.F};
+  const std::vector<float> back = restored(quantised(numbers));
+  EXPECT_EQ(back[0], -3.F);
+  EXPECT_TRUE(std::isnan(back[1]));
+  EXPECT_NEAR(back[2], 0.1, 1e-4);
+  EXPECT_EQ(back[3], 7.F);
+  EXPECT_EQ(restored(quantised({2.F, 2.F})), (std::vector<float>{2.F, 2.F}));
+}
+
 TEST(EncodedNumbers, RefuseWhatIsDamaged) {
   EXPECT_THROW(decoded<float>("AQAA"), std::invalid_argument);
   EXPECT_THROW(decoded<float>("!!!!"), std::invalid_argument);
