@@ -1,9 +1,11 @@
 #include "app/case_file.h"
 
 #include <deal.II/base/parameter_handler.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 #include <map>
 #include <ostream>
 #include <stdexcept>
@@ -128,6 +130,11 @@ Case read_case(const fs::path& directory) {
 std::string name_of(const Case& given) {
   const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
   return path.parent_path().filename().string();
+}
+
+post::CaseHeader header_of(const Case& given) {
+  return {name_of(given), given.title,
+          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units};
 }
 
 void refuse_model(const Case& given, const std::string& reason, const std::string& command,

@@ -18,6 +18,7 @@
 #include "loads/synthesis/crank_rocker.h"
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
+#include "post/json_values.h"
 #include "post/units.h"
 
 namespace geneva::app {
@@ -145,6 +146,9 @@ Case read_case(const std::filesystem::path& directory);
 
 /// Name of the case: that of its directory, also where the user says ".".
 std::string name_of(const Case& given);
+
+/// What the documents of a case say that they are about, made now.
+post::CaseHeader header_of(const Case& given);
 
 /// Refuses a case for a command that is for other models.
 /// @param reason what is missing there: "there is no wheel to design"

@@ -147,8 +147,7 @@ void try_sizes(const double first, const double least,
 post::CrownReport search(const MPI_Comm communicator, const Case& given,
                          ProgressDisplay& progress) {
   post::CrownReport report{};
-  report.case_name = name_of(given);
-  report.title = given.title;
+  report.about = header_of(given);
   report.geneva_version = version;
   report.profile = is_logarithmic(given) ? "logarithmic" : "crown";
   report.parameter = is_logarithmic(given) ? "Profile amplitude" : "Crown radius";

@@ -10,6 +10,7 @@
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
+#include "app/report.h"
 #include "app/version.h"
 
 namespace geneva::app {
@@ -123,8 +124,7 @@ post::DesignReport make_design(const Case& given) {
   const MechanismCase mechanism = designed_mechanism(given);
   const loads::DesignInput input = design_input(mechanism);
   post::DesignReport report{};
-  report.case_name = name_of(given);
-  report.title = given.title;
+  report.about = header_of(given);
   report.geneva_version = version;
   report.row = loads::johnson_row(mechanism.dimensions.stations);
   report.load = mechanism.load;
@@ -155,12 +155,13 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
   std::cout << post::design_table(reports, all.front().units);
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const std::string& notice : notices_of(all[i], reports[i]))
-      std::cout << "note: " << (all.size() > 1 ? reports[i].case_name + ": " : "") << notice
+      std::cout << "note: " << (all.size() > 1 ? reports[i].about.name + ": " : "") << notice
                 << '\n';
   for (std::size_t i = 0; i < all.size(); ++i) {
     write_and_rename(targets[i] / "design.json", post::design_summary(reports[i]).dump(2) + "\n");
     write_and_rename(targets[i] / "design.csv", post::design_csv(reports[i], all[i].units));
-    std::cout << "design.json and design.csv in " << shown_path(targets[i]) << '\n';
+    write_report(targets[i]);
+    std::cout << "design.json, design.csv and report.html in " << shown_path(targets[i]) << '\n';
   }
   return 0;
 }

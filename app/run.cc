@@ -3,12 +3,10 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -145,11 +143,6 @@ double peak_memory(const MPI_Comm communicator) {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
 }
 
-/// Local date and time, ISO 8601.
-std::string date_and_time() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr)));
-}
-
 /// Runs a task on this rank and makes all ranks fail together if it fails on one.
 template <typename Task>
 void together(const MPI_Comm communicator, const Task& task) {
@@ -180,11 +173,8 @@ template <int dim>
 post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
                             const fem::Solution<dim>& solution, const post::Results<dim>& results) {
   post::RunReport report{};
-  report.case_name = name_of(given);
-  report.title = given.title;
+  report.about = header_of(given);
   report.mechanism = mechanism_report(model, given.mechanism, solution, results);
-  report.date = date_and_time();
-  report.units = given.units;
   report.accuracy = given.settings.accuracy;
   report.notices = model.notices;
   for (const std::string& notice : notices_of(given, solution, results))

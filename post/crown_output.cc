@@ -87,7 +87,7 @@ json crown_summary(const CrownReport& report) {
   json trials = json::array();
   for (const CrownTrial& trial : report.trials)
     trials.push_back({{"size", quantity(trial.size, "m")}, {"ratio", trial.ratio}});
-  return {{"case", {{"name", report.case_name}, {"title", report.title}}},
+  return {{"case", case_section(report.about)},
           {"crown",
            {{"profile", report.profile},
             {"parameter", report.parameter},

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "post/json_values.h"
 #include "post/results.h"
 #include "post/units.h"
 
@@ -44,8 +45,7 @@ struct CrownTrial {
 
 /// What `geneva design --crown` finds.
 struct CrownReport {
-  std::string case_name;
-  std::string title;
+  CaseHeader about;
   std::string geneva_version;
   std::string parameter;           ///< "Crown radius" or "Profile amplitude"
   std::string profile;             ///< "crown" or "logarithmic"

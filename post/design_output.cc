@@ -81,7 +81,7 @@ json table_section() {
 
 json design_summary(const DesignReport& report) {
   json result = report.johnson ? wheel_section(*report.johnson, "optimum_") : json::object();
-  result["case"] = {{"name", report.case_name}, {"title", report.title}};
+  result["case"] = case_section(report.about);
   result["stations"] = report.row.stations;
   result["load_inertia"] = quantity(report.load.load_inertia, "kg m^2");
   result["friction_moment"] = quantity(report.load.friction_moment, "N m");
@@ -237,10 +237,10 @@ std::vector<TableLine> table_lines(const std::vector<DesignReport>& reports,
 std::string design_table(const std::vector<DesignReport>& reports, const UnitSystem units) {
   constexpr std::size_t name_width = 44;
   std::size_t width = 14;
-  for (const DesignReport& report : reports) width = std::max(width, report.case_name.size() + 2);
+  for (const DesignReport& report : reports) width = std::max(width, report.about.name.size() + 2);
   std::string table = fmt::format("{:<{}}", "", name_width);
   for (const DesignReport& report : reports)
-    table += fmt::format("{:>{}}", report.case_name, width);
+    table += fmt::format("{:>{}}", report.about.name, width);
   table += '\n';
   for (const TableLine& line : table_lines(reports, units)) {
     table += line.value ? fmt::format("{:<{}}", line.name, name_width) : line.name;

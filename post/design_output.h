@@ -8,6 +8,7 @@
 #include "loads/design/design.h"
 #include "loads/design/shaft.h"
 #include "loads/motion/pin_load.h"
+#include "post/json_values.h"
 #include "post/units.h"
 
 namespace geneva::post {
@@ -22,8 +23,7 @@ struct ShaftReport {
 
 /// Johnson's design of wheel and shaft for one case, SI units.
 struct DesignReport {
-  std::string case_name;
-  std::string title;
+  CaseHeader about;
   std::string geneva_version;
   loads::JohnsonRow row;
   loads::WheelLoad load;     ///< with the shaft's inertia where it is added

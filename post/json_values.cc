@@ -22,6 +22,13 @@ json quantity(const double value, const Dimension dimension) {
 
 json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
+json case_section(const CaseHeader& header) {
+  return {{"name", header.name},
+          {"title", header.title},
+          {"date", header.date},
+          {"output_units", name_of(header.units)}};
+}
+
 json versions_section(const std::string& geneva_version) {
   return {{"geneva", geneva_version}, {"results", results_format}};
 }

@@ -16,6 +16,17 @@ nlohmann::json quantity(double value, Dimension dimension);
 /// The number, or null if it is not finite.
 nlohmann::json finite(double value);
 
+/// What a document is about.
+struct CaseHeader {
+  std::string name;
+  std::string title;
+  std::string date;  ///< local date and time at which the document was made, ISO 8601
+  UnitSystem units;  ///< of the other files
+};
+
+/// Section "case" of a document.
+nlohmann::json case_section(const CaseHeader& header);
+
 /// Of the files that the program writes; grows whenever a reader of the files must know.
 constexpr int results_format = 1;
 

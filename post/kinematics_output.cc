@@ -46,69 +46,85 @@ void add_peak(json& result, const std::string& name, const PlacedPeak& peak, con
   result[name + "_angle"] = peak.value > 0. ? quantity(peak.driver_angle, "rad") : json(nullptr);
 }
 
-/// Lines of the table: name and value.
-class Table {
+/// Builds the rows.
+class Rows {
  public:
-  explicit Table(const UnitSystem units) : units_(units) {}
-
-  void add(const std::string& name, const double value, const Dimension dimension) {
-    const OutputUnit unit = output_unit(units_, dimension);
-    line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
-         fmt::format("{:.6g}", shown(value) * unit.factor));
+  void add(const std::string& quantity, const double value, const Dimension dimension) {
+    list_.push_back({quantity, dimension, value, std::nullopt});
   }
-  void add(const std::string& name, const PlacedPeak& peak, const Dimension dimension) {
-    add(name, peak, output_unit(units_, dimension));
+  void add(const std::string& quantity, const PlacedPeak& peak, const Dimension dimension) {
+    list_.push_back({quantity, dimension, peak.value,
+                     peak.value > 0. ? std::optional(peak.driver_angle) : std::nullopt});
   }
-  /// A value whose unit is the product of two.
-  void add(const std::string& name, const PlacedPeak& peak, const Dimension first,
-           const Dimension second) {
-    const OutputUnit a = output_unit(units_, first);
-    const OutputUnit b = output_unit(units_, second);
-    add(name, peak, {a.name + " " + b.name, a.factor * b.factor});
+  void add_if_finite(const std::string& quantity, const double value) {
+    if (std::isfinite(value)) add(quantity, value, Dimension::dimensionless);
   }
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] const std::vector<CharacteristicRow>& list() const { return list_; }
 
  private:
-  void add(const std::string& name, const PlacedPeak& peak, const OutputUnit& unit) {
-    const OutputUnit angle = output_unit(units_, Dimension::angle);
-    line(unit.name.empty() ? name : fmt::format("{} [{}]", name, unit.name),
-         fmt::format("{:.6g}", peak.value * unit.factor),
-         peak.value > 0.
-             ? fmt::format("at {:.5g} {}", shown(peak.driver_angle) * angle.factor, angle.name)
-             : "");
-  }
-  void line(const std::string& name, const std::string& value, const std::string& place = "") {
-    text_ += fmt::format("{:<52} {:>12}{}{}\n", name, value, place.empty() ? "" : "  ", place);
-  }
-
-  UnitSystem units_;
-  std::string text_;
+  std::vector<CharacteristicRow> list_;
 };
 
-void add_forces(Table& table, const loads::Characteristics& values) {
-  table.add("greatest pin force", values.force, Dimension::force);
-  if (std::isfinite(values.force_ratio))
-    table.add("  over that at the greatest acceleration", values.force_ratio,
-              Dimension::dimensionless);
+void add_forces(Rows& rows, const loads::Characteristics& values) {
+  const std::string ratio = "  over that at the greatest acceleration";
+  rows.add("greatest pin force", values.force, Dimension::force);
+  rows.add_if_finite(ratio, values.force_ratio);
   if (values.braking_force.value > 0.)
-    table.add("greatest force on the braking wall", values.braking_force, Dimension::force);
-  table.add("greatest Hertz pressure", values.pressure, Dimension::stress);
-  if (std::isfinite(values.pressure_ratio))
-    table.add("  over that at the greatest acceleration", values.pressure_ratio,
-              Dimension::dimensionless);
-  table.add("greatest pressure x slip", values.pressure_times_slip, Dimension::stress,
-            Dimension::speed);
-  if (std::isfinite(values.pressure_times_slip_ratio))
-    table.add("  over that at the greatest acceleration", values.pressure_times_slip_ratio,
-              Dimension::dimensionless);
+    rows.add("greatest force on the braking wall", values.braking_force, Dimension::force);
+  rows.add("greatest Hertz pressure", values.pressure, Dimension::stress);
+  rows.add_if_finite(ratio, values.pressure_ratio);
+  rows.add("greatest pressure x slip", values.pressure_times_slip, Dimension::pressure_times_speed);
+  rows.add_if_finite(ratio, values.pressure_times_slip_ratio);
+}
+
+json characteristics_section(const KinematicsReport& report) {
+  json list = json::array();
+  for (const CharacteristicRow& row : characteristic_rows(report.values, report.reference_speed))
+    list.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"value", quantity(row.value, row.dimension)},
+                    {"driver_angle",
+                     row.driver_angle ? quantity(*row.driver_angle, Dimension::angle) : json()}});
+  return list;
+}
+
+std::string line_of(const CharacteristicRow& row, const UnitSystem units) {
+  const OutputUnit unit = output_unit(units, row.dimension);
+  const OutputUnit angle = output_unit(units, Dimension::angle);
+  const std::string place =
+      row.driver_angle
+          ? fmt::format("  at {:.5g} {}", shown(*row.driver_angle) * angle.factor, angle.name)
+          : "";
+  return fmt::format(
+      "{:<52} {:>12}{}\n",
+      unit.name.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, unit.name),
+      fmt::format("{:.6g}", shown(row.value) * unit.factor), place);
 }
 
 }  // namespace
 
+std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics& values,
+                                                   const double reference_speed) {
+  Rows rows;
+  rows.add("reference speed", reference_speed, Dimension::angular_speed);
+  rows.add("greatest wheel speed over it", values.speed_ratio, Dimension::dimensionless);
+  rows.add("greatest wheel acceleration over its square", values.acceleration_ratio,
+           Dimension::dimensionless);
+  rows.add("  at entry", values.entry_acceleration_ratio, Dimension::dimensionless);
+  rows.add("wheel jerk over its cube, midway", values.jerk_ratio_at_centre,
+           Dimension::dimensionless);
+  rows.add("driver angle in engagement", values.engagement_angle, Dimension::angle);
+  rows.add("motion time", values.motion_time, Dimension::time);
+  for (const double time : values.dwell_times) rows.add("dwell time", time, Dimension::time);
+  rows.add("motion time over the whole", values.motion_fraction, Dimension::dimensionless);
+  rows.add("motion time over dwell time, k_t", values.time_ratio, Dimension::dimensionless);
+  add_forces(rows, values);
+  return rows.list();
+}
+
 json kinematics_summary(const KinematicsReport& report) {
   const loads::Characteristics& values = report.values;
-  json result{{"case", report.case_name},
-              {"title", report.title},
+  json result{{"case", case_section(report.about)},
               {"mechanism", report.mechanism},
               {"reference_speed", quantity(report.reference_speed, "rad/s")},
               {"versions", versions_section(report.geneva_version)}};
@@ -134,6 +150,7 @@ json kinematics_summary(const KinematicsReport& report) {
   result["exit_tangency"] = quantity(values.exit_tangency, "rad");
   result["bounded"] = report.unbounded.empty();
   result["unbounded"] = unbounded_section(report.unbounded);
+  result["characteristics"] = characteristics_section(report);
   return result;
 }
 
@@ -168,22 +185,9 @@ std::string kinematics_csv(const KinematicsReport& report, const UnitSystem unit
 }
 
 std::string kinematics_table(const KinematicsReport& report, const UnitSystem units) {
-  const loads::Characteristics& values = report.values;
-  Table table(units);
-  table.add("reference speed", report.reference_speed, Dimension::angular_speed);
-  table.add("greatest wheel speed over it", values.speed_ratio, Dimension::dimensionless);
-  table.add("greatest wheel acceleration over its square", values.acceleration_ratio,
-            Dimension::dimensionless);
-  table.add("  at entry", values.entry_acceleration_ratio, Dimension::dimensionless);
-  table.add("wheel jerk over its cube, midway", values.jerk_ratio_at_centre,
-            Dimension::dimensionless);
-  table.add("driver angle in engagement", values.engagement_angle, Dimension::angle);
-  table.add("motion time", values.motion_time, Dimension::time);
-  for (const double time : values.dwell_times) table.add("dwell time", time, Dimension::time);
-  table.add("motion time over the whole", values.motion_fraction, Dimension::dimensionless);
-  table.add("motion time over dwell time, k_t", values.time_ratio, Dimension::dimensionless);
-  add_forces(table, values);
-  std::string text = report.mechanism + "\n" + table.text();
+  std::string text = report.mechanism + "\n";
+  for (const CharacteristicRow& row : characteristic_rows(report.values, report.reference_speed))
+    text += line_of(row, units);
   const OutputUnit angle = output_unit(units, Dimension::angle);
   for (const loads::Unbounded& place : report.unbounded)
     text += fmt::format("not bounded: the {} at {:.6g} {}: {}\n", place.quantity,

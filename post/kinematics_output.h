@@ -1,18 +1,19 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "loads/motion/kinematics.h"
+#include "post/json_values.h"
 #include "post/units.h"
 
 namespace geneva::post {
 
 /// Kinematics and pin force of one case, SI units.
 struct KinematicsReport {
-  std::string case_name;
-  std::string title;
+  CaseHeader about;
   std::string geneva_version;
   std::string mechanism;   ///< in words
   double reference_speed;  ///< [rad/s]
@@ -20,6 +21,16 @@ struct KinematicsReport {
   std::vector<loads::Unbounded> unbounded;
   std::vector<loads::KinematicsRow> rows;
 };
+
+/// One line of the table of characteristic values; SI units.
+struct CharacteristicRow {
+  std::string quantity;
+  Dimension dimension;
+  double value;
+  std::optional<double> driver_angle;  ///< at which it occurs [rad]
+};
+std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics& values,
+                                                   double reference_speed);
 
 /// What kinematics.json says, SI units throughout.
 nlohmann::json kinematics_summary(const KinematicsReport& report);

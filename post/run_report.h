@@ -6,6 +6,7 @@
 
 #include "loads/motion/pin_load.h"
 #include "loads/pin/pin_beam.h"
+#include "post/json_values.h"
 #include "post/pin_bending.h"
 #include "post/units.h"
 
@@ -34,10 +35,7 @@ struct MechanismReport {
 
 /// What a run is about and what it cost.
 struct RunReport {
-  std::string case_name;
-  std::string title;
-  std::string date;                  ///< local date and time of the run, ISO 8601
-  UnitSystem units;                  ///< of files and tables
+  CaseHeader about;
   double accuracy;                   ///< wanted, relative
   std::vector<std::string> notices;  ///< what the user should know before trusting the figures
   std::optional<MechanismReport> mechanism;

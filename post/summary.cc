@@ -204,13 +204,11 @@ json checks_section(const fem::Solution<dim>& solution, const Results<dim>& resu
   return list;
 }
 
-json case_section(const RunReport& report, const int dimension) {
-  return {{"name", report.case_name},
-          {"title", report.title},
-          {"date", report.date},
-          {"dimension", dimension},
-          {"output_units", name_of(report.units)},
-          {"accuracy", report.accuracy}};
+json run_case_section(const RunReport& report, const int dimension) {
+  json section = case_section(report.about);
+  section["dimension"] = dimension;
+  section["accuracy"] = report.accuracy;
+  return section;
 }
 
 template <int dim>
@@ -242,7 +240,7 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
              const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   const double parts = report.mechanism ? report.mechanism->parts : 1.;
-  json result{{"case", case_section(report, dim)},
+  json result{{"case", run_case_section(report, dim)},
               {"contact", contact_section(solution, solution.contacts[leading],
                                           results.contacts[leading], parts)},
               {"bodies", bodies_section(solution, results)},

@@ -38,9 +38,9 @@ struct DimensionFacts {
 /// By UnitSystem.
 constexpr std::array<std::string_view, 3> unit_system_names{"SI", "mm-N", "in-lbf"};
 
-const std::array<DimensionFacts, 17>& all_facts() {
+const std::array<DimensionFacts, 18>& all_facts() {
   // in the order of the enumeration
-  static const std::array<DimensionFacts, 17> table{{
+  static const std::array<DimensionFacts, 18> table{{
       {"plain number",
        "a plain number or a percentage",
        "'0.3' or '30 %'",
@@ -113,6 +113,11 @@ const std::array<DimensionFacts, 17>& all_facts() {
        "'2 m/s' or '80 in/s'",
        {1, 0, -1, 0},
        {"m/s", "mm/s", "in/s"}},
+      {"pressure times speed",
+       "a pressure times a speed with its unit",
+       "'1.5 MPa.m/s' or '1000 psi.in/s'",
+       {0, 1, -3, 0},
+       {"Pa m/s", "MPa mm/s", "psi in/s"}},
       {"memory",
        "an amount of memory with its unit",
        "'16 GB' or '500 MB'",

@@ -22,6 +22,7 @@ enum class Dimension {
   inertia,
   time,
   speed,
+  pressure_times_speed,
   memory  ///< [byte]
 };
 

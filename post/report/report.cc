@@ -8,6 +8,7 @@
 #include "post/report/field_section.h"
 #include "post/report/html.h"
 #include "post/report/mechanism_section.h"
+#include "post/report/motion_section.h"
 #include "post/report/picture.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
@@ -31,7 +32,8 @@ std::string page_title(const json& about) {
   return title.empty() ? name : fmt::format("{}: {}", name, title);
 }
 
-std::string head(const ResultsDirectory& results, const json& document) {
+std::string head(const ResultsDirectory& results) {
+  const json& document = results.leading();
   const json& about = results.about();
   std::string versions;
   for (const char* const library : {"geneva", "deal.II", "gmsh"})
@@ -57,18 +59,24 @@ std::string missing_note(const Libraries& libraries) {
   return text;
 }
 
-/// Verdict, mechanism, contact, field, convergence.
+/// Verdict, mechanism, contact, field, convergence, motion, design: what there is of them.
 ReportPart whole_page(const ResultsDirectory& results, const std::string& field) {
-  ReportPart page = verdict_part(results);
+  ReportPart page;
   const auto append = [&](const ReportPart& part) {
     page.html += part.html;
     page.charts.insert(page.charts.end(), part.charts.begin(), part.charts.end());
   };
+  const bool is_run = results.document("summary") != nullptr;
+  if (is_run) append(verdict_part(results));
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
-  append(contact_part(results));
-  append({field, {}});
-  append(convergence_part(results));
+  if (is_run) {
+    append(contact_part(results));
+    append({field, {}});
+    append(convergence_part(results));
+  }
+  if (results.document("kinematics") != nullptr) append(kinematics_part(results));
+  if (results.document("design") != nullptr) append(design_part(results));
   return page;
 }
 
@@ -83,7 +91,6 @@ std::string mechanism_script(json mechanism) {
 
 Report make_report(const ResultsDirectory& results, const Libraries& libraries) try {
   Report report;
-  const json& summary = *results.document("summary");
   const json* const view = results.document("view");
   const bool is_interactive = view != nullptr && libraries.graphics;
   if (view != nullptr) report.picture = field_picture(*view);
@@ -96,7 +103,7 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<style>\n{}\n</style>\n</head>\n<body>\n",
       escaped(page_title(results.about())), report_assets::style);
-  page += head(results, summary) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
+  page += head(results) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
   if (libraries.charts) {
     page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
     page += script(*libraries.charts) + script(std::string(report_assets::charts));

@@ -63,11 +63,13 @@ const CsvTable* ResultsDirectory::table(const std::string& name) const {
   return found == tables.end() ? nullptr : &found->second;
 }
 
-const json& ResultsDirectory::about() const {
+const json& ResultsDirectory::leading() const {
   for (const DocumentFiles& files : all_documents())
-    if (const json* found = document(files.name)) return found->at("case");
+    if (const json* found = document(files.name)) return *found;
   throw std::logic_error("a results directory without results");
 }
+
+const json& ResultsDirectory::about() const { return leading().at("case"); }
 
 UnitSystem ResultsDirectory::units() const {
   return unit_system_named(about().at("output_units").get<std::string>());
@@ -96,17 +98,16 @@ ResultsDirectory read_results(const fs::path& directory) {
       results.tables[table] = read_csv(csv);
     }
     results.documents[files.name] = std::move(document);
-    if (std::string(files.name) != "summary") continue;
-    for (const char* const name : {"view", "mechanism"}) {  // not of every run
-      const fs::path more = directory / (std::string(name) + ".json");
-      if (fs::exists(more)) results.documents[name] = read_json(more);
-    }
   }
   if (results.documents.empty())
     throw std::invalid_argument(
         fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
                     "kinematics.json ('geneva kinematics') and design.json ('geneva design')",
                     directory.string()));
+  for (const char* const name : {"view", "mechanism"}) {  // not of all of them
+    const fs::path file = directory / (std::string(name) + ".json");
+    if (fs::exists(file)) results.documents[name] = read_json(file);
+  }
   return results;
 }
 

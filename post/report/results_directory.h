@@ -19,7 +19,9 @@ struct ResultsDirectory {
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
   [[nodiscard]] const CsvTable* table(const std::string& name) const;
-  /// Section "case" of the first document.
+  /// That of the run, else of the kinematics, else of the design.
+  [[nodiscard]] const nlohmann::json& leading() const;
+  /// Its section "case".
   [[nodiscard]] const nlohmann::json& about() const;
   [[nodiscard]] UnitSystem units() const;
 };

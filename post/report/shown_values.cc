@@ -9,6 +9,7 @@ namespace geneva::post {
 
 std::string significant(const double value, const int digits) {
   const double size = std::abs(value);
+  if (size < 1e-12) return "0";
   const double whole = std::pow(10., digits);
   if (!(size >= whole && size < 1e7)) return fmt::format("{:.{}g}", value, digits);
   const double unit = std::pow(10., std::floor(std::log10(size)) + 1. - digits);

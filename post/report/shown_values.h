@@ -7,7 +7,8 @@
 
 namespace geneva::post {
 
-/// A number with so many significant digits; without a power of ten between 1e-4 and 1e7.
+/// A number with so many significant digits; without a power of ten between 1e-4 and 1e7, and
+/// without the roundings and the sign of what is 0.
 std::string significant(double value, int digits);
 
 /// The number of a quantity {"value", "unit"} [SI], or the plain number; not a number for null.

@@ -66,10 +66,15 @@ class ReportTest(CliTest):
         cls.case = runner.copy_case(cls.case_name)
         cls.summary = runner.run_case(cls.case)
         cls.results = cls.case / "results"
+        cls.prepare(runner)
         cls.browser = cls.enterClassContext(Browser()) if hasattr(cls, "enterClassContext") else Browser().__enter__()
         if not hasattr(cls, "enterClassContext"):
             cls.addClassCleanup(cls.browser.__exit__)
         cls.browser.open(cls.results / "report.html")
+
+    @classmethod
+    def prepare(cls, runner):
+        """What is done beside the run before the report is opened."""
 
     def chart(self, name):
         """The points of a chart's series, as the browser drew them, by the series' name."""
@@ -249,6 +254,39 @@ class PlaneReport(ReportTest):
         run = self.geneva("report", self.results, "-o", self.case / "again.html")
         self.assertEqual(run.code, 0, run.describe())
         self.assertEqual((self.case / "again.html").read_text(), first)
+
+
+class WholeReport(ReportTest):
+    """The report on a directory in which run, kinematics and design left their results."""
+
+    case_name = "johnson-optimum-wheel"
+
+    @classmethod
+    def prepare(cls, runner):
+        for command in ("kinematics", "design"):
+            run = runner.geneva(command, cls.case)
+            runner.assertEqual(run.code, 0, run.describe())
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_tells_all_three(self):
+        text = read_report(self.results / "report.html").text
+        for words in ("Verdict", "Motion over the cycle", "Choice of the wheel", "72675", "motion time over dwell time"):
+            self.assertIn(words, text)
+
+    def test_marks_the_best_wheel(self):
+        design = json.loads((self.results / "design.json").read_text())
+        (best,) = self.chart("chart-design")["best, Johnson"]
+        self.assert_close(best["x"] * 0.0254, design["optimum_diameter"]["value"], 1e-9, "diameter")
+        self.assert_close(best["y"] * PSI, design["peak_pressure"]["value"], 1e-9, "pressure")
+        lowest = min(point["y"] for point in self.chart("chart-design")["Johnson's proportions"])
+        self.assertGreaterEqual(lowest, best["y"] * (1 - 1e-9))
+
+    def test_draws_the_greatest_hertz_pressure(self):
+        kinematics = json.loads((self.results / "kinematics.json").read_text())
+        drawn = max(point["y"] for point in self.chart("chart-hertz_pressure")["Hertz pressure"])
+        self.assert_close(drawn * PSI, kinematics["peak_hertz_pressure"]["value"], 1e-3, "pressure")
 
 
 class Reporting(CliTest):

@@ -167,8 +167,8 @@ TEST(Design, TheCurveIsWrittenInOutputUnits) {
 TEST(Design, SeveralCasesStandSideBySide) {
   DesignReport first = make_design(CaseDirectory(mechanism_text()).read());
   DesignReport second = make_design(CaseDirectory(design_text("set Shaft = 1 in x 3 in\n")).read());
-  first.case_name = "first";
-  second.case_name = "a-name-that-is-longer-than-its-column";
+  first.about.name = "first";
+  second.about.name = "a-name-that-is-longer-than-its-column";
   const std::string table = geneva::post::design_table({first, second}, UnitSystem::inch_pound);
   EXPECT_NE(table.find("first  a-name-that-is-longer-than-its-column\n"), std::string::npos);
   EXPECT_NE(table.find("  diameter [in]"), std::string::npos);

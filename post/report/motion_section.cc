@@ -1,0 +1,167 @@
+#include "post/report/motion_section.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "post/report/html.h"
+#include "post/report/shown_values.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+std::string characteristics_table(const json& kinematics, const UnitSystem units) {
+  HtmlTable table{"Characteristic values of the motion",
+                  {"quantity", "value", labelled("at a driver angle of", Dimension::angle, units)},
+                  {}};
+  for (const json& row : kinematics.at("characteristics")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    const std::string quantity = row.at("quantity");
+    const std::size_t first = quantity.find_first_not_of(' ');
+    table.rows.push_back(
+        {(first > 0 ? "&emsp;" : "") + escaped(labelled(quantity.substr(first), dimension, units)),
+         shown(row.at("value"), dimension, units),
+         shown(row.at("driver_angle"), Dimension::angle, units)});
+  }
+  return table.html();
+}
+
+std::string unbounded_warnings(const json& kinematics, const UnitSystem units) {
+  std::string text;
+  for (const json& place : kinematics.at("unbounded"))
+    text += fmt::format(
+        "<p class=\"warning\"><strong>Not bounded:</strong> the {} at {} {}: {}</p>\n",
+        escaped(place.at("quantity")), shown(place.at("driver_angle"), Dimension::angle, units),
+        output_unit(units, Dimension::angle).name, escaped(place.at("cause")));
+  return text;
+}
+
+Chart column_chart(const CsvTable& table, const std::string& x_column, const std::string& x_name,
+                   const std::string& column, const std::string& name) {
+  const CsvColumn& x = table.column(x_column);
+  const CsvColumn& y = table.column(column);
+  Chart chart{"chart-" + column,
+              fmt::format("The {}", name),
+              fmt::format("The {} against the {}", name, x_name),
+              {fmt::format("{} [{}]", x_name, x.unit)},
+              {fmt::format("{} [{}]", name, y.unit)},
+              {{name, SeriesStyle::line, {}}}};
+  for (std::size_t i = 0; i < x.values.size(); ++i)
+    chart.series[0].points.push_back({x.values[i], y.values[i]});
+  return chart;
+}
+
+/// The wheels of a design side by side; the keys of design.json.
+std::string wheels_table(const json& design, const UnitSystem units) {
+  struct Line {
+    const char* name;
+    Dimension dimension;
+    const char* of_best;  ///< key of the two best wheels
+    const char* of_case;  ///< key of the case's wheel
+  };
+  constexpr std::array<Line, 7> lines{
+      {{"diameter", Dimension::length, "optimum_diameter", "diameter"},
+       {"pin diameter", Dimension::length, "pin_diameter", "pin_diameter"},
+       {"thickness", Dimension::length, "thickness", "thickness"},
+       {"locking radius", Dimension::length, "locking_radius", "locking_radius"},
+       {"moment of inertia", Dimension::inertia, "optimum_inertia", "inertia"},
+       {"pin force", Dimension::force, "force", "force"},
+       {"peak contact pressure", Dimension::stress, "peak_pressure", "peak_pressure"}}};
+  HtmlTable table{"Johnson's wheel of least contact stress beside the wheel of the case",
+                  {"", "best, Johnson's proportions", "best as drawn", "wheel of the case"},
+                  {}};
+  for (const Line& line : lines) {
+    const auto cell = [&](const json& wheel, const char* key) {
+      return wheel.contains(key) ? shown(wheel.at(key), line.dimension, units) : "–";
+    };
+    table.rows.push_back({escaped(labelled(line.name, line.dimension, units)),
+                          cell(design, line.of_best), cell(design.at("geometry"), line.of_best),
+                          cell(design.at("wheel"), line.of_case)});
+  }
+  return table.html();
+}
+
+/// A wheel's diameter and pressure as one point.
+ChartSeries wheel_point(const std::string& name, const json& wheel, const char* diameter,
+                        const UnitSystem units) {
+  return {name,
+          SeriesStyle::markers,
+          {{in_units(wheel.at(diameter), Dimension::length, units),
+            in_units(wheel.at("peak_pressure"), Dimension::stress, units)}}};
+}
+
+Chart stress_chart(const ResultsDirectory& results, const UnitSystem units) {
+  const json& design = *results.document("design");
+  const CsvTable& table = *results.table("design");
+  Chart chart =
+      column_chart(table, "diameter", "wheel diameter", "stress_johnson", "peak contact pressure");
+  chart.id = "chart-design";
+  chart.title = "Peak contact pressure against the wheel's diameter";
+  chart.series[0].name = "Johnson's proportions";
+  chart.series.push_back({"as drawn", SeriesStyle::dashed, {}});
+  const CsvColumn& x = table.column("diameter");
+  const CsvColumn& drawn = table.column("stress_geometry");
+  for (std::size_t i = 0; i < x.values.size(); ++i)
+    chart.series[1].points.push_back({x.values[i], drawn.values[i]});
+  if (design.contains("optimum_diameter"))
+    chart.series.push_back(wheel_point("best, Johnson", design, "optimum_diameter", units));
+  chart.series.push_back(
+      wheel_point("best as drawn", design.at("geometry"), "optimum_diameter", units));
+  chart.series.push_back(wheel_point("wheel of the case", design.at("wheel"), "diameter", units));
+  return chart;
+}
+
+std::string shaft_table(const json& design, const UnitSystem units) {
+  if (!design.contains("shaft")) return "";
+  const json& shaft = design.at("shaft");
+  HtmlTable table{
+      "The load on its shaft when the pin has left the slot", {"quantity", "value"}, {}};
+  const auto add = [&](const char* name, const char* key, const Dimension dimension) {
+    if (shaft.contains(key))
+      table.rows.push_back(
+          {escaped(labelled(name, dimension, units)), shown(shaft.at(key), dimension, units)});
+  };
+  add("torque", "torque", Dimension::moment);
+  add("twist", "twist", Dimension::slope);
+  add("double amplitude", "double_amplitude", Dimension::length);
+  add("at the radius", "amplitude_radius", Dimension::length);
+  table.rows.push_back(
+      {"natural frequency [Hz]", significant(number_of(shaft.at("frequency")), 5)});
+  return table.html();
+}
+
+std::string in_charts(const std::vector<Chart>& charts) {
+  std::string text = "<div class=\"charts\">\n";
+  for (const Chart& chart : charts) text += html(chart);
+  return text + "</div>\n";
+}
+
+}  // namespace
+
+ReportPart kinematics_part(const ResultsDirectory& results) {
+  const json& kinematics = *results.document("kinematics");
+  const CsvTable& table = *results.table("kinematics");
+  const std::vector<Chart> charts{
+      column_chart(table, "driver_angle", "driver angle", "hertz_pressure", "Hertz pressure"),
+      column_chart(table, "driver_angle", "driver angle", "slip_speed",
+                   "slip speed of the pin along the slot")};
+  return {html_section("kinematics", "Motion over the cycle",
+                       unbounded_warnings(kinematics, results.units()) +
+                           characteristics_table(kinematics, results.units()) + in_charts(charts)),
+          charts};
+}
+
+ReportPart design_part(const ResultsDirectory& results) {
+  const json& design = *results.document("design");
+  const std::vector<Chart> charts{stress_chart(results, results.units())};
+  return {html_section("design", "Choice of the wheel",
+                       wheels_table(design, results.units()) + in_charts(charts) +
+                           shaft_table(design, results.units())),
+          charts};
+}
+
+}  // namespace geneva::post
