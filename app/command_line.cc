@@ -44,10 +44,11 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
                          "Where synthesis.json and synthesis.csv go (default: CASE_DIR/results)");
   std::vector<std::string> results;
   auto* report = app.add_subcommand(
-      "report", "Make report.html from a results directory again, without solving");
-  report->add_option("RESULTS_DIR", results, "Directory with results")->required();
+      "report", "Make report.html from a results directory again, or compare several");
+  report->add_option("RESULTS_DIR", results, "One or more directories with results")->required();
   report->add_option("-o,--output", output,
-                     "The HTML file to write (default: report.html in RESULTS_DIR)");
+                     "The HTML file to write (default: report.html in RESULTS_DIR, of several "
+                     "directories comparison.html here)");
   const auto* parameters = app.add_subcommand(
       "parameters", "Print the whole parameter file with defaults and explanations");
   try {

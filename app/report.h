@@ -12,7 +12,9 @@ namespace geneva::app {
 /// written
 void write_report(const std::filesystem::path& results, const std::filesystem::path& file = {});
 
-/// `geneva report`: writes the report and says where it is.
+/// `geneva report`: writes the report, or of several directories the comparison, and says where it
+/// is.
+/// @param file empty: report.html in the directory, comparison.html in the current one
 /// @return exit code 0
 /// @throws std::invalid_argument where write_report() does
 int make_report(const std::vector<std::filesystem::path>& results,

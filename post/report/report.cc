@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "post/report/comparison_section.h"
 #include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
@@ -87,6 +88,36 @@ std::string mechanism_script(json mechanism) {
          script(std::string(report_assets::mechanism));
 }
 
+std::string page(const std::string& title, const std::string& header, const ReportPart& part,
+                 const Libraries& libraries, const std::string& more_scripts) {
+  json charts = json::array();
+  for (const Chart& chart : part.charts) charts.push_back(to_json(chart));
+  std::string text = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+      "<style>\n{}\n</style>\n</head>\n<body{}>\n",
+      escaped(title), report_assets::style, libraries.charts ? "" : " class=\"no-charts\"");
+  text += header + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
+  if (libraries.charts) {
+    text += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
+    text += script(*libraries.charts) + script(std::string(report_assets::charts));
+  }
+  return text + more_scripts + "</body>\n</html>\n";
+}
+
+/// The view's data and the script that draws it.
+std::string field_script(const json& view, const std::string& graphics) {
+  return script(json(palette()).dump(), " type=\"application/json\" id=\"palette\"") +
+         script(view.dump(), " type=\"application/json\" id=\"view\"") + script(graphics) +
+         script(std::string(report_assets::field));
+}
+
+[[noreturn]] void refuse_damaged(const std::string& where, const json::exception& error) {
+  throw std::invalid_argument(
+      fmt::format("the results in {} lack something that a report needs ({}); make them again",
+                  where, error.what()));
+}
+
 }  // namespace
 
 Report make_report(const ResultsDirectory& results, const Libraries& libraries) try {
@@ -96,31 +127,28 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
   if (view != nullptr) report.picture = field_picture(*view);
   const ReportPart part = whole_page(
       results, view == nullptr ? "" : field_section(*view, *report.picture, is_interactive));
-  json charts = json::array();
-  for (const Chart& chart : part.charts) charts.push_back(to_json(chart));
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
-      "<style>\n{}\n</style>\n</head>\n<body>\n",
-      escaped(page_title(results.about())), report_assets::style);
-  page += head(results) + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
-  if (libraries.charts) {
-    page += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
-    page += script(*libraries.charts) + script(std::string(report_assets::charts));
-  }
+  std::string scripts;
   if (const json* const mechanism = results.document("mechanism"))
-    page += mechanism_script(*mechanism);
-  if (is_interactive) {
-    page += script(json(palette()).dump(), " type=\"application/json\" id=\"palette\"");
-    page += script(view->dump(), " type=\"application/json\" id=\"view\"");
-    page += script(*libraries.graphics) + script(std::string(report_assets::field));
-  }
-  report.html = page + "</body>\n</html>\n";
+    scripts += mechanism_script(*mechanism);
+  if (is_interactive) scripts += field_script(*view, *libraries.graphics);
+  report.html = page(page_title(results.about()), head(results), part, libraries, scripts);
   return report;
 } catch (const json::exception& error) {
-  throw std::invalid_argument(
-      fmt::format("the results in {} lack something that a report needs ({}); make them again",
-                  results.path.string(), error.what()));
+  refuse_damaged(results.path.string(), error);
+}
+
+std::string make_comparison(const std::vector<ResultsDirectory>& all, const Libraries& libraries) {
+  std::string names;
+  for (const ResultsDirectory& results : all)
+    names += (names.empty() ? "" : ", ") + results.about().at("name").get<std::string>();
+  const std::string header =
+      fmt::format("<header>\n<h1>Comparison of {} runs</h1>\n<p>{}. Units: {}.</p>\n</header>\n",
+                  all.size(), escaped(names), name_of(all.front().units()));
+  try {
+    return page("Comparison: " + names, header, comparison_part(all), libraries, "");
+  } catch (const json::exception& error) {
+    refuse_damaged("one of " + names, error);
+  }
 }
 
 }  // namespace geneva::post

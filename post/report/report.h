@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "post/report/library.h"
 #include "post/report/results_directory.h"
@@ -17,5 +18,10 @@ struct Report {
 /// The report on a results directory.
 /// @throws std::invalid_argument if a document lacks what its format promises
 Report make_report(const ResultsDirectory& results, const Libraries& libraries);
+
+/// A page that shows runs side by side, in the units of the first.
+/// @param all two or more
+/// @throws std::invalid_argument if one of them holds no run, or lacks what its format promises
+std::string make_comparison(const std::vector<ResultsDirectory>& all, const Libraries& libraries);
 
 }  // namespace geneva::post

@@ -316,8 +316,35 @@ class Reporting(CliTest):
         self.assertIn("libjs-chart.js", outline.text)
         self.assertIn("72775", outline.text)
 
+    def test_compares_runs_in_the_units_of_the_first(self):
+        inches = self.results_of("johnson-optimum-wheel")
+        case = self.copy_case("johnson-optimum-wheel", "metric")
+        change_case(case, {"Output units": "mm-N"})
+        self.run_case(case)
+        run = self.geneva("report", inches, case / "results", "-o", "both.html")
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertIn("comparison in both.html", run.out)
+        page = read_report(self.directory / "both.html")
+        self.assertEqual(page.open, [])
+        self.assertEqual(len(page.ids), len(set(page.ids)))
+        self.assertEqual(page.text.count("72775"), 2)
+        self.assertNotIn("[MPa]", page.text)
+        charts = re.search(r'id="charts">\s*(.*?)\s*</script>', (self.directory / "both.html").read_text()).group(1)
+        (pressure,) = [chart for chart in json.loads(charts) if chart["id"] == "chart-pressure"]
+        self.assertEqual([series["name"] for series in pressure["series"]], ["johnson-optimum-wheel", "metric"])
+        first, second = ([y for _, y in series["points"]] for series in pressure["series"])
+        for one, other in zip(first, second, strict=True):
+            self.assertAlmostEqual(one, other, delta=1e-4)
+
+    def test_refuses_to_compare_what_is_no_run(self):
+        results = self.results_of()
+        case = self.copy_case("six-station-360rpm")
+        self.assertEqual(self.geneva("kinematics", case).code, 0)
+        self.assert_refused([results, case / "results"], "holds no run", "geneva run")
+        self.assertFalse((self.directory / "comparison.html").exists())
+
     def assert_refused(self, results, *words):
-        run = self.geneva("report", results)
+        run = self.geneva("report", *(results if isinstance(results, list) else [results]))
         self.assertEqual(run.code, 1, run.describe())
         for word in words:
             self.assertIn(word, run.err)
