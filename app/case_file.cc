@@ -55,7 +55,8 @@ void check_sections(const ParameterText& text, const std::string& model) {
       {names::mechanism, {"mechanism"}},
       {names::geometry, {"geometry"}},
       {names::synthesis, {"synthesis"}},
-      {names::published, {"mechanism", "geometry"}}};
+      {names::published, {"mechanism", "geometry"}},
+      {names::allowable, {"mechanism", "geometry"}}};
   for (const OpenedSection& section : text.sections) {
     const auto known = models.find(section.path.front());
     if (known == models.end()) continue;
@@ -81,6 +82,7 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   append(settings_parameters());
   append(model == "mechanism" ? mechanism_parameters() : geometry_parameters_of(text, directory));
   append(published_parameters());
+  append(allowable_parameters());
   return parameters;
 }
 
@@ -95,6 +97,34 @@ fem::Settings read_settings(const CaseSection& section) {
       static_cast<unsigned int>(section.value("Maximum active-set steps"));
   settings.linear_tolerance = section.value("Linear tolerance");
   return settings;
+}
+
+/// Names of the bodies and the subsections of their materials.
+std::map<std::string, SectionPath> materials_of(const Case& given) {
+  if (given.mechanism)
+    return {{"pin", {names::mechanism, names::pin_material}},
+            {"wheel", {names::mechanism, names::wheel_material}}};
+  std::map<std::string, SectionPath> sections;
+  std::visit(
+      [&](const auto& problem) {
+        for (const auto& body : problem.bodies) sections[body.name] = body_section(body.name);
+      },
+      given.geometry->problem);
+  return sections;
+}
+
+post::Allowables read_allowables(const CaseValues& values, const Case& given) {
+  const CaseSection section(values, {names::allowable});
+  post::Allowables result{section.optional_value("Contact pressure"),
+                          section.optional_value("Pressure times slip speed"),
+                          {}};
+  if (result.pressure_times_slip && !given.mechanism)
+    section.refuse("Pressure times slip speed",
+                   "a geometry knows no slip speed; it is for Model = mechanism");
+  for (const auto& [body, path] : materials_of(given))
+    if (const auto yield = CaseSection(values, path).optional_value("Yield strength"))
+      result.yield_strengths[body] = *yield;
+  return result;
 }
 
 }  // namespace
@@ -122,6 +152,7 @@ Case read_case(const fs::path& directory) {
       result.mechanism = read_mechanism(values, result.directory);
     else
       result.geometry = read_geometry_case(values, result.directory, result.dimension);
+    result.allowed = read_allowables(values, result);
   }
   result.completed = values.completed();
   return result;
@@ -155,6 +186,7 @@ void print_parameters(std::ostream& out) {
   declare(handler, geometry_parameters({"NAME"}, {"NAME"}, ""));
   declare(handler, synthesis_parameters());
   declare(handler, published_parameters());
+  declare(handler, allowable_parameters());
   handler.print_parameters(
       out, dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
                                                  dealii::ParameterHandler::KeepDeclarationOrder));

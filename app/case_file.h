@@ -19,6 +19,7 @@
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
 #include "post/json_values.h"
+#include "post/run_report.h"
 #include "post/units.h"
 
 namespace geneva::app {
@@ -135,6 +136,7 @@ struct Case {
   std::optional<MechanismCase> mechanism;
   std::optional<GeometryCase> geometry;
   std::optional<SynthesisCase> synthesis;
+  post::Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
   std::string completed;  ///< the case file with every default filled in

@@ -47,12 +47,16 @@ void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
 
 std::vector<Parameter> material_parameters(const SectionPath& section) {
   const Range poissons_ratio{-1., 0.5, false, false, "greater than -1 and less than 0.5"};
-  return {{section, "Young's modulus", "207 GPa", positive(Dimension::stress),
-           "Modulus of elasticity E. The default is that of steel."},
-          {section, "Poisson's ratio", "0.3", quantity(Dimension::dimensionless, poissons_ratio),
-           "Poisson's ratio nu. The default is that of steel."},
-          {section, "Density", "7850 kg/m^3", positive(Dimension::density),
-           "Mass density. The default is that of steel."}};
+  return {
+      {section, "Young's modulus", "207 GPa", positive(Dimension::stress),
+       "Modulus of elasticity E. The default is that of steel."},
+      {section, "Poisson's ratio", "0.3", quantity(Dimension::dimensionless, poissons_ratio),
+       "Poisson's ratio nu. The default is that of steel."},
+      {section, "Density", "7850 kg/m^3", positive(Dimension::density),
+       "Mass density. The default is that of steel."},
+      {section, "Yield strength", "", positive(Dimension::stress, {""}),
+       "Von Mises stress at which the material yields; if given, the safety factor against it is "
+       "reported."}};
 }
 
 /// A length that follows from a rule unless it is given.
@@ -539,6 +543,16 @@ std::vector<Parameter> published_parameters() {
   return {{section, "Peak pressure", "", positive(Dimension::stress, {""}),
            "Peak contact pressure of a published solution, to compare with; may be left out."},
           {section, "Source", "", TextRule{"any text"}, "Where it was published."}};
+}
+
+std::vector<Parameter> allowable_parameters() {
+  const SectionPath section{names::allowable};
+  return {
+      {section, "Contact pressure", "", positive(Dimension::stress, {""}),
+       "Greatest contact pressure that is allowed; if given, the safety factor is reported."},
+      {section, "Pressure times slip speed", "", positive(Dimension::pressure_times_speed, {""}),
+       "Greatest product of contact pressure and slip speed that is allowed, for wear; if given, "
+       "the safety factor is reported. Only with Model = mechanism."}};
 }
 
 std::vector<Parameter> mechanism_parameters() {

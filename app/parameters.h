@@ -24,6 +24,7 @@ inline constexpr const char* mechanism = "Mechanism";
 inline constexpr const char* geometry = "Geometry";
 inline constexpr const char* synthesis = "Synthesis";
 inline constexpr const char* published = "Published";
+inline constexpr const char* allowable = "Allowable";
 inline constexpr const char* pin_material = "Pin material";
 inline constexpr const char* wheel_material = "Wheel material";
 inline constexpr const char* design = "Design";
@@ -79,6 +80,7 @@ std::vector<Parameter> settings_parameters();
 
 /// Published values to compare with, which the same cases may have.
 std::vector<Parameter> published_parameters();
+std::vector<Parameter> allowable_parameters();
 
 /// What a case with Model = mechanism has besides.
 std::vector<Parameter> mechanism_parameters();

@@ -179,6 +179,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   report.notices = model.notices;
   for (const std::string& notice : notices_of(given, solution, results))
     report.notices.push_back(notice);
+  report.allowed = given.allowed;
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
   report.geneva_version = version;

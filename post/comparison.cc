@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "post/safety.h"
+
 namespace geneva::post {
 
 namespace {
@@ -164,7 +166,8 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
     table += line_of(row, units);
   return table + error_lines(solution) +
          fmt::format("force balance: defect {:.1e} of the contact force\n",
-                     results.equilibrium.force_defect);
+                     results.equilibrium.force_defect) +
+         safety_lines(safety(solution, results, report), units);
 }
 
 template std::vector<ComparisonRow> comparison(const fem::Solution<2>&, const Results<2>&,

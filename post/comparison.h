@@ -25,7 +25,7 @@ std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
                                       const Results<dim>& results, const RunReport& report);
 
 /// The table that ends a run: this program, closed form, published value, difference, and below it
-/// the estimated error and the balance of forces.
+/// the estimated error, the balance of forces and the safety factors.
 template <int dim>
 std::string comparison_table(const fem::Solution<dim>& solution, const Results<dim>& results,
                              const RunReport& report, UnitSystem units);

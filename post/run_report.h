@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,12 +34,20 @@ struct MechanismReport {
   double parts;                       ///< of which the model is one: 2 of a half model
 };
 
+/// What the case allows.
+struct Allowables {
+  std::optional<double> contact_pressure;         ///< [Pa]
+  std::optional<double> pressure_times_slip;      ///< contact pressure times slip speed [Pa m/s]
+  std::map<std::string, double> yield_strengths;  ///< [Pa] by body
+};
+
 /// What a run is about and what it cost.
 struct RunReport {
   CaseHeader about;
   double accuracy;                   ///< wanted, relative
   std::vector<std::string> notices;  ///< what the user should know before trusting the figures
   std::optional<MechanismReport> mechanism;
+  Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
   double mesh_seconds;

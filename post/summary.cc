@@ -9,6 +9,7 @@
 #include "post/checks.h"
 #include "post/comparison.h"
 #include "post/json_values.h"
+#include "post/safety.h"
 
 namespace geneva::post {
 
@@ -204,6 +205,21 @@ json checks_section(const fem::Solution<dim>& solution, const Results<dim>& resu
   return list;
 }
 
+template <int dim>
+json safety_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                    const RunReport& report) {
+  json rows = json::array();
+  for (const SafetyRow& row : safety(solution, results, report)) {
+    const auto factor = row.factor();
+    rows.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"computed", quantity_if(row.computed, row.dimension)},
+                    {"allowed", quantity(row.allowed, row.dimension)},
+                    {"factor", factor ? json(*factor) : json()}});
+  }
+  return rows;
+}
+
 json run_case_section(const RunReport& report, const int dimension) {
   json section = case_section(report.about);
   section["dimension"] = dimension;
@@ -248,6 +264,7 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
               {"solver", solver_section(solution)},
               {"comparison", comparison_section(solution, results, report)},
               {"checks", checks_section(solution, results, report)},
+              {"safety", safety_section(solution, results, report)},
               {"notices", report.notices}};
   const fem::LevelRecord& finest = solution.history.back();
   result["mesh"] = {

@@ -84,6 +84,26 @@ std::string checks_table(const json& summary) {
   return table.html();
 }
 
+/// How near the limits are; empty if the case gives none.
+std::string safety_table(const json& summary, const UnitSystem units) {
+  if (summary.at("safety").empty()) return "";
+  HtmlTable table{"How near to the limits that the case gives",
+                  {"quantity", "computed", "allowed", "safety factor", "verdict"},
+                  {}};
+  for (const json& row : summary.at("safety")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    const bool is_known = !row.at("factor").is_null();
+    const double factor = number_of(row.at("factor"));
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+                          is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
+                          shown(row.at("allowed"), dimension, units),
+                          is_known ? significant(factor, 3) : "–",
+                          is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
+                                                   : "<span class=\"fail\">✗ exceeded</span>"});
+  }
+  return table.html();
+}
+
 ChartSeries series(const std::string& name, const SeriesStyle style, const std::vector<double>& x,
                    const std::vector<double>& y) {
   ChartSeries result{name, style, {}};
@@ -283,7 +303,8 @@ ReportPart verdict_part(const ResultsDirectory& results) {
   const json& summary = *results.document("summary");
   return {html_section("verdict", "Verdict",
                        verdict_sentence(summary) + notices(summary) +
-                           verdict_table(summary, results.units())) +
+                           verdict_table(summary, results.units()) +
+                           safety_table(summary, results.units())) +
               html_section("checks", "Is it right?", checks_table(summary)),
           {}};
 }

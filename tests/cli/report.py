@@ -10,7 +10,7 @@ import shutil
 import unittest
 
 from browser import Browser
-from geneva_cli import CliTest, change_case, main, read_summary
+from geneva_cli import CliTest, change_case, main, read_summary, set_parameter
 
 PSI = 6894.757293168361
 
@@ -315,6 +315,42 @@ class Reporting(CliTest):
         outline = read_report(results / "report.html")
         self.assertIn("libjs-chart.js", outline.text)
         self.assertIn("72775", outline.text)
+
+    LIMITS = """
+subsection Allowable
+  set Contact pressure          = 80000 psi
+  set Pressure times slip speed = 1e6 psi.in/s
+end
+"""
+
+    def test_tells_safety_factors(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        text = (case / "case.prm").read_text() + self.LIMITS
+        (case / "case.prm").write_text(set_parameter(text, "Mechanism/Pin material/Yield strength", "30 ksi"))
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertIn("peak contact pressure: 72775 of 80000 psi allowed, safety factor 1.1", run.out)
+        summary = read_summary(case / "results")
+        rows = {row["quantity"]: row for row in summary["safety"]}
+        self.assertEqual(len(rows), 3)
+        pressure = summary["contact"]["peak_pressure"]["value"]
+        self.assert_close(rows["peak contact pressure"]["factor"], 80000 * PSI / pressure, 1e-12, "factor")
+        wear = rows["peak contact pressure times slip speed"]
+        self.assert_close(wear["computed"]["value"], pressure * abs(summary["load"]["slip_speed"]["value"]), 1e-12, "p v")
+        pin = rows["greatest von Mises stress of the pin"]
+        self.assert_close(pin["computed"]["value"], summary["bodies"]["pin"]["max_von_mises"]["value"], 1e-12, "stress")
+        self.assertLess(pin["factor"], 1)
+        report = read_report(case / "results" / "report.html").text
+        self.assertIn("✗ exceeded", report)
+        self.assertIn("✓ allowed", report)
+
+    def test_refuses_a_slip_speed_where_nothing_moves(self):
+        case = self.copy_case("hertz-line-contact")
+        (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 1, run.describe())
+        self.assertIn("Pressure times slip speed", run.err)
+        self.assertIn("Model = mechanism", run.err)
 
     def test_compares_runs_in_the_units_of_the_first(self):
         inches = self.results_of("johnson-optimum-wheel")
