@@ -97,12 +97,11 @@ class Browser:
         """What the pages logged, errors among it."""
         return self._call("POST", "/se/log", {"type": "browser"})
 
-    def screenshot(self, file, whole_page=False):
-        if whole_page:
-            self.resize(self.size[0], self.run("return document.documentElement.scrollHeight"))
-            time.sleep(0.5)
+    def screenshot(self, file, clip=None):
+        """A PNG of the window, or of a part of the page: x, y, width, height [pixels] and scale."""
+        part = {"clip": clip, "captureBeyondViewport": True} if clip else {}
         with open(file, "wb") as image:
-            image.write(base64.b64decode(self._call("GET", "/screenshot")))
+            image.write(base64.b64decode(self.protocol("Page.captureScreenshot", format="png", **part)["data"]))
 
     def pdf(self):
         """The page as printed on A4."""

@@ -163,7 +163,7 @@ TEST(CaseText, AnUnknownSubsectionIsRefusedWithTheNearestOrAll) {
             "DIR/case.prm, line 1: there is no subsection 'Mecanism'; did you mean 'Mechanism'?");
   EXPECT_EQ(refusal("subsection Output\nend\n"),
             "DIR/case.prm, line 1: there is no subsection 'Output'; there are 'Mechanism', "
-            "'Published'");
+            "'Published', 'Allowable'");
   EXPECT_EQ(refusal(mechanism_text("subsection Driver\nend\n")),
             "DIR/case.prm, line 6: there is no subsection 'Driver' in 'Mechanism'; there are "
             "'Linkage', 'Pin', 'Pin material', 'Wheel material', 'Design'");
