@@ -25,13 +25,6 @@ double approach(const fem::Solution<dim>& solution, const fem::ContactResult<dim
   return half_width * contact.peak_pressure / modulus;
 }
 
-double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& /*unused*/) {
-  return contact.half_width;
-}
-double half_width(const fem::ContactResult<3>& /*unused*/, const ContactAnalysis<3>& analysis) {
-  return analysis.half_width;
-}
-
 /// Greatest of p |g|/(p0 approach) and -p/p0: 0 where no pressure pulls and none acts across a gap.
 template <int dim>
 double complementarity_defect(const fem::ContactResult<dim>& contact, const double approach) {
@@ -52,8 +45,8 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
   double penetration = 0.;
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
     const fem::ContactResult<dim>& contact = solution.contacts[i];
-    if (contact.peak_pressure <= 0.) continue;
     const double scale = approach(solution, contact, half_width(contact, results.contacts[i]));
+    if (scale <= 0.) continue;  // one node at most is in contact
     complementarity = std::max(complementarity, complementarity_defect(contact, scale));
     penetration = std::max(penetration, contact.max_penetration / scale);
   }

@@ -119,6 +119,13 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
 
 }  // namespace
 
+double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& /*unused*/) {
+  return contact.half_width;
+}
+double half_width(const fem::ContactResult<3>& /*unused*/, const ContactAnalysis<3>& analysis) {
+  return analysis.half_width;
+}
+
 template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution) {
   const auto leading = std::max_element(

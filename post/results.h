@@ -65,6 +65,10 @@ struct Results {
 template <int dim>
 Results<dim> analyse(const fem::Solution<dim>& solution);
 
+/// Half-width of a contact [m]; in space of its middle section, or the semi-axis across z.
+double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& analysis);
+double half_width(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis);
+
 /// The contact pair with the greatest pressure.
 template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution);

@@ -29,6 +29,13 @@ json axis(const ChartAxis& axis) {
   return {{"label", axis.label}, {"logarithmic", axis.is_logarithmic}};
 }
 
+std::string place_of(const Chart& chart) {
+  return fmt::format(
+      "<figure class=\"chart\">\n<div class=\"canvas\"><canvas id=\"{}\" role=\"img\" "
+      "aria-label=\"{}\"></canvas></div>\n<figcaption>{}</figcaption>\n</figure>\n",
+      chart.id, escaped(chart.summary), escaped(chart.title));
+}
+
 }  // namespace
 
 json to_json(const Chart& chart) {
@@ -41,11 +48,11 @@ json to_json(const Chart& chart) {
   return {{"id", chart.id}, {"x", axis(chart.x)}, {"y", axis(chart.y)}, {"series", series}};
 }
 
-std::string html(const Chart& chart) {
-  return fmt::format(
-      "<figure class=\"chart\">\n<div class=\"canvas\"><canvas id=\"{}\" role=\"img\" "
-      "aria-label=\"{}\"></canvas></div>\n<figcaption>{}</figcaption>\n</figure>\n",
-      chart.id, escaped(chart.summary), escaped(chart.title));
+std::string html(const std::vector<Chart>& charts) {
+  if (charts.empty()) return "";
+  std::string text = "<div class=\"charts\">\n";
+  for (const Chart& chart : charts) text += place_of(chart);
+  return text + "</div>\n";
 }
 
 }  // namespace geneva::post

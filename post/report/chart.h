@@ -35,7 +35,7 @@ struct Chart {
 /// What the drawing code reads; null for what is not a number.
 nlohmann::json to_json(const Chart& chart);
 
-/// The place on the page where the chart appears.
-std::string html(const Chart& chart);
+/// The places on the page where charts appear; nothing without charts.
+std::string html(const std::vector<Chart>& charts);
 
 }  // namespace geneva::post

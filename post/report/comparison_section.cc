@@ -8,6 +8,7 @@
 
 #include "post/report/field_picture.h"
 #include "post/report/html.h"
+#include "post/report/run_section.h"
 #include "post/report/shown_values.h"
 #include "post/view/encoded_numbers.h"
 
@@ -178,13 +179,9 @@ ReportPart comparison_part(const std::vector<ResultsDirectory>& all) {
   const UnitSystem units = all.front().units();
   ReportPart part;
   part.charts = charts_of(all, names);
-  std::string charts;
-  for (const Chart& chart : part.charts) charts += html(chart);
   part.html = html_section("verdict", "Side by side",
                            table_of(all, names, units) + warnings_of(all, names)) +
-              (charts.empty() ? ""
-                              : html_section("contact", "Contact",
-                                             "<div class=\"charts\">\n" + charts + "</div>\n")) +
+              (part.charts.empty() ? "" : html_section("contact", "Contact", html(part.charts))) +
               html_section("field", "von Mises stress around the contact",
                            "<div class=\"pictures\">\n" + pictures_of(all, names) + "</div>\n");
   return part;

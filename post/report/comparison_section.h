@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "post/report/run_section.h"
+#include "post/report/report_part.h"
+#include "post/report/results_directory.h"
 
 namespace geneva::post {
 

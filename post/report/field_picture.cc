@@ -172,6 +172,8 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
 }  // namespace
 
 std::string field_picture(const json& view) {
+  if (!(view.at("half_width").get<double>() > 0.))
+    throw std::invalid_argument("view.json is damaged: the half-width is not positive");
   const FlatMesh mesh = flat_mesh(view);
   const Window window{0.5 * height / (half_widths_up * view.at("half_width").get<double>())};
   const std::array<double, 2> range = range_in(mesh, window);

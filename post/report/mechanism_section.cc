@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "post/report/html.h"
 #include "post/report/shown_values.h"
@@ -126,10 +127,11 @@ double greatest_force(const json& mechanism) {
   return greatest;
 }
 
-/// Force on the wheel: from the contact point along the normal of the wall.
+/// The contact point, and the force on the wheel along the normal of the wall.
 std::string force_arrow(const json& mechanism, const json& step, const Projection& projection) {
   if (step.at("engaged_pin").is_null() || greatest_force(mechanism) == 0.)
-    return line("id=\"mechanism-force\" class=\"force\"", {0., 0.}, {0., 0.});
+    return line("id=\"mechanism-force\" class=\"force\"", {0., 0.}, {0., 0.}) +
+           circle("id=\"mechanism-contact\" class=\"arrow\"", {0., 0.}, 0.);
   const Place pin = step.at("pins").at(step.at("engaged_pin").get<std::size_t>()).get<Place>();
   const double force = step.at("pin_force");
   const double angle = std::atan2(pin[1], pin[0]);
@@ -145,7 +147,8 @@ std::string force_arrow(const json& mechanism, const json& step, const Projectio
     tip[i] += side * (radius + length) * normal[i];
   }
   return line("id=\"mechanism-force\" class=\"force\" marker-end=\"url(#arrow)\"",
-              projection.at(contact), projection.at(tip));
+              projection.at(contact), projection.at(tip)) +
+         circle("id=\"mechanism-contact\" class=\"arrow\"", projection.at(contact), 4.);
 }
 
 std::string drawing(const json& mechanism, const json& step, const std::string& label) {
@@ -208,15 +211,13 @@ std::string readings(const json& step, const UnitSystem units) {
        {"wheel_speed", "wheel speed", Dimension::angular_speed},
        {"wheel_acceleration", "wheel acceleration", Dimension::angular_acceleration},
        {"pin_force", "pin force", Dimension::force}}};
-  std::string text = "<dl id=\"mechanism-readings\">\n";
+  HtmlTable table{"At this position", {"quantity", "value"}, {}};
   for (const Reading& reading : list)
-    text += fmt::format(
-        "<div><dt>{}</dt><dd><output data-key=\"{}\" "
-        "data-factor=\"{:.17g}\">{}</output></dd></div>\n",
-        escaped(labelled(reading.name, reading.dimension, units)), reading.key,
-        output_unit(units, reading.dimension).factor,
-        shown(step.at(reading.key), reading.dimension, units));
-  return text + "</dl>\n";
+    table.rows.push_back({escaped(labelled(reading.name, reading.dimension, units)),
+                          fmt::format("<output data-key=\"{}\" data-factor=\"{:.17g}\">{}</output>",
+                                      reading.key, output_unit(units, reading.dimension).factor,
+                                      shown(step.at(reading.key), reading.dimension, units))});
+  return "<div id=\"mechanism-readings\">\n" + table.html() + "</div>\n";
 }
 
 Chart cycle_chart(const json& mechanism, const UnitSystem units, const char* key,
@@ -270,17 +271,17 @@ ReportPart mechanism_part(const json& mechanism, const UnitSystem units) {
       cycle_chart(mechanism, units, "wheel_acceleration", "wheel acceleration",
                   Dimension::angular_acceleration),
       cycle_chart(mechanism, units, "pin_force", "pin force", Dimension::force)};
-  std::string charts;
-  for (const Chart& chart : part.charts) charts += html(chart);
   part.html = html_section(
       "mechanism", "Mechanism",
       fmt::format("<div class=\"beside\">\n<figure>\n{}<figcaption>{}{}</figcaption>\n{}</figure>\n"
-                  "<div>\n{}{}</div>\n</div>\n<div class=\"charts\">\n{}</div>\n",
+                  "<div>\n{}{}</div>\n</div>\n{}",
                   drawing(mechanism, step, label), escaped(label),
-                  is_analysed ? ", which is analysed; the arrow is the pin force on the wheel" : "",
+                  is_analysed ? ", which is analysed; the dot is the contact point, the arrow the "
+                                "pin force on the wheel"
+                              : "",
                   fmt::format(fmt::runtime(controls), mechanism.at("steps").size() - 1,
                               nearest_step(mechanism, step)),
-                  readings(step, units), lengths_table(mechanism, units), charts));
+                  readings(step, units), lengths_table(mechanism, units), html(part.charts)));
   return part;
 }
 

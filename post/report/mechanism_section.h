@@ -1,6 +1,9 @@
 #pragma once
 
-#include "post/report/run_section.h"
+#include <nlohmann/json_fwd.hpp>
+
+#include "post/report/report_part.h"
+#include "post/units.h"
 
 namespace geneva::post {
 

@@ -134,12 +134,6 @@ std::string shaft_table(const json& design, const UnitSystem units) {
   return table.html();
 }
 
-std::string in_charts(const std::vector<Chart>& charts) {
-  std::string text = "<div class=\"charts\">\n";
-  for (const Chart& chart : charts) text += html(chart);
-  return text + "</div>\n";
-}
-
 }  // namespace
 
 ReportPart kinematics_part(const ResultsDirectory& results) {
@@ -151,7 +145,7 @@ ReportPart kinematics_part(const ResultsDirectory& results) {
                    "slip speed of the pin along the slot")};
   return {html_section("kinematics", "Motion over the cycle",
                        unbounded_warnings(kinematics, results.units()) +
-                           characteristics_table(kinematics, results.units()) + in_charts(charts)),
+                           characteristics_table(kinematics, results.units()) + html(charts)),
           charts};
 }
 
@@ -159,7 +153,7 @@ ReportPart design_part(const ResultsDirectory& results) {
   const json& design = *results.document("design");
   const std::vector<Chart> charts{stress_chart(results, results.units())};
   return {html_section("design", "Choice of the wheel",
-                       wheels_table(design, results.units()) + in_charts(charts) +
+                       wheels_table(design, results.units()) + html(charts) +
                            shaft_table(design, results.units())),
           charts};
 }

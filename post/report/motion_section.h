@@ -1,6 +1,7 @@
 #pragma once
 
-#include "post/report/run_section.h"
+#include "post/report/report_part.h"
+#include "post/report/results_directory.h"
 
 namespace geneva::post {
 

@@ -274,12 +274,6 @@ std::vector<Chart> contact_charts(const ResultsDirectory& results, const UnitSys
   return {line_load_chart(results, units), section_pressure_chart(results)};
 }
 
-std::string places_of(const std::vector<Chart>& charts) {
-  std::string text = "<div class=\"charts\">\n";
-  for (const Chart& chart : charts) text += html(chart);
-  return text + "</div>\n";
-}
-
 std::string effort_table(const json& summary) {
   HtmlTable table{
       "What it took, mesh by mesh",
@@ -312,15 +306,14 @@ ReportPart verdict_part(const ResultsDirectory& results) {
 ReportPart contact_part(const ResultsDirectory& results) {
   const std::vector<Chart> charts = contact_charts(results, results.units());
   if (charts.empty()) return {};
-  return {html_section("contact", "Contact", places_of(charts)), charts};
+  return {html_section("contact", "Contact", html(charts)), charts};
 }
 
 ReportPart convergence_part(const ResultsDirectory& results) {
   const json& summary = *results.document("summary");
   const std::vector<Chart> charts{convergence_chart(summary, results.units()),
                                   error_chart(summary)};
-  return {html_section("convergence", "Convergence", places_of(charts) + effort_table(summary)),
-          charts};
+  return {html_section("convergence", "Convergence", html(charts) + effort_table(summary)), charts};
 }
 
 }  // namespace geneva::post

@@ -1,18 +1,9 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "post/report/chart.h"
+#include "post/report/report_part.h"
 #include "post/report/results_directory.h"
 
 namespace geneva::post {
-
-/// Part of a report: HTML, and the charts that belong to places in it.
-struct ReportPart {
-  std::string html;
-  std::vector<Chart> charts;
-};
 
 /// What `geneva run` computed: the verdict beside closed forms and published values, warnings and
 /// checks.

@@ -48,7 +48,8 @@ json mesh_section(const std::string& name, const std::string& title, const ViewM
   json fields = json::object();
   for (std::size_t i = 0; i < view_fields.size(); ++i) {
     const auto& values = mesh.fields[i];
-    if (std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
+    if (values.empty() ||
+        std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
       fields[view_fields[i]] = quantised_section(scaled(values, scale.stress));
   }
   return {{"name", name},
@@ -120,10 +121,10 @@ void append(const Point<3>& place, const double pressure, const std::optional<un
   result.pressure.push_back(static_cast<float>(pressure));
 }
 
-PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const ViewMesh& visible,
-                           const PointFinder& finder) {
+PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const double width,
+                           const ViewMesh& visible, const PointFinder& finder) {
   PressureMesh result;
-  const double height = contact.half_width / contact.peak_pressure;
+  const double height = width / contact.peak_pressure;
   for (const fem::ContactNode<2>& node : contact.nodes) {
     const Point<3> foot = in_space<2>(node.position);
     const auto like = finder.at(foot);
@@ -138,8 +139,8 @@ PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const ViewMesh&
   return result;
 }
 
-PressureMesh pressure_mesh(const fem::ContactResult<3>& contact, const ViewMesh& visible,
-                           const PointFinder& finder) {
+PressureMesh pressure_mesh(const fem::ContactResult<3>& contact, const double /*unused*/,
+                           const ViewMesh& visible, const PointFinder& finder) {
   PressureMesh result;
   for (const fem::ContactNode<3>& node : contact.nodes) {
     const Point<3> place = in_space<3>(node.position);
@@ -149,13 +150,6 @@ PressureMesh pressure_mesh(const fem::ContactResult<3>& contact, const ViewMesh&
     for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
       result.mesh.triangles.push_back(static_cast<unsigned int>(face[corner]));
   return result;
-}
-
-double half_width_of(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& /*unused*/) {
-  return contact.half_width;
-}
-double half_width_of(const fem::ContactResult<3>& /*unused*/, const ContactAnalysis<3>& analysis) {
-  return analysis.half_width;
 }
 
 Point<3> place_of_peak(const fem::ContactResult<2>& /*unused*/,
@@ -175,26 +169,55 @@ Point<3> place_of_peak(const fem::ContactResult<3>& contact, const ContactAnalys
   return Point<3>(sum / n_nodes);
 }
 
+/// The half-width, or where a single node is in contact a fiftieth of the model.
+double shown_half_width(const double half_width, const ViewMesh& visible, const Point<3>& origin) {
+  if (half_width > 0.) return half_width;
+  double extent = 0.;
+  for (std::size_t i = 0; i < visible.points.size(); ++i)
+    extent =
+        std::max(extent, std::abs(visible.points[i] - origin[static_cast<unsigned int>(i % 3)]));
+  return extent / 50.;
+}
+
 json vector(const Tensor<1, 3>& of) {
   json list = json::array();
   for (unsigned int i = 0; i < 3; ++i) list.push_back(of[i]);
   return list;
 }
 
+/// The point, moved a thousandth of the contact's extent along the normal to where the contact is
+/// if the plane through it only touches the contact: on a plane of symmetry nothing would be cut.
+Point<3> within(const fem::ContactResult<3>& contact, const Point<3>& point,
+                const Tensor<1, 3>& normal) {
+  double lowest = 0.;
+  double highest = 0.;
+  for (const fem::ContactNode<3>& node : contact.nodes) {
+    const double distance = (in_space<3>(node.position) - point) * normal;
+    lowest = std::min(lowest, distance);
+    highest = std::max(highest, distance);
+  }
+  const double small = 1e-3 * (highest - lowest);
+  const double shift = lowest > -small ? small : highest < small ? -small : 0.;
+  return point + shift * normal;
+}
+
 /// Cuts through the point of greatest pressure.
 std::vector<json> cuts(const fem::Solution<2>& /*unused*/, const Results<2>& /*unused*/,
+                       const fem::ContactResult<2>& /*unused*/,
                        const ContactAnalysis<2>& /*unused*/, const ViewScale& /*unused*/) {
   return {};
 }
 std::vector<json> cuts(const fem::Solution<3>& solution, const Results<3>& results,
-                       const ContactAnalysis<3>& analysis, const ViewScale& scale) {
+                       const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis,
+                       const ViewScale& scale) {
   std::vector<json> list;
   const std::array<std::tuple<const char*, const char*, Tensor<1, 3>>, 2> planes{
       {{"across", "cut across the contact where the pressure is greatest", analysis.frame.along},
        {"along", "cut along the contact where the pressure is greatest", analysis.frame.across}}};
   for (const auto& [name, title, normal] : planes) {
-    list.push_back(
-        mesh_section(name, title, cut_mesh(solution, results, {scale.origin, normal}), scale));
+    list.push_back(mesh_section(
+        name, title, cut_mesh(solution, results, {within(contact, scale.origin, normal), normal}),
+        scale));
     list.back()["normal"] = vector(normal);
   }
   return list;
@@ -220,13 +243,14 @@ void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
   const ViewMesh visible = visible_mesh(solution, results);
   json meshes = json::array();
   meshes.push_back(mesh_section("model", "whole model", visible, scale));
-  for (json& cut : cuts(solution, results, analysis, scale)) meshes.push_back(std::move(cut));
+  for (json& cut : cuts(solution, results, contact, analysis, scale))
+    meshes.push_back(std::move(cut));
   if (dealii::Utilities::MPI::this_mpi_process(solution.dof_handler->get_communicator()) != 0)
     return;
 
-  const double half_width = half_width_of(contact, analysis);
-  const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * half_width);
-  const PressureMesh pressure = pressure_mesh(contact, visible, finder);
+  const double width = shown_half_width(half_width(contact, analysis), visible, scale.origin);
+  const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * width);
+  const PressureMesh pressure = pressure_mesh(contact, width, visible, finder);
   meshes.push_back(mesh_section("contact", "contact surface", pressure.mesh, scale));
   meshes.back()["fields"]["contact_pressure"] =
       quantised_section(scaled(pressure.pressure, scale.stress));
@@ -237,7 +261,7 @@ void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
   view["length_unit"] = length.name;
   view["stress_unit"] = stress.name;
   view["origin"] = vector(scale.length * scale.origin);
-  view["half_width"] = scale.length * half_width;
+  view["half_width"] = scale.length * width;
   view["normal"] = vector(normal_of(analysis));
   view["bodies"] = std::move(bodies);
   view["outlines"] = encoded(visible.outlines);

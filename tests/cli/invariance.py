@@ -116,6 +116,7 @@ class Units(Invariance):
             runs[units] = self.geneva("run", case, "--output", self.directory / units)
             self.assertEqual(runs[units].code, 0, runs[units].describe())
             summaries[units] = flat(read_summary(self.directory / units))
+            self.assertEqual(summaries[units].pop("case.output_units"), units)
             tables[units] = read_csv(self.directory / units / "contact.csv")
             shutil.rmtree(case)
         for units, factors in OUTPUT_UNITS.items():

@@ -7,6 +7,7 @@ import math
 import os
 import re
 import shutil
+import subprocess
 import unittest
 
 from browser import Browser
@@ -42,6 +43,11 @@ class Outline(html.parser.HTMLParser):
     def handle_data(self, data):
         if self.open and self.open[-1] not in ("script", "style"):
             self.text += data
+
+
+def complaints(file):
+    """What HTML Tidy says about a page."""
+    return subprocess.run(["tidy", "-errors", "-quiet", file], capture_output=True, text=True, check=False).stderr
 
 
 def read_report(file):
@@ -84,6 +90,7 @@ class ReportTest(CliTest):
     def check_page(self):
         """What holds for every report."""
         self.assertEqual([entry["message"] for entry in self.browser.console()], [])
+        self.assertEqual(complaints(self.results / "report.html"), "")
         outline = read_report(self.results / "report.html")
         self.assertEqual(outline.open, [])
         self.assertEqual(len(outline.ids), len(set(outline.ids)))
@@ -360,6 +367,7 @@ end
         run = self.geneva("report", inches, case / "results", "-o", "both.html")
         self.assertEqual(run.code, 0, run.describe())
         self.assertIn("comparison in both.html", run.out)
+        self.assertEqual(complaints(self.directory / "both.html"), "")
         page = read_report(self.directory / "both.html")
         self.assertEqual(page.open, [])
         self.assertEqual(len(page.ids), len(set(page.ids)))

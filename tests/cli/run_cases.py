@@ -31,6 +31,9 @@ FORMS = ({"key", "value", "unit", "relative_tolerance"}, {"key", "value", "relat
          {"key", "at_least_share", "of_error_of", "value", "unit"}, {"key", "has", "absolute_tolerance"},
          {"column", "value", "relative_tolerance"})
 
+# Bytes of a report that still opens at once.
+GREATEST_REPORT = 6e6
+
 # What each command writes: single figures and a table.
 FILES = {"run": ("summary.json", "contact.csv"), "kinematics": ("kinematics.json", "kinematics.csv"),
          "design": ("design.json", "design.csv"), "synthesize": ("synthesis.json", "synthesis.csv")}
@@ -119,6 +122,16 @@ class RunCases(CliTest):
                 verdict = judge(check, summary, columns)
                 print(f"  {'ok  ' if verdict.holds else 'FAIL'} {what}: {verdict.text}", flush=True)
                 self.assertTrue(verdict.holds, f"{what}: {verdict.text} ({check['why']})")
+        if command == "run":
+            self.check_soundness(summary, case / "results" / "report.html")
+
+    def check_soundness(self, summary, report):
+        """What holds for every run of a shipped case."""
+        for check in summary["checks"]:
+            with self.subTest(check["name"]):
+                self.assertTrue(check["passed"], f"{check['value']}, at most {check['limit']}: {check['meaning']}")
+        print(f"  report: {report.stat().st_size / 1e6:.1f} MB")
+        self.assertLess(report.stat().st_size, GREATEST_REPORT)
 
 
 class ExpectedValues(CliTest):

@@ -26,7 +26,8 @@
   function drawForce(step) {
     const line = document.getElementById("mechanism-force");
     const isThere = step.engaged_pin !== null && Math.abs(step.pin_force) > 1e-3 * greatestForce;
-    line.style.visibility = isThere ? "visible" : "hidden";
+    const dot = document.getElementById("mechanism-contact");
+    for (const element of [line, dot]) element.style.visibility = isThere ? "visible" : "hidden";
     if (!isThere) return;
     line.setAttribute("marker-end", "url(#arrow)");
     const pin = step.pins[step.engaged_pin];
@@ -36,6 +37,10 @@
       return pixel([pin[0] - side * Math.sin(angle), pin[1] + side * Math.cos(angle), pin[2]]);
     };
     const radius = mechanism.pin_diameter / 2;
+    const [x, y] = along(radius);
+    dot.setAttribute("cx", x.toFixed(2));
+    dot.setAttribute("cy", y.toFixed(2));
+    dot.setAttribute("r", 4);
     setLine(line, along(radius), along(radius + (arrow * Math.abs(step.pin_force)) / greatestForce / scale));
   }
 
