@@ -181,7 +181,7 @@ std::string field_picture(const json& view) {
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
              "aria-label=\"von Mises stress around the contact, at most {2:.4g} {3}\" "
-             "font-family=\"DejaVu Sans, sans-serif\" font-size=\"15\" fill=\"#1b2126\">\n"
+             "style=\"font-family:DejaVu Sans,sans-serif;font-size:15px;fill:#1b2126\">\n"
              "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
              "<image x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\" "
              "href=\"data:image/png;base64,{8}\"/>\n<g stroke=\"#1b2126\" fill=\"none\">"

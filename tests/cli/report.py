@@ -47,7 +47,7 @@ class Outline(html.parser.HTMLParser):
 
 def complaints(file):
     """What HTML Tidy says about a page."""
-    return subprocess.run(["tidy", "-errors", "-quiet", file], capture_output=True, text=True, check=False).stderr
+    return subprocess.run(["tidy", "-errors", "-quiet", "--drop-empty-elements", "no", file], capture_output=True, text=True, check=False).stderr
 
 
 def read_report(file):
