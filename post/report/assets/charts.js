@@ -66,7 +66,6 @@
         scale.grid.color = rule();
       }
       chart.options.plugins.legend.labels.color = ink();
-      chart.resize();
       chart.update();
     }
   }
