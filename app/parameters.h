@@ -80,6 +80,7 @@ std::vector<Parameter> settings_parameters();
 
 /// Published values to compare with, which the same cases may have.
 std::vector<Parameter> published_parameters();
+/// What the same cases may allow, for safety factors.
 std::vector<Parameter> allowable_parameters();
 
 /// What a case with Model = mechanism has besides.

@@ -207,8 +207,10 @@ void present(const Case& given, const fem::Solution<dim>& solution,
 template <int dim>
 void publish(const Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report,
-             const Model<dim>& model, const std::string& log, OutputDirectory& directory) {
+             const Model<dim>& model, const nlohmann::json& view, const std::string& log,
+             OutputDirectory& directory) {
   const fs::path& working = directory.working();
+  if (!view.is_null()) write_text(working / "view.json", view.dump() + "\n");
   if (model.mechanism)
     write_text(working / "mechanism.json",
                post::mechanism_document(
@@ -247,14 +249,14 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   post::RunReport report = make_report(communicator, given, model, solution, results);
   present(given, solution, results, report, is_first, progress);
   post::write_fields(solution, results, given.units, directory.working());
-  post::write_view(solution, results, given.units, directory.working());
+  const nlohmann::json view = post::view_document(solution, results, given.units);
   report.mesh_seconds = mesh_seconds;
   report.solve_seconds = solve_seconds;
   report.post_seconds = timer.wall_time();
   report.total_seconds = total.wall_time();
   together(communicator, [&] {
     if (!is_first) return;
-    publish(given, solution, results, report, model, progress.log(), directory);
+    publish(given, solution, results, report, model, view, progress.log(), directory);
     write_report(directory.final());
   });
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",

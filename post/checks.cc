@@ -12,7 +12,7 @@ namespace {
 constexpr double balance_limit = 1e-6;
 constexpr double complementarity_limit = 1e-6;
 constexpr double penetration_limit = 1e-3;
-/// The mesh follows the drawn wheel's arcs to a hundredth of this.
+/// Chords in the mesh for the drawn wheel's arcs make 1.3e-4 (johnson-optimum-wheel).
 constexpr double torque_limit = 5e-3;
 
 /// How far the bodies approach each other, b p0/E: what a gap is measured with [m].

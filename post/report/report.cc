@@ -112,7 +112,7 @@ std::string field_script(const json& view, const std::string& graphics) {
          script(std::string(report_assets::field));
 }
 
-[[noreturn]] void refuse_damaged(const std::string& where, const json::exception& error) {
+[[noreturn]] void refuse_damaged(const std::string& where, const std::exception& error) {
   throw std::invalid_argument(
       fmt::format("the results in {} lack something that a report needs ({}); make them again",
                   where, error.what()));
@@ -135,20 +135,23 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
   return report;
 } catch (const json::exception& error) {
   refuse_damaged(results.path.string(), error);
+} catch (const std::out_of_range& error) {
+  refuse_damaged(results.path.string(), error);
 }
 
-std::string make_comparison(const std::vector<ResultsDirectory>& all, const Libraries& libraries) {
+std::string make_comparison(const std::vector<ResultsDirectory>& all,
+                            const Libraries& libraries) try {
   std::string names;
   for (const ResultsDirectory& results : all)
     names += (names.empty() ? "" : ", ") + results.about().at("name").get<std::string>();
   const std::string header =
       fmt::format("<header>\n<h1>Comparison of {} runs</h1>\n<p>{}. Units: {}.</p>\n</header>\n",
                   all.size(), escaped(names), name_of(all.front().units()));
-  try {
-    return page("Comparison: " + names, header, comparison_part(all), libraries, "");
-  } catch (const json::exception& error) {
-    refuse_damaged("one of " + names, error);
-  }
+  return page("Comparison: " + names, header, comparison_part(all), libraries, "");
+} catch (const json::exception& error) {
+  refuse_damaged("one of the directories", error);
+} catch (const std::out_of_range& error) {
+  refuse_damaged("one of the directories", error);
 }
 
 }  // namespace geneva::post

@@ -75,7 +75,7 @@ UnitSystem ResultsDirectory::units() const {
   return unit_system_named(about().at("output_units").get<std::string>());
 }
 
-ResultsDirectory read_results(const fs::path& directory) {
+ResultsDirectory read_results(const fs::path& directory) try {
   if (!fs::is_directory(directory))
     throw std::invalid_argument(
         fmt::format("{}: there is no such directory; give one with results", directory.string()));
@@ -109,6 +109,10 @@ ResultsDirectory read_results(const fs::path& directory) {
     if (fs::exists(file)) results.documents[name] = read_json(file);
   }
   return results;
+} catch (const json::exception& error) {
+  throw std::invalid_argument(
+      fmt::format("the results in {} lack something that a report needs ({}); make them again",
+                  directory.string(), error.what()));
 }
 
 }  // namespace geneva::post

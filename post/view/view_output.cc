@@ -7,7 +7,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "post/output_file.h"
 #include "post/surface_body.h"
 #include "post/view/encoded_numbers.h"
 #include "post/view/view_mesh.h"
@@ -231,12 +230,12 @@ Tensor<1, 3> normal_of(const ContactAnalysis<3>& analysis) { return analysis.fra
 }  // namespace
 
 template <int dim>
-void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
-                const UnitSystem units, const std::filesystem::path& directory) {
+json view_document(const fem::Solution<dim>& solution, const Results<dim>& results,
+                   const UnitSystem units) {
   const std::size_t leading = leading_contact(solution);
   const fem::ContactResult<dim>& contact = solution.contacts[leading];
   const ContactAnalysis<dim>& analysis = results.contacts[leading];
-  if (contact.peak_pressure <= 0.) return;
+  if (contact.peak_pressure <= 0.) return nullptr;
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
   const ViewScale scale{length.factor, stress.factor, place_of_peak(contact, analysis)};
@@ -246,7 +245,7 @@ void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
   for (json& cut : cuts(solution, results, contact, analysis, scale))
     meshes.push_back(std::move(cut));
   if (dealii::Utilities::MPI::this_mpi_process(solution.dof_handler->get_communicator()) != 0)
-    return;
+    return nullptr;
 
   const double width = shown_half_width(half_width(contact, analysis), visible, scale.origin);
   const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * width);
@@ -266,15 +265,10 @@ void write_view(const fem::Solution<dim>& solution, const Results<dim>& results,
   view["bodies"] = std::move(bodies);
   view["outlines"] = encoded(visible.outlines);
   view["meshes"] = std::move(meshes);
-  const std::filesystem::path file = directory / "view.json";
-  std::ofstream stream = open_output(file);
-  stream << view.dump() << '\n';
-  close_output(stream, file);
+  return view;
 }
 
-template void write_view(const fem::Solution<2>&, const Results<2>&, UnitSystem,
-                         const std::filesystem::path&);
-template void write_view(const fem::Solution<3>&, const Results<3>&, UnitSystem,
-                         const std::filesystem::path&);
+template json view_document(const fem::Solution<2>&, const Results<2>&, UnitSystem);
+template json view_document(const fem::Solution<3>&, const Results<3>&, UnitSystem);
 
 }  // namespace geneva::post

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 
 #include "post/results.h"
 #include "post/units.h"
 
 namespace geneva::post {
 
-/// Writes view.json: what can be seen of the solution, as triangles with displacements and stresses
-/// in output units; in space also cuts across the pin where the pressure is greatest and along it,
-/// and the contact pressure on the source surface. doc/results.md describes it. Every rank takes
-/// part.
-/// @throws std::runtime_error on rank 0 if the file cannot be written
+/// What view.json says: what can be seen of the solution, as triangles with displacements and
+/// stresses in output units; in space also cuts across the pin where the pressure is greatest and
+/// along it, and the contact pressure on the source surface. doc/results.md describes it. Every
+/// rank takes part.
+/// @return on rank 0; null on the others, and if nothing is in contact
 template <int dim>
-void write_view(const fem::Solution<dim>& solution, const Results<dim>& results, UnitSystem units,
-                const std::filesystem::path& directory);
+nlohmann::json view_document(const fem::Solution<dim>& solution, const Results<dim>& results,
+                             UnitSystem units);
 
 }  // namespace geneva::post

@@ -411,6 +411,19 @@ end
         self.assert_refused(results, "summary.json", "damaged")
         self.assertEqual(read_summary(kept)["versions"]["results"], 1)
 
+    def test_refuses_documents_that_lack_something(self):
+        results = self.results_of()
+        whole = json.loads((results / "summary.json").read_text())
+        for key in ("case", "comparison", "solver"):
+            (results / "summary.json").write_text(json.dumps({k: v for k, v in whole.items() if k != key}))
+            self.assert_refused(results, "lack something", "make them again")
+            self.assert_refused([results, results], "lack something")
+        (results / "summary.json").write_text(json.dumps(whole))
+        view = json.loads((results / "view.json").read_text())
+        view["meshes"][0]["points"] = ""
+        (results / "view.json").write_text(json.dumps(view))
+        self.assert_refused(results, "damaged")
+
 
 if __name__ == "__main__":
     main()
