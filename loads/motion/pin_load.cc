@@ -56,7 +56,10 @@ Peak greatest_between(const DrivenMechanism& driven,
   constexpr int intervals = 512;
   const double step = (end - begin) / intervals;
   const auto time = [&](const int i) { return i == intervals ? end : begin + step * i; };
-  const auto value = [&](const double at) { return quantity(driven.at_time(at)); };
+  // Differences at the ends reach past them by a rounding, where the pin is in no slot any more.
+  const auto value = [&](const double at) {
+    return quantity(driven.at_time(std::clamp(at, begin, end)));
+  };
   Peak best{-std::numeric_limits<double>::infinity(), begin};
   for (int i = 0; i <= intervals; ++i)
     if (const double here = value(time(i)); here > best.value) best = {here, time(i)};

@@ -263,6 +263,16 @@ TEST(PeakForceAngle, TendsToTheLineOfCentresWhenFrictionPrevails) {
   EXPECT_NEAR(peak_force_angle(driven(6, 1e-3), {2e-3, {1e-3, 10.}}), 0., 1e-7);
 }
 
+TEST(PeakForceAngle, IsFoundAtAnyDeceleration) {
+  // In two of these two thousand motions times next to the end of the engagement are rounded up.
+  constexpr double speed = 87.128614;
+  const WheelTrain train{2e-3, {2.28773e-3, 0.}};
+  for (int i = 0; i < 2000; ++i) {
+    const double deceleration = (.088 - 4e-7 * i) * speed * speed;
+    EXPECT_NO_THROW(peak_force_angle(driven(3, speed, -deceleration), train)) << i;
+  }
+}
+
 RC_GTEST_PROP(PinLoadProperty, ForceIsPositiveBeforeTheLineOfCentres, ()) {
   const int n = random_stations();
   const WheelTrain train{between(1e-5, 1.), {between(0., 1.), between(0., 10.)}};
