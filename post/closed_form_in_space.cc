@@ -8,6 +8,8 @@
 
 namespace geneva::post {
 
+using dealii::Point;
+using dealii::SymmetricTensor;
 using dealii::Tensor;
 
 namespace {
@@ -45,15 +47,38 @@ bool ClosedFormInSpace::is_circle() const {
   return ellipse && std::abs(radius_along / radius_across - 1.) < 1e-6;
 }
 
+bool ClosedFormInSpace::is_on_line(const double along) const {
+  return std::abs(along - middle) <= length / 2. * (1. + 1e-9);
+}
+
 loads::HertzPoint ClosedFormInSpace::as_point() const {
   return loads::hertz_point(force, radius_across, contact_modulus, poissons_ratio);
 }
 
 double ClosedFormInSpace::pressure(const double across, const double along) const {
-  if (line) return std::abs(along) <= length / 2. * (1. + 1e-9) ? line->pressure(across) : 0.;
+  if (line) return is_on_line(along) ? line->pressure(across) : 0.;
   const double x = across / half_width();
   const double z = along / half_length();
   return ellipse->peak_pressure * std::sqrt(std::max(0., 1. - x * x - z * z));
+}
+
+std::optional<SymmetricTensor<2, 3>> mcewen_stress(const ClosedFormInSpace& form,
+                                                   const ContactFrame& frame,
+                                                   const double poissons_ratio,
+                                                   const Point<3>& place) {
+  if (!form.line || !form.is_on_line(frame.distance_along(place))) return std::nullopt;
+  const double b = form.line->half_width;
+  const double x = frame.distance_across(place);
+  const double z = frame.depth(place);
+  if (std::abs(x) >= 4. * b || z >= 6. * b) return std::nullopt;
+  const loads::ContactStress local = form.line->stress(x, z);
+  const Tensor<1, 3> inward =
+      ((place - frame.centre) * frame.normal < 0. ? -1. : 1.) * frame.normal;
+  return local.xx * symmetrize(outer_product(frame.across, frame.across)) +
+         local.zz * symmetrize(outer_product(inward, inward)) +
+         2. * local.xz * symmetrize(outer_product(frame.across, inward)) +
+         poissons_ratio * (local.xx + local.zz) *
+             symmetrize(outer_product(frame.along, frame.along));
 }
 
 std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
@@ -61,8 +86,9 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
                                              const ContactFrame& frame) {
   if (frame.normal.norm() == 0.) return std::nullopt;
   ClosedFormInSpace form{};
-  form.length = loaded_length(contact, frame.along);
-  if (frame.is_mirrored(frame.along)) form.length *= 2.;
+  const auto [first, last] = loaded_extent(contact, frame, frame.along);
+  form.length = last - first;
+  form.middle = (first + last) / 2. - Tensor<1, 3>(frame.centre) * frame.along;
   for (unsigned int i = 0; i < 3; ++i) form.force += contact.force[i] * frame.normal[i];
   form.force = frame.parts() * std::abs(form.force);
   if (frame.curvature_across * solution.scales.length <= 1e-9 || form.length <= 0.)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <optional>
 
 #include "loads/hertz.h"
@@ -15,6 +17,7 @@ struct ClosedFormInSpace {
       even;       ///< as if loaded evenly where the surfaces face each other (Johnson 1956, Eq. 2)
   double force;   ///< of the whole contact [N]
   double length;  ///< along the contact that carries load [m]
+  double middle;  ///< of that length, along the contact from the centre of pressure [m]
   double poissons_ratio;   ///< of the body with the greater shear
   double radius_across;    ///< relative radii [m]
   double radius_along;     ///< infinite for a line
@@ -31,11 +34,21 @@ struct ClosedFormInSpace {
   [[nodiscard]] std::optional<double> max_shear_depth() const;
   /// Pressure at distances from the centre across and along [Pa].
   [[nodiscard]] double pressure(double across, double along) const;
+  /// Whether a distance from the centre along the contact is within the loaded length.
+  [[nodiscard]] bool is_on_line(double along) const;
 
  private:
   [[nodiscard]] bool is_circle() const;
   [[nodiscard]] loads::HertzPoint as_point() const;
 };
+
+/// McEwen's stress [Pa] below an evenly loaded line in plane strain, at a place within a body with
+/// the given Poisson's ratio.
+/// @return nothing outside |x| < 4 b, 0 <= z < 6 b and the loaded length, and for an ellipse
+std::optional<dealii::SymmetricTensor<2, 3>> mcewen_stress(const ClosedFormInSpace& form,
+                                                           const ContactFrame& frame,
+                                                           double poissons_ratio,
+                                                           const dealii::Point<3>& place);
 
 /// From cylinders and spheres, the clearance along z and the materials of the two surfaces; nothing
 /// where Hertz does not apply.

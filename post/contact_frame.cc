@@ -79,7 +79,9 @@ double second_difference(const fem::ContactPair& pair, const double z, const dou
          (step * step);
 }
 
-double loaded_length(const fem::ContactResult<3>& contact, const Tensor<1, 3>& direction) {
+namespace {
+
+Extent loaded_part(const fem::ContactResult<3>& contact, const Tensor<1, 3>& direction) {
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
   for (const Node& node : contact.nodes)
@@ -88,16 +90,28 @@ double loaded_length(const fem::ContactResult<3>& contact, const Tensor<1, 3>& d
       lowest = std::min(lowest, place);
       highest = std::max(highest, place);
     }
-  return highest - lowest;
+  return {lowest, highest};
 }
 
-std::pair<double, double> whole_extent(const fem::ContactResult<3>& contact,
-                                       const ContactFrame& frame, const Tensor<1, 3>& direction) {
-  const auto [lowest, highest] = extent_along(contact, direction);
-  if (!frame.is_mirrored(direction)) return {lowest, highest};
+Extent with_mirrored_part(const Extent& part, const ContactFrame& frame,
+                          const Tensor<1, 3>& direction) {
+  if (!frame.is_mirrored(direction)) return part;
+  const auto& [lowest, highest] = part;
   const double plane = Tensor<1, 3>(frame.centre) * direction;
   const double reach = std::max(plane - lowest, highest - plane);
   return {plane - reach, plane + reach};
+}
+
+}  // namespace
+
+Extent loaded_extent(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                     const Tensor<1, 3>& direction) {
+  return with_mirrored_part(loaded_part(contact, direction), frame, direction);
+}
+
+Extent whole_extent(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                    const Tensor<1, 3>& direction) {
+  return with_mirrored_part(extent_along(contact, direction), frame, direction);
 }
 
 double common_length(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
@@ -151,7 +165,8 @@ ContactFrame contact_frame(const fem::Solution<3>& solution, const fem::ContactR
       curvatures(solution, contact.target_circle, contact.target_is_convex, frame.normal);
   const fem::ContactPair& pair = pair_of(solution, contact);
   set_directions(frame, curvature, static_cast<bool>(pair.clearance));
-  const double step = 0.02 * loaded_length(contact, frame.along);
+  const auto [lowest, highest] = loaded_part(contact, frame.along);
+  const double step = 0.02 * (highest - lowest);
   frame.curvature_across = frame.across * (curvature * frame.across);
   frame.curvature_along = frame.along * (curvature * frame.along) +
                           (step > 0. ? second_difference(pair, frame.centre[2], step) : 0.);

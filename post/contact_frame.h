@@ -45,17 +45,20 @@ const fem::ContactPair& pair_of(const fem::Solution<3>& solution,
 /// z [1/m].
 double second_difference(const fem::ContactPair& pair, double z, double step);
 
-/// Length along a direction over which the model's contact carries load [m].
-double loaded_length(const fem::ContactResult<3>& contact, const dealii::Tensor<1, 3>& direction);
-
 /// Along which a mechanism's pin and wheel extend.
 inline const dealii::Tensor<1, 3> z_axis({0., 0., 1.});
 
-/// Lowest and highest place along a direction where the surfaces face each other [m], with the part
-/// of the contact that a plane of symmetry has cut off.
-std::pair<double, double> whole_extent(const fem::ContactResult<3>& contact,
-                                       const ContactFrame& frame,
-                                       const dealii::Tensor<1, 3>& direction);
+/// Lowest and highest place along a direction [m].
+using Extent = std::pair<double, double>;
+
+/// Where the surfaces face each other, with the part of the contact that a plane of symmetry has
+/// cut off.
+Extent whole_extent(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                    const dealii::Tensor<1, 3>& direction);
+
+/// Where the contact carries load, with the same part.
+Extent loaded_extent(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                     const dealii::Tensor<1, 3>& direction);
 
 /// Length along z over which source and target face each other [m], that of the whole.
 double common_length(const fem::ContactResult<3>& contact, const ContactFrame& frame);

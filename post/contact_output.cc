@@ -21,17 +21,6 @@ struct ContactColumn {
   std::vector<double> values;
 };
 
-double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node) {
-  return analysis.hertz ? analysis.hertz->pressure(node.arc_length) : std::nan("");
-}
-
-double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node) {
-  if (!analysis.hertz) return std::nan("");
-  const dealii::Point<3> place(node.position[0], node.position[1], node.position[2]);
-  return analysis.hertz->pressure(analysis.frame.distance_across(place),
-                                  analysis.frame.distance_along(place));
-}
-
 template <int dim>
 std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contact,
                                            const ContactAnalysis<dim>& analysis,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geneva::post {
 
@@ -124,6 +125,18 @@ double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>
 }
 double half_width(const fem::ContactResult<3>& /*unused*/, const ContactAnalysis<3>& analysis) {
   return analysis.half_width;
+}
+
+double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node) {
+  return analysis.hertz ? analysis.hertz->pressure(node.arc_length)
+                        : std::numeric_limits<double>::quiet_NaN();
+}
+
+double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node) {
+  if (!analysis.hertz) return std::numeric_limits<double>::quiet_NaN();
+  const Point<3> place = place_of(node);
+  return analysis.hertz->pressure(analysis.frame.distance_across(place),
+                                  analysis.frame.distance_along(place));
 }
 
 template <int dim>

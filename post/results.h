@@ -69,6 +69,10 @@ Results<dim> analyse(const fem::Solution<dim>& solution);
 double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& analysis);
 double half_width(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis);
 
+/// Hertz's pressure at a node of the contact [Pa]; not a number without a closed form.
+double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node);
+double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node);
+
 /// The contact pair with the greatest pressure.
 template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution);

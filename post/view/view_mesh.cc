@@ -59,9 +59,13 @@ double mcewen_difference(const fem::Solution<2>& solution, const Results<2>& res
         return (stress.in_plane - exact->in_plane).norm();
   return std::numeric_limits<double>::quiet_NaN();
 }
-double mcewen_difference(const fem::Solution<3>& /*unused*/, const Results<3>& /*unused*/,
-                         const Stress<3>& /*unused*/, const unsigned int /*unused*/,
-                         const Point<3>& /*unused*/) {
+double mcewen_difference(const fem::Solution<3>& solution, const Results<3>& results,
+                         const Stress<3>& stress, const unsigned int body, const Point<3>& place) {
+  const double poissons_ratio = solution.problem.bodies[body].material.poissons_ratio;
+  for (const ContactAnalysis<3>& contact : results.contacts)
+    if (contact.hertz)
+      if (const auto exact = mcewen_stress(*contact.hertz, contact.frame, poissons_ratio, place))
+        return (stress - *exact).norm();
   return std::numeric_limits<double>::quiet_NaN();
 }
 

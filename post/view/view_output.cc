@@ -47,8 +47,7 @@ json mesh_section(const std::string& name, const std::string& title, const ViewM
   json fields = json::object();
   for (std::size_t i = 0; i < view_fields.size(); ++i) {
     const auto& values = mesh.fields[i];
-    if (values.empty() ||
-        std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
+    if (std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
       fields[view_fields[i]] = quantised_section(scaled(values, scale.stress));
   }
   return {{"name", name},
@@ -103,34 +102,35 @@ class PointFinder {
   std::map<Key, unsigned int> points_;
 };
 
-/// The pressure on the source surface: in space its faces, in the plane a band that is as high as
-/// the pressure is great.
+/// Where the pressure on the source surface is shown: in space its faces, in the plane a band that
+/// is as high as the pressure is great.
 struct PressureMesh {
   ViewMesh mesh;
-  std::vector<float> pressure;  ///< [Pa]
+  std::vector<std::size_t> nodes;  ///< contact node of each point
 };
 
-void append(const Point<3>& place, const double pressure, const std::optional<unsigned int> like,
+void append(const Point<3>& place, const std::size_t node, const std::optional<unsigned int> like,
             const ViewMesh& visible, PressureMesh& result) {
   for (unsigned int i = 0; i < 3; ++i) {
     result.mesh.points.push_back(place[i]);
     result.mesh.displacements.push_back(like ? visible.displacements[3 * *like + i] : 0.F);
   }
   result.mesh.bodies.push_back(like ? visible.bodies[*like] : 0);
-  result.pressure.push_back(static_cast<float>(pressure));
+  result.nodes.push_back(node);
 }
 
 PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const double width,
                            const ViewMesh& visible, const PointFinder& finder) {
   PressureMesh result;
   const double height = width / contact.peak_pressure;
-  for (const fem::ContactNode<2>& node : contact.nodes) {
+  for (std::size_t i = 0; i < contact.nodes.size(); ++i) {
+    const fem::ContactNode<2>& node = contact.nodes[i];
     const Point<3> foot = in_space<2>(node.position);
     const auto like = finder.at(foot);
     const Point<3> top(foot[0] + height * node.pressure * node.normal[0],
                        foot[1] + height * node.pressure * node.normal[1], 0.);
-    append(foot, node.pressure, like, visible, result);
-    append(top, node.pressure, like, visible, result);
+    append(foot, i, like, visible, result);
+    append(top, i, like, visible, result);
   }
   for (unsigned int i = 0; i + 1 < contact.nodes.size(); ++i)
     for (const unsigned int corner : {0U, 2U, 3U, 0U, 3U, 1U})
@@ -141,14 +141,32 @@ PressureMesh pressure_mesh(const fem::ContactResult<2>& contact, const double wi
 PressureMesh pressure_mesh(const fem::ContactResult<3>& contact, const double /*unused*/,
                            const ViewMesh& visible, const PointFinder& finder) {
   PressureMesh result;
-  for (const fem::ContactNode<3>& node : contact.nodes) {
-    const Point<3> place = in_space<3>(node.position);
-    append(place, node.pressure, finder.at(place), visible, result);
+  for (std::size_t i = 0; i < contact.nodes.size(); ++i) {
+    const Point<3> place = in_space<3>(contact.nodes[i].position);
+    append(place, i, finder.at(place), visible, result);
   }
   for (const auto& face : contact.faces)
     for (const std::size_t corner : {0U, 1U, 2U, 0U, 2U, 3U})
       result.mesh.triangles.push_back(static_cast<unsigned int>(face[corner]));
   return result;
+}
+
+/// Pressure, and where there is a closed form its difference from Hertz's.
+template <int dim>
+json pressure_fields(const fem::ContactResult<dim>& contact, const ContactAnalysis<dim>& analysis,
+                     const PressureMesh& mesh, const double factor) {
+  const auto values = [&](const auto& value_at) {
+    std::vector<float> result;
+    for (const std::size_t node : mesh.nodes)
+      result.push_back(static_cast<float>(factor * value_at(contact.nodes[node])));
+    return quantised_section(result);
+  };
+  using Node = fem::ContactNode<dim>;
+  json fields{{"contact_pressure", values([](const Node& node) { return node.pressure; })}};
+  if (analysis.hertz)
+    fields["hertz_difference"] =
+        values([&](const Node& node) { return node.pressure - hertz_pressure(analysis, node); });
+  return fields;
 }
 
 Point<3> place_of_peak(const fem::ContactResult<2>& /*unused*/,
@@ -251,8 +269,7 @@ json view_document(const fem::Solution<dim>& solution, const Results<dim>& resul
   const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * width);
   const PressureMesh pressure = pressure_mesh(contact, width, visible, finder);
   meshes.push_back(mesh_section("contact", "contact surface", pressure.mesh, scale));
-  meshes.back()["fields"]["contact_pressure"] =
-      quantised_section(scaled(pressure.pressure, scale.stress));
+  meshes.back()["fields"].update(pressure_fields(contact, analysis, pressure, scale.stress));
   json bodies = json::array();
   for (const fem::Body<dim>& body : solution.problem.bodies) bodies.push_back(body.name);
   json view;
