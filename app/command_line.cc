@@ -30,13 +30,13 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   design->add_option("CASE_DIR", case_directories, "One or more directories with a case.prm")
       ->required();
   design->add_option("-o,--output", output,
-                     "Where design.json and design.csv go, with several cases into a directory for "
-                     "each (default: CASE_DIR/results)");
+                     "Where design.json, design.csv and the report go, with several cases into a "
+                     "directory for each (default: CASE_DIR/results)");
   bool is_crown = false;
   design->add_flag("--crown", is_crown,
                    "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
-                   "which the line load along the pin of one case in space is most even, into "
-                   "crown.json");
+                   "which the line load along the pin of one case in space is most even; writes "
+                   "crown.json, crown.csv and the report");
   auto* synthesize = app.add_subcommand(
       "synthesize", "Find the dimensions of a quick-return, crank-rocker or path linkage");
   synthesize->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();

@@ -12,11 +12,14 @@
 #include <stdexcept>
 
 #include "app/case_file.h"
+#include "app/mechanism_picture.h"
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/pin_in_space.h"
 #include "app/progress.h"
+#include "app/report.h"
+#include "app/together.h"
 #include "app/version.h"
 #include "fem/contact_problem.h"
 #include "loads/hertz.h"
@@ -172,6 +175,13 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given,
   return report;
 }
 
+void write_results(const Case& given, const post::CrownReport& report, const fs::path& directory) {
+  write_and_rename(directory / "crown.json", post::crown_summary(report).dump(2) + "\n");
+  write_and_rename(directory / "crown.csv", post::crown_csv(report, given.units));
+  write_and_rename(directory / "mechanism.json", mechanism_text(*given.mechanism));
+  write_report(directory);
+}
+
 }  // namespace
 
 int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
@@ -190,11 +200,11 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
     report.after = after.load;
     report.drop = drop_at_faces(changed);
     progress.line("\n" + post::crown_table(report, given.units));
-    if (is_first) {
-      const fs::path directory = output.empty() ? given.directory / "results" : output;
-      write_and_rename(directory / "crown.json", post::crown_summary(report).dump(2) + "\n");
-      progress.line("crown.json in " + shown_path(directory));
-    }
+    const fs::path directory = output.empty() ? given.directory / "results" : output;
+    together(communicator, [&] {
+      if (is_first) write_results(given, report, directory);
+    });
+    progress.line("crown.json, crown.csv and report.html in " + shown_path(directory));
     const bool is_accurate = before.is_accurate && after.is_accurate;
     if (!is_accurate) progress.line("not converged: the accuracy wanted was not reached");
     return is_accurate ? 0 : 2;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "app/mechanism_picture.h"
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
@@ -160,6 +161,7 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     write_and_rename(targets[i] / "design.json", post::design_summary(reports[i]).dump(2) + "\n");
     write_and_rename(targets[i] / "design.csv", post::design_csv(reports[i], all[i].units));
+    write_and_rename(targets[i] / "mechanism.json", mechanism_text(*all[i].mechanism));
     write_report(targets[i]);
     std::cout << "design.json, design.csv and report.html in " << shown_path(targets[i]) << '\n';
   }

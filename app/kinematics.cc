@@ -4,8 +4,6 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 
 #include "app/mechanism_picture.h"
 #include "app/mechanism_state.h"
@@ -31,23 +29,6 @@ post::KinematicsReport make_kinematics(const Case& given, const int steps) {
           loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps)};
 }
 
-namespace {
-
-/// mechanism.json, with the instant that a run of the case computes where there is one.
-std::string mechanism_text(const Case& given) {
-  const MechanismDynamics dynamics = mechanism_dynamics(*given.mechanism);
-  std::optional<loads::PinLoad> analysed;
-  try {
-    analysed = mechanism_state(*given.mechanism).load;
-  } catch (const std::invalid_argument&) {
-    // Nothing presses on the driving wall there: a run refuses the case, its motion is sound.
-  }
-  return post::mechanism_document(mechanism_picture(*given.mechanism, dynamics, analysed)).dump() +
-         "\n";
-}
-
-}  // namespace
-
 int kinematics_of_case(const std::filesystem::path& case_directory,
                        const std::filesystem::path& output, const int steps) {
   const Case given = read_case(case_directory);
@@ -60,7 +41,7 @@ int kinematics_of_case(const std::filesystem::path& case_directory,
   const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
   write_and_rename(target / "kinematics.json", post::kinematics_summary(report).dump(2) + "\n");
   write_and_rename(target / "kinematics.csv", post::kinematics_csv(report, given.units));
-  write_and_rename(target / "mechanism.json", mechanism_text(given));
+  write_and_rename(target / "mechanism.json", mechanism_text(*given.mechanism));
   write_report(target);
   std::cout << "kinematics.json, kinematics.csv and report.html in " << shown_path(target) << '\n';
   return 0;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "loads/motion/four_bar_geneva.h"
 #include "loads/pi.h"
@@ -162,6 +165,18 @@ post::MechanismDrawing mechanism_picture(const MechanismCase& given,
     drawing.analysed = step_of({dynamics.driven.at_engaged_angle(analysed->driver_angle), *analysed,
                                 loads::hertz_pressure(contact, analysed->force)});
   return drawing;
+}
+
+std::string mechanism_text(const MechanismCase& given) {
+  std::optional<loads::PinLoad> analysed;
+  try {
+    analysed = mechanism_state(given).load;
+  } catch (const std::invalid_argument&) {
+    // Nothing presses on the driving wall there: a run refuses the case, its motion is sound.
+  }
+  return post::mechanism_document(mechanism_picture(given, mechanism_dynamics(given), analysed))
+             .dump() +
+         "\n";
 }
 
 }  // namespace geneva::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "app/case_file.h"
 #include "app/mechanism_state.h"
 #include "post/mechanism_output.h"
@@ -11,6 +13,10 @@ namespace geneva::app {
 post::MechanismDrawing mechanism_picture(const MechanismCase& given,
                                          const MechanismDynamics& dynamics,
                                          const std::optional<loads::PinLoad>& analysed);
+
+/// mechanism.json of a case whose contact is not solved, with the instant that a run of it computes
+/// where there is one.
+std::string mechanism_text(const MechanismCase& given);
 
 /// Pin and wheel of a mechanism where they touch.
 loads::PinContact pin_contact(const MechanismCase& given, const MechanismSizes& sizes);

@@ -8,6 +8,7 @@
 
 #include "app/contact_geometry.h"
 #include "app/pin_in_space.h"
+#include "app/together.h"
 #include "fem/problem_check.h"
 #include "loads/pi.h"
 #include "mesh/extrusion.h"
@@ -76,18 +77,9 @@ template <int dim>
 mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
                                  const std::function<mesh::MeshData<dim>()>& task) {
   mesh::MeshData<dim> mesh;
-  std::string refusal;
-  bool is_refused = false;
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) {
-    try {
-      mesh = task();
-    } catch (const std::exception& error) {
-      is_refused = true;
-      refusal = error.what();
-    }
-  }
-  if (dealii::Utilities::MPI::broadcast(communicator, is_refused))
-    throw std::invalid_argument(dealii::Utilities::MPI::broadcast(communicator, refusal));
+  together(communicator, [&] {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) mesh = task();
+  });
   return mesh::broadcast(communicator, mesh);
 }
 

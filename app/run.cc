@@ -19,6 +19,7 @@
 #include "app/pin_in_space.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/together.h"
 #include "app/version.h"
 #include "fem/contact_problem.h"
 #include "loads/pi.h"
@@ -141,20 +142,6 @@ double peak_memory(const MPI_Comm communicator) {
   dealii::Utilities::System::MemoryStats memory{};
   dealii::Utilities::System::get_memory_stats(memory);
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
-}
-
-/// Runs a task on this rank and makes all ranks fail together if it fails on one.
-template <typename Task>
-void together(const MPI_Comm communicator, const Task& task) {
-  std::string refusal;
-  try {
-    task();
-  } catch (const std::exception& error) {
-    refusal = error.what();
-    if (refusal.empty()) refusal = "unknown error";
-  }
-  for (const std::string& text : dealii::Utilities::MPI::all_gather(communicator, refusal))
-    if (!text.empty()) throw std::invalid_argument(text);
 }
 
 /// What the user should know of the solution.

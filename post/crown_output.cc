@@ -80,7 +80,8 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
           frame.parts() * force / length,
           contact.peak_pressure,
           middle_section(contact, frame, sections).peak_pressure,
-          !solution.edge || solution.edge->is_bounded};
+          !solution.edge || solution.edge->is_bounded,
+          sections};
 }
 
 json crown_summary(const CrownReport& report) {
@@ -97,6 +98,23 @@ json crown_summary(const CrownReport& report) {
           {"after", evenness_section(report.after)},
           {"search", trials},
           {"versions", versions_section(report.geneva_version)}};
+}
+
+std::string crown_csv(const CrownReport& report, const UnitSystem units) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const OutputUnit line_load = output_unit(units, Dimension::force_per_length);
+  std::string text = fmt::format("pin,z [{}],line_load [{}],peak_pressure [{}]\n", length.name,
+                                 line_load.name, stress.name);
+  const auto add = [&](const char* const pin, const LoadEvenness& load) {
+    for (const ContactSection& section : load.sections)
+      text +=
+          fmt::format("{},{:.12g},{:.12g},{:.12g}\n", pin, section.z * length.factor,
+                      section.line_load * line_load.factor, section.peak_pressure * stress.factor);
+  };
+  add("before", report.before);
+  add("after", report.after);
+  return text;
 }
 
 std::string crown_table(const CrownReport& report, const UnitSystem units) {

@@ -17,8 +17,9 @@ struct LoadEvenness {
   double place;          ///< middle of that twentieth along z [m]
   double even;           ///< pin force over the length on which the surfaces face each other [N/m]
   double peak_pressure;  ///< [Pa]
-  double middle_pressure;  ///< [Pa]
-  bool is_bounded;         ///< the pressure at the ends
+  double middle_pressure;                ///< [Pa]
+  bool is_bounded;                       ///< the pressure at the ends
+  std::vector<ContactSection> sections;  ///< by ascending z
 
   /// 1 for an even load.
   [[nodiscard]] double ratio() const { return greatest / even; }
@@ -58,6 +59,10 @@ struct CrownReport {
 
 /// What crown.json says, SI units throughout.
 nlohmann::json crown_summary(const CrownReport& report);
+
+/// What crown.csv says: line load and greatest pressure of each section of both pins, in output
+/// units, the units in the heading.
+std::string crown_csv(const CrownReport& report, UnitSystem units);
 
 /// Table of the pin before and after, the units in the rows' names, and the lines for the case.
 std::string crown_table(const CrownReport& report, UnitSystem units);

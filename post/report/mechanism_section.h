@@ -12,8 +12,4 @@ namespace geneva::post {
 /// @param mechanism what mechanism.json holds
 ReportPart mechanism_part(const nlohmann::json& mechanism, UnitSystem units);
 
-/// Where places [m] appear on the drawing, for the script that moves it: two rows of a matrix and
-/// the offset [pixels].
-nlohmann::json drawing_projection(const nlohmann::json& mechanism);
-
 }  // namespace geneva::post

@@ -55,6 +55,23 @@ Chart column_chart(const CsvTable& table, const std::string& x_column, const std
   return chart;
 }
 
+/// Marks the angle that a run of the case analyses on a curve over the driver angle.
+void mark_analysed(const ResultsDirectory& results, Chart& chart) {
+  const json* const mechanism = results.document("mechanism");
+  if (mechanism == nullptr || !mechanism->contains("analysed")) return;
+  const double angle =
+      in_units(mechanism->at("analysed").at("driver_angle"), Dimension::angle, results.units());
+  const auto& curve = chart.series.front().points;
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const auto& [x0, y0] = curve[i];
+    const auto& [x1, y1] = curve[i + 1];
+    if (!(x0 <= angle && angle <= x1 && x0 < x1)) continue;
+    chart.series.push_back(
+        {"analysed", SeriesStyle::markers, {{angle, y0 + (angle - x0) / (x1 - x0) * (y1 - y0)}}});
+    return;
+  }
+}
+
 /// The wheels of a design side by side; the keys of design.json.
 std::string wheels_table(const json& design, const UnitSystem units) {
   struct Line {
@@ -139,10 +156,11 @@ std::string shaft_table(const json& design, const UnitSystem units) {
 ReportPart kinematics_part(const ResultsDirectory& results) {
   const json& kinematics = *results.document("kinematics");
   const CsvTable& table = *results.table("kinematics");
-  const std::vector<Chart> charts{
+  std::vector<Chart> charts{
       column_chart(table, "driver_angle", "driver angle", "hertz_pressure", "Hertz pressure"),
       column_chart(table, "driver_angle", "driver angle", "slip_speed",
                    "slip speed of the pin along the slot")};
+  for (Chart& chart : charts) mark_analysed(results, chart);
   return {html_section("kinematics", "Motion over the cycle",
                        unbounded_warnings(kinematics, results.units()) +
                            characteristics_table(kinematics, results.units()) + html(charts)),

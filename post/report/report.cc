@@ -5,9 +5,11 @@
 #include <stdexcept>
 
 #include "post/report/comparison_section.h"
+#include "post/report/crown_section.h"
 #include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
+#include "post/report/mechanism_drawing.h"
 #include "post/report/mechanism_section.h"
 #include "post/report/motion_section.h"
 #include "post/report/picture.h"
@@ -60,7 +62,7 @@ std::string missing_note(const Libraries& libraries) {
   return text;
 }
 
-/// Verdict, mechanism, contact, field, convergence, motion, design: what there is of them.
+/// Verdict, mechanism, contact, field, convergence, motion, design, crown: what there is of them.
 ReportPart whole_page(const ResultsDirectory& results, const std::string& field) {
   ReportPart page;
   const auto append = [&](const ReportPart& part) {
@@ -78,6 +80,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   }
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
+  if (results.document("crown") != nullptr) append(crown_part(results));
   return page;
 }
 

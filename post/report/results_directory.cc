@@ -27,7 +27,8 @@ const std::vector<DocumentFiles>& all_documents() {
   static const std::vector<DocumentFiles> documents{
       {"summary", "geneva run", {"contact"}},
       {"kinematics", "geneva kinematics", {"kinematics"}},
-      {"design", "geneva design", {"design"}}};
+      {"design", "geneva design", {"design"}},
+      {"crown", "geneva design --crown", {"crown"}}};
   return documents;
 }
 
@@ -100,10 +101,11 @@ ResultsDirectory read_results(const fs::path& directory) try {
     results.documents[files.name] = std::move(document);
   }
   if (results.documents.empty())
-    throw std::invalid_argument(
-        fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
-                    "kinematics.json ('geneva kinematics') and design.json ('geneva design')",
-                    directory.string()));
+    throw std::invalid_argument(fmt::format(
+        "{} holds no results: there is none of summary.json ('geneva run'), "
+        "kinematics.json ('geneva kinematics'), design.json ('geneva design') and crown.json "
+        "('geneva design --crown')",
+        directory.string()));
   for (const char* const name : {"view", "mechanism"}) {  // not of all of them
     const fs::path file = directory / (std::string(name) + ".json");
     if (fs::exists(file)) results.documents[name] = read_json(file);

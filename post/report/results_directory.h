@@ -19,15 +19,15 @@ struct ResultsDirectory {
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
   [[nodiscard]] const CsvTable* table(const std::string& name) const;
-  /// That of the run, else of the kinematics, else of the design.
+  /// That of the run, else of the kinematics, else of the design, else of the crown.
   [[nodiscard]] const nlohmann::json& leading() const;
   /// Its section "case".
   [[nodiscard]] const nlohmann::json& about() const;
   [[nodiscard]] UnitSystem units() const;
 };
 
-/// Reads the results of `geneva run`, `geneva kinematics` and `geneva design` that a directory
-/// holds.
+/// Reads the results of `geneva run`, `geneva kinematics`, `geneva design` and `geneva design
+/// --crown` that a directory holds.
 /// @throws std::invalid_argument if it holds none, if a file that belongs to another one is missing
 /// or damaged, or if one was written in another format than this program's
 ResultsDirectory read_results(const std::filesystem::path& directory);

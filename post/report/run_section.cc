@@ -228,7 +228,7 @@ Chart convergence_chart(const json& summary, const UnitSystem units) {
               "Peak contact pressure, mesh by mesh",
               "Peak contact pressure against the number of unknowns",
               {"unknowns", true},
-              {fmt::format("peak contact pressure [{}]", stress.name)},
+              {fmt::format("peak contact pressure [{}]", stress.name), true},
               {{"this program", SeriesStyle::line, {}}}};
   for (const json& level : summary.at("solver").at("levels"))
     chart.series[0].points.push_back(

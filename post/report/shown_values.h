@@ -7,6 +7,13 @@
 
 namespace geneva::post {
 
+/// A quantity of a document, for a row of a table.
+struct NamedQuantity {
+  const char* key;
+  const char* name;
+  Dimension dimension;
+};
+
 /// A number with so many significant digits; without a power of ten between 1e-4 and 1e7, and
 /// without the roundings and the sign of what is 0.
 std::string significant(double value, int digits);

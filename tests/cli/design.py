@@ -108,7 +108,7 @@ class Design(CliTest):
         results = case / "results"
         self.assertEqual(self.geneva("design", case).code, 0)
         designed = timeless_files_of(results)
-        self.assertEqual(sorted(designed), ["design.csv", "design.json", "report.html"])
+        self.assertEqual(sorted(designed), ["design.csv", "design.json", "mechanism.json", "report.html"])
         del designed["report.html"]  # which the run makes anew
         self.run_case(case)
         both = timeless_files_of(results)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Reports: made by the commands, made again from their files, looked at in a browser."""
 
+import csv
 import html.parser
 import json
 import math
@@ -12,6 +13,7 @@ import unittest
 
 from browser import Browser
 from geneva_cli import CliTest, change_case, main, read_summary, set_parameter
+from space import CASE as SPACE_CASE
 
 PSI = 6894.757293168361
 
@@ -61,6 +63,7 @@ class ReportTest(CliTest):
     """A report that one run made, for all tests of a class."""
 
     case_name = None
+    command = "run"
 
     @classmethod
     def setUpClass(cls):
@@ -70,8 +73,11 @@ class ReportTest(CliTest):
         runner.setUp()
         cls.addClassCleanup(runner.doCleanups)
         cls.case = runner.copy_case(cls.case_name)
-        cls.summary = runner.run_case(cls.case)
         cls.results = cls.case / "results"
+        run = runner.geneva(*cls.command.split(), cls.case)
+        runner.assertEqual(run.code, 0, run.describe())
+        if cls.command == "run":
+            cls.summary = read_summary(cls.results)
         cls.prepare(runner)
         cls.browser = cls.enterClassContext(Browser()) if hasattr(cls, "enterClassContext") else Browser().__enter__()
         if not hasattr(cls, "enterClassContext"):
@@ -106,9 +112,25 @@ class ReportTest(CliTest):
             fits = self.browser.wait_for(f"return document.documentElement.scrollWidth <= {width}")
             self.assertTrue(fits, f"scrolls sideways at {width} pixels")
         self.browser.resize(1280, 1000)
+        self.check_paper()
+
+    def check_paper(self):
+        """The curves are whole and undistorted on paper, which is narrower than the window."""
+        self.browser.protocol("Emulation.setEmulatedMedia", media="print")
+        # Printing lays the page out anew without giving the charts time to follow: so does one script.
+        for name, canvas, figure, ratio in self.browser.run(
+                "document.body.style.width = '718px'; const parts = Object.keys(genevaCharts).map((name) => { const c = document.getElementById(name);"
+                "const [r, f] = [c, c.closest('figure')].map((e) => e.getBoundingClientRect());"
+                "return [name, [r.left, r.right, r.width / r.height], [f.left, f.right], c.width / c.height]; });"
+                "const left = document.body.getBoundingClientRect().left; document.body.style.width = '';"
+                "return parts.map(([name, r, f, ratio]) => [name, r, [f[0] - left, f[1] - left, left], ratio]);"):
+            self.assertGreaterEqual(canvas[0] - figure[2], figure[0] - 1, name)
+            self.assertLessEqual(canvas[1] - figure[2], figure[1] + 1, name)
+            self.assertLessEqual(figure[1], 718, name)
+            self.assertAlmostEqual(canvas[2] / ratio, 1., delta=0.01, msg=name)  # whole pixels of 200 or more
+        self.browser.protocol("Emulation.setEmulatedMedia", media="")
         pages = len(re.findall(rb"/Type\s*/Page[^s]", self.browser.pdf()))
         self.assertTrue(1 <= pages <= 6, f"{pages} pages")
-
 
     def choose(self, control, value):
         """Sets a control of the field view as a user would."""
@@ -118,6 +140,60 @@ class ReportTest(CliTest):
 
     def field_picture(self):
         return self.browser.run("return genevaField.canvas.toDataURL()")
+
+    def check_slider(self):
+        """Wheel, pins and readings follow the slider."""
+        stations = int(re.search(r"set Stations\s*= (\d+)", (self.case / "case.prm").read_text()).group(1))
+        mechanism = json.loads((self.results / "mechanism.json").read_text())
+        n_engaged = 0
+        for index in range(0, len(mechanism["steps"]), 45):
+            self.browser.run(
+                "const s = document.querySelector('#mechanism-controls [name=step]'); s.value = arguments[0];"
+                "s.dispatchEvent(new Event('input'))", index)
+            step = mechanism["steps"][index]
+            drawn = self.browser.run("return document.getElementById('mechanism-drawing').dataset.wheelAngle")
+            self.assertAlmostEqual(float(drawn), step["wheel_angle"], 12)
+            shown = self.browser.run(
+                "return document.querySelector('#mechanism-readings [data-key=wheel_speed]').textContent")
+            self.assertAlmostEqual(float(shown), step["wheel_speed"] * 30. / math.pi, delta=0.1)
+            if step["engaged_pin"] is not None:
+                self.check_pin_is_in_slot(step, stations)
+                n_engaged += 1
+        self.assertGreater(n_engaged, 0)
+
+    def check_pin_is_in_slot(self, step, stations):
+        """The drawn pin lies on the middle of a slot of the drawn wheel."""
+        x, y, _ = step["pins"][step["engaged_pin"]]
+        turned = math.atan2(y, x) - step["wheel_angle"]
+        self.assertAlmostEqual(math.remainder(turned, 2. * math.pi / stations), 0., 9)
+        self.check_pin_is_drawn_in_slot(step["engaged_pin"])
+
+    def check_pin_is_drawn_in_slot(self, pin):
+        in_material = self.browser.run(
+            "const p = document.querySelectorAll('#mechanism-drawing .pin')[arguments[0]];"
+            "const w = document.querySelector('#mechanism-wheel');"
+            "const at = document.getElementById('mechanism-drawing').createSVGPoint();"
+            "at.x = p.cx.baseVal.value; at.y = p.cy.baseVal.value; return w.isPointInFill(at)", pin)
+        self.assertFalse(in_material, "the pin's middle is in the wheel's material")
+
+    def press(self, *keys):
+        """Keys on the field view."""
+        for key in keys:
+            self.browser.run(
+                "genevaField.canvas.focus();"
+                "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {key: arguments[0], bubbles: true}))", key)
+
+    def check_keys(self):
+        """The keys change the picture, and Home brings it back."""
+        self.press("Home")
+        start = self.field_picture()
+        pictures = {start}
+        for key in ("ArrowLeft", "ArrowUp", "+"):
+            self.press(key)
+            self.assertNotIn(self.field_picture(), pictures, key)
+            pictures.add(self.field_picture())
+        self.press("Home")
+        self.assertEqual(self.field_picture(), start)
 
     def colours_in_picture(self):
         """Number of different colours of the field view, every 10th pixel looked at."""
@@ -172,6 +248,15 @@ class SpaceReport(ReportTest):
             pictures.add(self.field_picture())
         self.assertEqual(len(pictures), 3)
 
+    def test_is_turned_by_keys(self):
+        self.choose("field", "von_mises")
+        self.choose("part", "model")
+        self.check_keys()
+
+    def test_offers_no_difference_from_what_does_not_exist(self):
+        names = self.browser.run("return [...document.querySelectorAll('#field-view [name=field] option')].map((o) => o.value)")
+        self.assertEqual(names, list(STRESSES))
+
     def test_shows_the_even_pressure(self):
         peak = self.summary["contact"]["peak_pressure"]["value"]
         view = json.loads((self.results / "view.json").read_text())
@@ -206,7 +291,21 @@ class PlaneReport(ReportTest):
         self.assertEqual([point["x"] for point in drawn], [level["dofs"] for level in levels])
 
     def test_field_view_shows_what_is_chosen(self):
-        self.check_field((*STRESSES, "mcewen_difference"))
+        self.check_field((*STRESSES, "hertz_difference", "mcewen_difference"))
+
+    def test_field_view_is_moved_by_keys(self):
+        self.choose("field", "von_mises")
+        self.choose("part", "zone")
+        self.check_keys()
+
+    def test_draws_the_difference_from_hertz_s_pressure(self):
+        with open(self.results / "contact.csv", newline="", encoding="utf-8") as stream:
+            rows = list(csv.DictReader(stream))
+        exact = [float(row["contact_pressure [psi]"]) - float(row["hertz_pressure [psi]"]) for row in rows]
+        drawn = self.browser.run("return Array.from(genevaField.meshes.contact.fields.hertz_difference)")[::2]
+        step = (max(exact) - min(exact)) / 65534  # numbers are kept to half of it
+        for one, other in zip(drawn, exact, strict=True):
+            self.assertAlmostEqual(one, other, delta=step)
 
     def test_reads_the_value_under_the_cursor(self):
         self.choose("field", "von_mises")
@@ -224,31 +323,12 @@ class PlaneReport(ReportTest):
                           self.summary["contact"]["peak_pressure"]["value"], 1e-6, "colour bar")
 
     def test_slider_turns_the_mechanism(self):
-        mechanism = json.loads((self.results / "mechanism.json").read_text())
-        for index in (0, 100, 180, 300):
-            self.browser.run(
-                "const s = document.querySelector('#mechanism-controls [name=step]'); s.value = arguments[0];"
-                "s.dispatchEvent(new Event('input'))", index)
-            step = mechanism["steps"][index]
-            drawn = self.browser.run("return document.getElementById('mechanism-drawing').dataset.wheelAngle")
-            self.assertAlmostEqual(float(drawn), step["wheel_angle"], 12)
-            shown = self.browser.run(
-                "return document.querySelector('#mechanism-readings [data-key=wheel_speed]').textContent")
-            self.assertAlmostEqual(float(shown), step["wheel_speed"] * 30. / math.pi, delta=0.1)
-            self.check_pin_is_in_slot(mechanism, step)
+        self.check_slider()
 
-    def check_pin_is_in_slot(self, mechanism, step):
-        """The drawn pin lies on the middle of a slot of the drawn wheel whenever it is engaged."""
-        if step["engaged_pin"] is None:
-            return
-        x, y, _ = step["pins"][step["engaged_pin"]]
-        pitch = 2. * math.pi / 4
-        self.assertAlmostEqual(math.remainder(math.atan2(y, x) - step["wheel_angle"], pitch), 0., 12)
-        centre = self.browser.run(
-            "const p = document.querySelector('#mechanism-drawing .pin'), w = document.querySelector('#mechanism-wheel');"
-            "const at = document.getElementById('mechanism-drawing').createSVGPoint();"
-            "at.x = p.cx.baseVal.value; at.y = p.cy.baseVal.value; return w.isPointInFill(at)")
-        self.assertFalse(centre, "the pin's middle is in the wheel's material")
+    def test_tells_the_dimensions_on_the_drawing(self):
+        words = self.browser.run(
+            "return [...document.querySelectorAll('#mechanism-drawing .dimension-text')].map((t) => t.textContent)")
+        self.assertEqual(sorted(words), sorted(["R 2.265 in", "R 2.265 in", "R 1.5855 in", "3.2032 in", "⌀ 0.6795 in"]))
 
     def test_marks_the_analysed_angle(self):
         load = self.summary["load"]
@@ -261,6 +341,75 @@ class PlaneReport(ReportTest):
         run = self.geneva("report", self.results, "-o", self.case / "again.html")
         self.assertEqual(run.code, 0, run.describe())
         self.assertEqual((self.case / "again.html").read_text(), first)
+
+
+class InternalGeneva(ReportTest):
+    """The report of the motion of an internal Geneva."""
+
+    case_name = "internal-six-station"
+    command = "kinematics"
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_slider_turns_the_mechanism(self):
+        self.check_slider()
+
+
+class SphericalGeneva(InternalGeneva):
+    case_name = "spherical-eight-station"
+
+    def check_pin_is_drawn_in_slot(self, pin):
+        """Nothing: the drawing of a sphere is no plane, its lines cross."""
+
+
+class LongDwellGeneva(InternalGeneva):
+    case_name = "long-dwell"
+
+
+class FourBarGeneva(InternalGeneva):
+    case_name = "four-bar-geneva"
+
+
+class TwoPinGeneva(InternalGeneva):
+    case_name = "irregular-two-pin"
+
+
+class CrownReport(ReportTest):
+    """The report of the crown by which a pin carries its load most evenly."""
+
+    command = "design --crown"
+    case_name = "a short pin"
+
+    def copy_case(self, name, *rest):
+        case = self.directory / "short"
+        case.mkdir()
+        text = SPACE_CASE.format(
+            dimension=3, accuracy="20 %", thickness="8 mm", modulus="2 GPa", diameter="115 mm", pin_diameter="17 mm",
+            model="local", more="", speed="600 rpm",
+            pin="  subsection Pin\n    set Held at = one end\n    set Root gap = 10 mm\n  end\n")
+        (case / "case.prm").write_text(text)
+        return case
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_draws_both_pins(self):
+        crown = json.loads((self.results / "crown.json").read_text())
+        series = self.chart("chart-crown-line_load")
+        self.assertEqual(set(series), {"as it is", "most even"})
+        greatest = {name: max(point["y"] for point in points) for name, points in series.items()}
+        self.assertLess(greatest["most even"], greatest["as it is"])
+        for name, key in (("as it is", "before"), ("most even", "after")):
+            self.assertGreaterEqual(greatest[name] * 1e3, crown[key]["greatest_line_load"]["value"])
+        trials = self.chart("chart-crown-search")["tried"]
+        self.assertEqual([point["y"] for point in trials], [trial["ratio"] for trial in crown["search"]])
+
+    def test_tells_the_size(self):
+        crown = json.loads((self.results / "crown.json").read_text())
+        text = read_report(self.results / "report.html").text
+        self.assertIn("makes the line load most even", text)
+        self.assertIn(f"{crown['crown']['size']['value'] * 1e3:.4g} mm", text)
 
 
 class WholeReport(ReportTest):
@@ -289,6 +438,14 @@ class WholeReport(ReportTest):
         self.assert_close(best["y"] * PSI, design["peak_pressure"]["value"], 1e-9, "pressure")
         lowest = min(point["y"] for point in self.chart("chart-design")["Johnson's proportions"])
         self.assertGreaterEqual(lowest, best["y"] * (1 - 1e-9))
+
+    def test_marks_the_analysed_angle_on_the_motion(self):
+        load = self.summary["load"]
+        for name, value, unit in (("hertz_pressure", self.summary["hertz"]["peak_pressure"]["value"], PSI),
+                                  ("slip_speed", load["slip_speed"]["value"], 0.0254)):
+            (mark,) = self.chart(f"chart-{name}")["analysed"]
+            self.assert_close(mark["x"], math.degrees(load["driver_angle"]["value"]), 1e-9, "angle")
+            self.assert_close(mark["y"] * unit, value, 1e-3, name)  # straight between points half a degree apart
 
     def test_draws_the_greatest_hertz_pressure(self):
         kinematics = json.loads((self.results / "kinematics.json").read_text())

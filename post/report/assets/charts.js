@@ -33,14 +33,47 @@
     });
   }
 
-  function axis(specification) {
-    return {
+  function axis(specification, values) {
+    const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
       title: { display: true, text: specification.label, color: ink() },
       ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12 },
       grid: { color: rule() },
     };
+    if (specification.logarithmic) divide(result, Math.min(...values), Math.max(...values));
+    return result;
   }
+
+  // A short logarithmic axis gets the round numbers that a linear one would have, a longer one 1, 2
+  // and 5 in each decade.
+  function divide(axis, least, greatest) {
+    if (!(least > 0 && least < greatest)) return;
+    const marks = greatest < 3 * least ? evenMarks(least, greatest) : decadeMarks(least, greatest);
+    axis.min = marks[0];
+    axis.max = marks[marks.length - 1];
+    axis.afterBuildTicks = (scale) => {
+      scale.ticks = marks.map((mark) => ({ value: mark }));
+    };
+    axis.ticks.callback = (value) => Number(value.toPrecision(6)).toLocaleString(undefined, { maximumSignificantDigits: 6 });
+  }
+
+  function evenMarks(least, greatest) {
+    const coarse = Math.pow(10, Math.floor(Math.log10((greatest - least) / 4)));
+    const step = coarse * [1, 2, 5, 10].find((factor) => greatest - least <= 5 * factor * coarse);
+    const first = Math.floor(least / step); // 1 or more: the step is at most the least value
+    const last = Math.ceil(greatest / step);
+    return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step);
+  }
+
+  function decadeMarks(least, greatest) {
+    const first = Math.floor(Math.log10(least));
+    const last = Math.ceil(Math.log10(greatest));
+    const shares = last - first > 3 ? [1] : [1, 2, 5];
+    const marks = Array.from({ length: last - first + 1 }, (_, i) => shares.map((share) => share * Math.pow(10, first + i))).flat();
+    return marks.filter((mark, i) => !(marks[i + 1] <= least) && !(i > 0 && marks[i - 1] >= greatest));
+  }
+
+  const coordinates = (chart, index) => chart.series.flatMap((one) => one.points.map((point) => point[index])).filter((value) => value > 0);
 
   window.genevaCharts = {};
   for (const chart of specifications) {
@@ -52,7 +85,7 @@
         animation: false,
         maintainAspectRatio: false,
         interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(chart.x), y: axis(chart.y) },
+        scales: { x: axis(chart.x, coordinates(chart, 0)), y: axis(chart.y, coordinates(chart, 1)) },
         plugins: { legend: { labels: { color: ink(), usePointStyle: true, boxWidth: 22 } } },
       },
     });

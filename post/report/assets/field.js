@@ -11,6 +11,7 @@
     ["principal_stress_3", "least principal stress"],
     ["displacement", "displacement"],
     ["contact_pressure", "contact pressure"],
+    ["hertz_difference", "contact pressure less Hertz's"],
     ["mcewen_difference", "difference from McEwen's stress"],
   ];
   const NONE = -1e30; // in place of a value that does not exist
@@ -219,8 +220,9 @@
   const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
   const stage = box.querySelector(".stage");
   stage.appendChild(renderer.domElement);
-  renderer.domElement.setAttribute("role", "img");
-  renderer.domElement.setAttribute("aria-label", "Stress field of the model; the controls beside it choose what is shown");
+  renderer.domElement.setAttribute("role", "application");
+  renderer.domElement.setAttribute("aria-label", `Stress field of the model; ${view.dimension === 3 ? "arrow keys turn it, with Shift they" : "arrow keys"} move it, plus and minus zoom, Home shows all again`);
+  renderer.domElement.tabIndex = 0;
   const controls = new THREE.OrbitControls(camera, renderer.domElement);
   controls.enableRotate = view.dimension === 3;
   controls.screenSpacePanning = true;
@@ -233,7 +235,8 @@
   }
 
   const cut = () => (view.dimension === 3 ? control("cut").value : "none");
-  const isMountain = () => view.dimension === 3 && control("field").value === "contact_pressure";
+  const isOnContact = () => ["contact_pressure", "hertz_difference"].includes(control("field").value);
+  const isMountain = () => view.dimension === 3 && isOnContact();
   const isZone = () => control("part").value === "zone" && (view.dimension === 2 || cut() !== "none");
 
   function unitOf(field) {
@@ -248,13 +251,17 @@
       for (let i = 0; i < attribute.count; ++i) attribute.array[i] = values && Number.isFinite(values[i]) ? values[i] : NONE;
       attribute.needsUpdate = true;
     }
-    const isPressure = field === "contact_pressure";
-    const leading = meshes[isPressure ? "contact" : cut() === "none" ? "model" : cut()];
-    [uniforms.low.value, uniforms.high.value] = isPressure
-      ? [0, Math.max(...leading.fields[field])]
-      : rangeOf(leading, field, isZone());
-    objects.contact.visible = isPressure;
+    const leading = meshes[isOnContact() ? "contact" : cut() === "none" ? "model" : cut()];
+    [uniforms.low.value, uniforms.high.value] = isOnContact() ? rangeOnContact(field) : rangeOf(leading, field, isZone());
+    objects.contact.visible = isOnContact();
     label(field);
+  }
+
+  function rangeOnContact(field) {
+    const values = meshes.contact.fields[field];
+    const drawn = Array.from(meshes.contact.triangles, (corner) => values[corner]);
+    const high = drawn.reduce((a, b) => Math.max(a, b), 0);
+    return field === "contact_pressure" ? [0, high] : [drawn.reduce((a, b) => Math.min(a, b), 0), high];
   }
 
   function label(field) {
@@ -356,6 +363,7 @@
   }
 
   // The value under the cursor, from the front triangle there.
+  const hint = box.querySelector(".status").textContent;
   const ray = new THREE.Raycaster();
   function probe(event) {
     const frameBox = renderer.domElement.getBoundingClientRect();
@@ -366,7 +374,7 @@
     const planes = objects.model.material.clippingPlanes || [];
     const hit = ray.intersectObjects(Object.values(objects).filter((object) => object.visible))
       .find((one) => one.object !== objects.model || planes.every((plane) => plane.distanceToPoint(one.point) >= 0));
-    box.querySelector(".status").textContent = hit ? describe(hit) : "Point at the model to read a value.";
+    box.querySelector(".status").textContent = hit ? describe(hit) : hint;
   }
 
   function describe(hit) {
@@ -388,6 +396,43 @@
     return [0, 1, 2].map((k) => ["a", "b", "c"].reduce((sum, corner, i) => sum + weights[i] * mountain.places[3 * face[corner] + k], 0));
   }
 
+  // What mouse and touch do, by keys.
+  function turn(right, up) {
+    const arm = camera.position.clone().sub(controls.target);
+    arm.applyAxisAngle(camera.up, -right);
+    const polar = arm.angleTo(camera.up);
+    const lowered = Math.min(Math.max(polar + up, 0.01), Math.PI - 0.01) - polar;
+    arm.applyAxisAngle(new THREE.Vector3().crossVectors(camera.up, arm).normalize(), lowered);
+    camera.position.copy(controls.target).add(arm);
+  }
+
+  function move(right, up) {
+    const step = (0.1 * (camera.top - camera.bottom)) / camera.zoom;
+    const shift = new THREE.Vector3(-right * step, -up * step, 0).applyQuaternion(camera.quaternion);
+    camera.position.add(shift);
+    controls.target.add(shift);
+  }
+
+  function zoom(factor) {
+    camera.zoom *= factor;
+    camera.updateProjectionMatrix();
+  }
+
+  function onKey(event) {
+    const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const way = ways[event.key];
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (way && (event.shiftKey || view.dimension === 2)) move(...way);
+    else if (way) turn(0.1 * way[0], 0.1 * way[1]);
+    else if (event.key === "+" || event.key === "=") zoom(1.2);
+    else if (event.key === "-") zoom(1 / 1.2);
+    else if (event.key === "Home") lookAt();
+    else return;
+    event.preventDefault();
+    controls.update();
+    draw();
+  }
+
   function refresh(moveCamera) {
     clip();
     colour();
@@ -405,6 +450,7 @@
   control("deformation").addEventListener("input", () => refresh(false));
   controls.addEventListener("change", draw);
   renderer.domElement.addEventListener("pointermove", probe);
+  renderer.domElement.addEventListener("keydown", onKey);
   new ResizeObserver(frame).observe(stage);
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
   refresh(true);

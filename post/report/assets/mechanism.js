@@ -44,6 +44,13 @@
     setLine(line, along(radius), along(radius + (arrow * Math.abs(step.pin_force)) / greatestForce / scale));
   }
 
+  function labelPin(at) {
+    const away = (0.71 * scale * mechanism.pin_diameter) / 2 + 4;
+    const label = document.getElementById("mechanism-pin-label");
+    label.setAttribute("x", (at[0] + away).toFixed(2));
+    label.setAttribute("y", (at[1] - away).toFixed(2));
+  }
+
   function show(step) {
     document.getElementById("mechanism-wheel").setAttribute("d", mechanism.wheel.map((loop) => pathData(loop, step.wheel_angle) + "Z").join(""));
     const linkage = document.getElementById("mechanism-linkage");
@@ -53,6 +60,7 @@
       circle.setAttribute("cx", at[0].toFixed(2));
       circle.setAttribute("cy", at[1].toFixed(2));
     });
+    labelPin(pixel(step.pins[0]));
     if (mechanism.driver_axis)
       drawing.querySelectorAll(".mechanism-crank").forEach((line, i) => setLine(line, pixel(mechanism.driver_axis), pixel(step.pins[i])));
     drawForce(step);

@@ -1,0 +1,104 @@
+#include "post/report/crown_section.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "post/report/html.h"
+#include "post/report/shown_values.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::array<std::array<const char*, 2>, 2> pins{
+    {{"before", "as it is"}, {"after", "most even"}}};
+
+std::string evenness_table(const json& crown, const UnitSystem units) {
+  constexpr std::array<NamedQuantity, 5> lines{
+      {{"greatest_line_load", "greatest line load", Dimension::force_per_length},
+       {"greatest_line_load_place", "its place along the pin", Dimension::length},
+       {"even_line_load", "even line load", Dimension::force_per_length},
+       {"mid_length_pressure", "contact pressure in the middle", Dimension::stress},
+       {"peak_pressure", "peak contact pressure", Dimension::stress}}};
+  HtmlTable table{"The pin of the case, and with the profile of the most even line load",
+                  {"quantity", pins[0][1], pins[1][1]},
+                  {}};
+  const auto add = [&](const std::string& name, const auto& value_of) {
+    table.rows.push_back({escaped(name)});
+    for (const auto& pin : pins) table.rows.back().push_back(value_of(crown.at(pin[0])));
+  };
+  add("greatest over even line load",
+      [](const json& pin) { return significant(pin.at("ratio"), 4); });
+  for (const NamedQuantity& line : lines)
+    add(labelled(line.name, line.dimension, units),
+        [&](const json& pin) { return shown(pin.at(line.key), line.dimension, units); });
+  add("pressure at the ends", [](const json& pin) -> std::string {
+    return pin.at("edge_bounded").get<bool>() ? "bounded" : "not bounded";
+  });
+  return table.html();
+}
+
+std::string finding(const json& crown, const UnitSystem units) {
+  const json& found = crown.at("crown");
+  const std::string unit = output_unit(units, Dimension::length).name;
+  return fmt::format(
+      "<p class=\"verdict\">Profile = {}, {} = {} {} makes the line load most even; it falls {} {} "
+      "to the wheel's faces.</p>\n",
+      escaped(found.at("profile")), escaped(found.at("parameter")),
+      significant(in_units(found.at("size"), Dimension::length, units), 4), unit,
+      significant(in_units(found.at("drop"), Dimension::length, units), 3), unit);
+}
+
+Chart along_pin(const CsvTable& table, const char* const column, const std::string& name) {
+  const auto label = [&](const std::string& text, const char* const of) {
+    return fmt::format("{} [{}]", text, table.column(of).unit);
+  };
+  Chart chart{fmt::format("chart-crown-{}", column),
+              fmt::format("The {} along the pin", name),
+              fmt::format("The {} along the pin, as it is and with the most even load", name),
+              {label("place along the pin, z", "z")},
+              {label(name, column)},
+              {}};
+  for (const auto& [key, title] : pins) {
+    const CsvTable rows = table.rows_with("pin", key);
+    ChartSeries series{title, SeriesStyle::line, {}};
+    for (std::size_t i = 0; i < rows.n_rows(); ++i)
+      series.points.push_back({rows.column("z").values[i], rows.column(column).values[i]});
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+Chart search_chart(const json& crown, const UnitSystem units) {
+  const std::string parameter = crown.at("crown").at("parameter");
+  Chart chart{"chart-crown-search",
+              "The search, on coarse meshes",
+              fmt::format("Greatest over even line load against the {}", parameter),
+              {labelled(parameter, Dimension::length, units), true},
+              {"greatest over even line load"},
+              {{"tried", SeriesStyle::markers, {}}}};
+  for (const json& trial : crown.at("search"))
+    chart.series[0].points.push_back(
+        {in_units(trial.at("size"), Dimension::length, units), trial.at("ratio").get<double>()});
+  return chart;
+}
+
+}  // namespace
+
+ReportPart crown_part(const ResultsDirectory& results) {
+  const json& crown = *results.document("crown");
+  const CsvTable& table = *results.table("crown");
+  const UnitSystem units = results.units();
+  const std::vector<Chart> charts{along_pin(table, "line_load", "line load"),
+                                  along_pin(table, "peak_pressure", "contact pressure"),
+                                  search_chart(crown, units)};
+  return {html_section("crown", "Crown of the pin",
+                       finding(crown, units) + evenness_table(crown, units) + html(charts)),
+          charts};
+}
+
+}  // namespace geneva::post
