@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "fem/condensation.h"
-#include "fem/multigrid.h"
 
 namespace geneva::fem {
 
@@ -105,7 +104,7 @@ LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
 
 template <int dim>
 void LinearSystem::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
-  multigrid_ = multigrid(matrix_, dof_handler, first_constraints_);
+  multigrid_ = std::make_unique<Multigrid>(matrix_, dof_handler, first_constraints_);
 }
 
 void LinearSystem::change(const dealii::AffineConstraints<double>& constraints,

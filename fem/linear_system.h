@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fem/elasticity.h"
+#include "fem/multigrid/multigrid.h"
 
 namespace geneva::fem {
 
@@ -77,7 +78,7 @@ class LinearSystem {
   std::unique_ptr<Matrix> correction_;  ///< to the constraints of now; none if they are the first
   Vector first_load_;
   Vector load_;
-  std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> multigrid_;
+  std::unique_ptr<Multigrid> multigrid_;
 };
 
 }  // namespace geneva::fem

@@ -1,4 +1,4 @@
-#include "fem/aggregation.h"
+#include "fem/multigrid/aggregation.h"
 
 #include <algorithm>
 #include <map>

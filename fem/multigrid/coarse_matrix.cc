@@ -1,0 +1,132 @@
+#include "fem/multigrid/coarse_matrix.h"
+
+#include <Epetra_Import.h>
+#include <Epetra_Map.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <map>
+#include <vector>
+
+#include "fem/multigrid/block_row.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+/// Rows of the coarse matrix by coarse nodes.
+template <int dim>
+using BlockRows = std::map<int, BlockRow<RigidMotion<dim>>>;
+
+/// Rows of a matrix at unknowns of other ranks, which these send.
+Epetra_CrsMatrix rows_of_others(std::vector<int> unknowns, const Epetra_CrsMatrix& matrix) {
+  const Epetra_Map map(-1, static_cast<int>(unknowns.size()), unknowns.data(), 0, matrix.Comm());
+  Epetra_CrsMatrix result(Copy, map, 0);
+  result.Import(matrix, Epetra_Import(map, matrix.RowMap()), Insert);
+  result.FillComplete(matrix.DomainMap(), matrix.RangeMap());
+  return result;
+}
+
+template <int dim>
+void add_line(NodeRow<dim>& of_node, const unsigned int component, const Epetra_CrsMatrix& matrix,
+              const int line) {
+  constexpr int n = n_rigid_motions<dim>;
+  int count = 0;
+  double* values = nullptr;
+  int* columns = nullptr;
+  matrix.ExtractMyRowView(line, count, values, columns);
+  for (int i = 0; i < count; ++i) {
+    const int column = matrix.GCID(columns[i]);
+    of_node.at(column / n)(component, column % n) = values[i];
+  }
+}
+
+template <int dim>
+std::vector<NodeRow<dim>> rows_of_nodes(const CoupledNodes<dim>& nodes,
+                                        const Epetra_CrsMatrix& prolongation) {
+  std::vector<NodeRow<dim>> result(nodes.n_all());
+  for (int line = 0; line < prolongation.NumMyRows(); ++line)
+    add_line<dim>(result[static_cast<std::size_t>(line / dim)],
+                  static_cast<unsigned int>(line % dim), prolongation, line);
+  std::vector<int> numbers;
+  for (const auto& unknown : nodes.unknowns_of_others()) numbers.push_back(unknown.number);
+  const Epetra_CrsMatrix of_others = rows_of_others(numbers, prolongation);
+  int line = 0;
+  for (const auto& unknown : nodes.unknowns_of_others())
+    add_line<dim>(result[unknown.node], unknown.component, of_others, line++);
+  return result;
+}
+
+/// A P at one node.
+template <int dim>
+NodeRow<dim> product_row(const std::size_t node, const CoupledNodes<dim>& nodes,
+                         const std::vector<NodeRow<dim>>& prolongation) {
+  NodeRow<dim> result;
+  for (unsigned int component = 0; component < dim; ++component)
+    nodes.visit_row(node, component, [&](const auto& entry) {
+      const NodeRow<dim>& row = prolongation[entry.node];
+      for (std::size_t i = 0; i < row.size(); ++i)
+        result.at(row.number(i)).row(component) += entry.value * row.block(i).row(entry.component);
+    });
+  return result;
+}
+
+template <int dim>
+BlockRows<dim> product(const CoupledNodes<dim>& nodes,
+                       const std::vector<NodeRow<dim>>& prolongation) {
+  BlockRows<dim> result;
+  for (std::size_t node = 0; node < nodes.n_own(); ++node) {
+    const NodeRow<dim>& left = prolongation[node];
+    if (left.size() == 0) continue;
+    const NodeRow<dim> right = product_row(node, nodes, prolongation);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      auto& row = result[left.number(i)];
+      for (std::size_t j = 0; j < right.size(); ++j)
+        row.at(right.number(j)).noalias() += left.block(i).transpose() * right.block(j);
+    }
+  }
+  return result;
+}
+
+/// @param range of this rank's unknowns; it may have rows of others
+template <int dim>
+std::unique_ptr<Matrix> empty_matrix(const BlockRows<dim>& rows, const dealii::IndexSet& range,
+                                     const MPI_Comm communicator) {
+  dealii::IndexSet written = range;
+  for (const auto& row : rows)
+    written.add_range(coarse_unknown<dim>(row.first, 0), coarse_unknown<dim>(row.first + 1, 0));
+  dealii::TrilinosWrappers::SparsityPattern pattern(range, range, written, communicator);
+  for (const auto& [number, row] : rows) {
+    const auto columns = coarse_unknowns<dim>(row);
+    for (int i = 0; i < n_rigid_motions<dim>; ++i)
+      pattern.add_entries(coarse_unknown<dim>(number, i), columns.begin(), columns.end());
+  }
+  pattern.compress();
+  auto result = std::make_unique<Matrix>();
+  result->reinit(pattern);
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<dim>& nodes, const Matrix& prolongation) {
+  const auto rows = product(nodes, rows_of_nodes(nodes, prolongation.trilinos_matrix()));
+  auto result = empty_matrix<dim>(rows, prolongation.locally_owned_domain_indices(),
+                                  prolongation.get_mpi_communicator());
+  for (const auto& [number, row] : rows) {
+    const auto columns = coarse_unknowns<dim>(row);
+    for (int i = 0; i < n_rigid_motions<dim>; ++i)
+      result->add(coarse_unknown<dim>(number, i),
+                  static_cast<dealii::types::global_dof_index>(columns.size()), columns.data(),
+                  values_of_line(row, i).data(), false);
+  }
+  result->compress(dealii::VectorOperation::add);
+  return result;
+}
+
+template std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<2>&, const Matrix&);
+template std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<3>&, const Matrix&);
+
+}  // namespace geneva::fem

@@ -1,0 +1,92 @@
+#include "fem/multigrid/multigrid.h"
+
+#include <cmath>
+
+#include "fem/multigrid/algebraic_multigrid.h"
+#include "fem/multigrid/coarse_matrix.h"
+#include "fem/multigrid/prolongation.h"
+#include "fem/multigrid/rigid_displacement.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+/// Largest eigenvalue of the matrix scaled by its diagonal, a little too large: by the power method
+/// from a vector that is the same in every run.
+double largest_eigenvalue(const Matrix& matrix) {
+  constexpr int n_steps = 12;
+  constexpr double margin = 1.1;
+  Vector vector(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator());
+  for (const auto row : vector.locally_owned_elements())
+    vector(row) = std::sin(static_cast<double>(row * row % 7919));
+  vector.compress(dealii::VectorOperation::insert);
+  dealii::TrilinosWrappers::PreconditionJacobi jacobi;
+  jacobi.initialize(matrix);
+  Vector product(vector);
+  for (int step = 0; step < n_steps; ++step) {
+    vector /= vector.l2_norm();
+    matrix.vmult(product, vector);
+    jacobi.vmult(vector, product);
+  }
+  return margin * vector.l2_norm();
+}
+
+/// Makes the matrix positive definite where aggregates lack rigid motions: those whose nodes stand
+/// in a line do not turn about it, nor do nodes of a plane of symmetry leave it.
+void complete(Matrix& matrix, std::vector<double>& rigid_motions) {
+  constexpr double shift = 1e-10;
+  const dealii::IndexSet range = matrix.locally_owned_range_indices();
+  for (const auto unknown : range) {
+    const double diagonal = matrix.diag_element(unknown);
+    matrix.set(unknown, unknown, diagonal > 0. ? (1. + shift) * diagonal : 1.);
+    if (diagonal > 0.) continue;
+    for (std::size_t i = range.index_within_set(unknown); i < rigid_motions.size();
+         i += range.n_elements())
+      rigid_motions[i] = 0.;
+  }
+  matrix.compress(dealii::VectorOperation::insert);
+}
+
+}  // namespace
+
+template <int dim>
+Multigrid::Multigrid(const Matrix& matrix, const dealii::DoFHandler<dim>& dof_handler,
+                     const dealii::AffineConstraints<double>& constraints)
+    : matrix_(matrix) {
+  constexpr unsigned int degree = 2;
+  constexpr double ratio = 10.;  // of the eigenvalues that are smoothed
+  const double largest = largest_eigenvalue(matrix);
+  const CoupledNodes<dim> nodes(matrix, dof_handler);
+  Prolongation prolonged = prolongation(nodes, dof_handler.locally_owned_dofs(), constraints,
+                                        largest, dof_handler.get_communicator());
+  prolongation_ = std::move(prolonged.matrix);
+  coarse_matrix_ = coarse_matrix(nodes, *prolongation_);
+  complete(*coarse_matrix_, prolonged.rigid_motions);
+  coarse_ = algebraic_multigrid(*coarse_matrix_, n_rigid_motions<dim>, prolonged.rigid_motions,
+                                prolonged.bodies);
+  first_smoother_.initialize(matrix, {degree, largest, ratio, 1., 1e-12, false});
+  smoother_.initialize(matrix, {degree, largest, ratio, 1., 1e-12, true});
+}
+
+void Multigrid::vmult(Vector& correction, const Vector& residual) const {
+  first_smoother_.vmult(correction, residual);
+  Vector rest(residual);
+  matrix_.residual(rest, correction, residual);
+  Vector coarse_residual(coarse_matrix_->locally_owned_range_indices(),
+                         matrix_.get_mpi_communicator());
+  prolongation_->Tvmult(coarse_residual, rest);
+  Vector coarse_correction(coarse_residual);
+  coarse_->vmult(coarse_correction, coarse_residual);
+  prolongation_->vmult_add(correction, coarse_correction);
+  smoother_.vmult(correction, residual);
+}
+
+template Multigrid::Multigrid(const Matrix&, const dealii::DoFHandler<2>&,
+                              const dealii::AffineConstraints<double>&);
+template Multigrid::Multigrid(const Matrix&, const dealii::DoFHandler<3>&,
+                              const dealii::AffineConstraints<double>&);
+
+}  // namespace geneva::fem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <memory>
+#include <vector>
+
+#include "fem/multigrid/coupled_nodes.h"
+
+namespace geneva::fem {
+
+/// The first coarsening: coarse nodes move rigidly, each with three or six unknowns, its
+/// displacement and its rotation.
+struct Prolongation {
+  std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;  ///< fine by coarse unknowns
+  std::vector<unsigned int> bodies;                                ///< of this rank's coarse nodes
+  /// Rigid motions of everything at this rank's coarse unknowns, one after the other.
+  std::vector<double> rigid_motions;
+};
+
+/// Smoothed aggregation (Vanek, Mandel and Brezina 1996) along the short sides of long cells only:
+/// what alternates from layer to layer of long cells is soft, no point smoother reduces it, and so
+/// it must not be coarsened. One step of Jacobi's method smooths the rigid motions of the
+/// aggregates; it is kept to the aggregates next to a node along short sides, and what rigid
+/// motions of the whole then lack is given back (Olson, Schroder and Tuminaro 2011).
+/// @param constraints by which the matrix is condensed; given unknowns get zero rows
+/// @param largest_eigenvalue of the matrix scaled by its diagonal
+template <int dim>
+Prolongation prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
+                          const dealii::AffineConstraints<double>& constraints,
+                          double largest_eigenvalue, MPI_Comm communicator);
+
+}  // namespace geneva::fem

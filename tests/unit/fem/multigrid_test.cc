@@ -1,0 +1,208 @@
+#include "fem/multigrid/multigrid.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "fem/boundary.h"
+#include "fem/constraints.h"
+#include "fem/multigrid/coarse_matrix.h"
+#include "fem/multigrid/prolongation.h"
+#include "fem/multigrid/rigid_displacement.h"
+#include "mesh/extrusion.h"
+#include "tests/unit/fem/discretisation.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+using geneva::test::equal_steps;
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+/// Stiffness of a block of 6 x 6 x 3 cells whose bottom is held and whose lower end
+/// slides, a plane of symmetry.
+class Block {
+ public:
+  /// @param length of the cells along z over their width
+  explicit Block(const double length, const unsigned int refinements = 0,
+                 const bool is_partly_refined = false)
+      : mesh_(block(length)), grid_(mesh_, refinements) {
+    if (is_partly_refined) refine_in_part();
+    dealii::DoFTools::extract_locally_relevant_dofs(*grid_.dof_handler, ghosts_);
+    const Boundary<3> boundary = gather_boundary(*grid_.dof_handler, mesh_.circles, 1.);
+    for (const BoundaryNode<3>& node : boundary.nodes)
+      ghosts_.add_indices(node.dofs.begin(), node.dofs.end());
+    const std::vector<Support<3>> supports{{"bottom", {0., 0., 0.}},
+                                           {"lower", {std::nullopt, std::nullopt, 0.}}};
+    constraints_ = make_constraints(*grid_.dof_handler, ghosts_,
+                                    support_lines<3>(boundary, supports, mesh_.surfaces));
+    assemble();
+  }
+
+  [[nodiscard]] const dealii::DoFHandler<3>& dof_handler() const { return *grid_.dof_handler; }
+  [[nodiscard]] const dealii::IndexSet& unknowns() const {
+    return grid_.dof_handler->locally_owned_dofs();
+  }
+  [[nodiscard]] const dealii::AffineConstraints<double>& constraints() const {
+    return constraints_;
+  }
+  [[nodiscard]] const Matrix& matrix() const { return matrix_; }
+  [[nodiscard]] CoupledNodes<3> nodes() const { return {matrix_, *grid_.dof_handler}; }
+  [[nodiscard]] Prolongation prolonged() const {
+    return prolongation(nodes(), unknowns(), constraints_, 4., MPI_COMM_WORLD);
+  }
+
+ private:
+  static mesh::MeshData<3> block(const double length) {
+    mesh::MeshData<2> plane = geneva::test::empty_mesh();
+    geneva::test::add_rectangle(plane, "block", equal_steps(1., 7., 6), equal_steps(0., 6., 6),
+                                {"bottom", "", "", ""});
+    return extruded(plane, {{equal_steps(0., 3. * length, 3), "lower", ""}});
+  }
+
+  void refine_in_part() {
+    for (const auto& cell : grid_.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] < 3.) cell->set_refine_flag();
+    grid_.triangulation->execute_coarsening_and_refinement();
+    grid_.dof_handler->distribute_dofs(grid_.element);
+  }
+
+  void assemble() {
+    dealii::TrilinosWrappers::SparsityPattern pattern(unknowns(), unknowns(), ghosts_,
+                                                      MPI_COMM_WORLD);
+    dealii::DoFTools::make_sparsity_pattern(dof_handler(), pattern, constraints_, false);
+    pattern.compress();
+    matrix_.reinit(pattern);
+    Problem<3> problem;
+    problem.bodies.push_back({"block", {2., 0.3}, {}});
+    for (const CellSystem& cell : cell_systems(dof_handler(), problem, mesh_.surfaces))
+      constraints_.distribute_local_to_global(cell.stiffness, cell.dofs, matrix_);
+    matrix_.compress(dealii::VectorOperation::add);
+  }
+
+  mesh::MeshData<3> mesh_;
+  Discretisation<3> grid_;
+  dealii::IndexSet ghosts_;
+  dealii::AffineConstraints<double> constraints_;
+  Matrix matrix_;
+};
+
+/// Values that look random and are the same on any number of ranks.
+Vector some_vector(const dealii::IndexSet& range, const double seed) {
+  Vector result(range, MPI_COMM_WORLD);
+  for (const auto i : range) result(i) = std::sin(seed * (1. + static_cast<double>(i)));
+  result.compress(dealii::VectorOperation::insert);
+  return result;
+}
+
+TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
+  for (const double length : {1., 8.}) {
+    const Block block(length, 0, true);
+    const Prolongation prolonged = block.prolonged();
+    const dealii::IndexSet range = prolonged.matrix->locally_owned_domain_indices();
+    const dealii::IndexSet& unknowns = block.unknowns();
+    const CoupledNodes<3> nodes = block.nodes();
+    for (unsigned int mode = 0; mode < 6; ++mode) {
+      Vector coarse(range, MPI_COMM_WORLD);
+      for (unsigned int i = 0; i < range.n_elements(); ++i)
+        coarse(range.nth_index_in_set(i)) = prolonged.rigid_motions[mode * range.n_elements() + i];
+      coarse.compress(dealii::VectorOperation::insert);
+      Vector fine(unknowns, MPI_COMM_WORLD);
+      prolonged.matrix->vmult(fine, coarse);
+      for (unsigned int i = 0; i < unknowns.n_elements(); ++i) {
+        const auto unknown = unknowns.nth_index_in_set(i);
+        const bool is_given = block.constraints().is_constrained(unknown);
+        const double rigid = rigid_displacement(nodes.position(i / 3))(i % 3, mode);
+        EXPECT_NEAR(fine(unknown), is_given ? 0. : rigid, 1e-11) << length << " " << mode;
+      }
+    }
+  }
+}
+
+/// The greatest extent along z of the nodes that one coarse node moves.
+double thickness_moved(const Block& block) {
+  const Prolongation prolonged = block.prolonged();
+  const CoupledNodes<3> nodes = block.nodes();
+  constexpr double far = std::numeric_limits<double>::max();
+  std::vector<double> lowest(prolonged.matrix->n() / 6, far);
+  std::vector<double> highest(lowest.size(), -far);
+  for (unsigned int i = 0; i < block.unknowns().n_elements(); ++i) {
+    const auto row = block.unknowns().nth_index_in_set(i);
+    for (auto entry = prolonged.matrix->begin(row); entry != prolonged.matrix->end(row); ++entry) {
+      const std::size_t coarse = entry->column() / 6;
+      lowest[coarse] = std::min(lowest[coarse], nodes.position(i / 3)[2]);
+      highest[coarse] = std::max(highest[coarse], nodes.position(i / 3)[2]);
+    }
+  }
+  dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD, lowest);
+  dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD, highest);
+  double thickness = 0.;
+  for (std::size_t i = 0; i < lowest.size(); ++i)
+    thickness = std::max(thickness, highest[i] - lowest[i]);
+  return thickness;
+}
+
+TEST(Prolongation, CoarsensWithinTheLayersOfLongCells) {
+  EXPECT_EQ(thickness_moved(Block(8.)), 0.);
+  EXPECT_EQ(thickness_moved(Block(8., 1)), 0.);
+  EXPECT_GE(thickness_moved(Block(2.)), 2. * 2.) << "short ones are taken together";
+}
+
+TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
+  const Block block(8., 0, true);
+  const Prolongation prolonged = block.prolonged();
+  const auto coarse = coarse_matrix(block.nodes(), *prolonged.matrix);
+  const dealii::IndexSet range = prolonged.matrix->locally_owned_domain_indices();
+  const auto fine = [&](const Vector& vector) {
+    Vector result(block.unknowns(), MPI_COMM_WORLD);
+    prolonged.matrix->vmult(result, vector);
+    return result;
+  };
+  const Vector one = some_vector(range, 0.7);
+  const Vector other = some_vector(range, 1.9);
+  const double expected = block.matrix().matrix_scalar_product(fine(one), fine(other));
+  EXPECT_NEAR(coarse->matrix_scalar_product(one, other), expected, 1e-11 * std::abs(expected));
+}
+
+TEST(Multigrid, IsSymmetricAndPositive) {
+  const Block block(8., 0, true);
+  const Multigrid multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  const auto corrected = [&](const Vector& residual) {
+    Vector result(residual);
+    multigrid.vmult(result, residual);
+    return result;
+  };
+  const Vector one = some_vector(block.unknowns(), 0.7);
+  const Vector other = some_vector(block.unknowns(), 1.9);
+  EXPECT_NEAR(one * corrected(other), other * corrected(one),
+              1e-10 * std::abs(one * corrected(one)));
+  EXPECT_GT(one * corrected(one), 0.);
+}
+
+/// Conjugate gradients that reduce the residual by 1e8.
+unsigned int iterations(const Block& block) {
+  const Multigrid multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  Vector load = some_vector(block.unknowns(), 0.7);
+  block.constraints().set_zero(load);
+  Vector displacement(block.unknowns(), MPI_COMM_WORLD);
+  dealii::SolverControl control(1000, 1e-8 * load.l2_norm());
+  dealii::SolverCG<Vector>(control).solve(block.matrix(), displacement, load, multigrid);
+  return control.last_step();
+}
+
+/// Aggregates of several layers of long cells would take 40 and 47.
+TEST(Multigrid, TakesHardlyMoreIterationsInLongCellsAndOnFineMeshes) {
+  const unsigned int in_long_cells = iterations(Block(8., 1));
+  const unsigned int in_fine_long_cells = iterations(Block(8., 2));
+  EXPECT_LE(in_long_cells, 22U);
+  EXPECT_LE(in_fine_long_cells, 1.33 * in_long_cells);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
