@@ -18,6 +18,7 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 /// from a vector that is the same in every run.
 double largest_eigenvalue(const Matrix& matrix) {
   constexpr int n_steps = 12;
+  // The power method comes from below, and Chebyshev's polynomial grows fast beyond its range.
   constexpr double margin = 1.1;
   Vector vector(matrix.locally_owned_range_indices(), matrix.get_mpi_communicator());
   for (const auto row : vector.locally_owned_elements())
@@ -37,6 +38,8 @@ double largest_eigenvalue(const Matrix& matrix) {
 /// Makes the matrix positive definite where aggregates lack rigid motions: those whose nodes stand
 /// in a line do not turn about it, nor do nodes of a plane of symmetry leave it.
 void complete(Matrix& matrix, std::vector<double>& rigid_motions) {
+  // Above the roundings, and far below what the iterations of the mesh could notice: what it
+  // completes does not move the mesh.
   constexpr double shift = 1e-10;
   const dealii::IndexSet range = matrix.locally_owned_range_indices();
   for (const auto unknown : range) {
@@ -57,7 +60,9 @@ Multigrid::Multigrid(const Matrix& matrix, const dealii::DoFHandler<dim>& dof_ha
                      const dealii::AffineConstraints<double>& constraints)
     : matrix_(matrix) {
   constexpr unsigned int degree = 2;
-  constexpr double ratio = 10.;  // of the eigenvalues that are smoothed
+  // Of the eigenvalues that are smoothed, as on the algebraic levels; 6 and 20 take an iteration
+  // more.
+  constexpr double ratio = 10.;
   const double largest = largest_eigenvalue(matrix);
   const CoupledNodes<dim> nodes(matrix, dof_handler);
   Prolongation prolonged = prolongation(nodes, dof_handler.locally_owned_dofs(), constraints,

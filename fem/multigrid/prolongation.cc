@@ -11,8 +11,9 @@ namespace geneva::fem {
 
 namespace {
 
-/// Nodes farther apart than this many times their own distances to their nearest neighbours are
-/// coupled weakly: those on the long sides of cells that are longer than this.
+/// Nodes farther apart than this many times the distance to their nearest neighbours are coupled
+/// weakly: those on the long sides of cells that are longer than this. A neighbour across a corner
+/// of cells of twice the size is 2.8 times as far.
 constexpr double short_sides = 5.;
 /// Damping of Jacobi's method over the inverse of the largest eigenvalue, as in smoothed
 /// aggregation.

@@ -15,7 +15,8 @@ namespace geneva::fem {
 struct Prolongation {
   std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;  ///< fine by coarse unknowns
   std::vector<unsigned int> bodies;                                ///< of this rank's coarse nodes
-  /// Rigid motions of everything at this rank's coarse unknowns, one after the other.
+  /// Rigid motions of the whole about the origin at this rank's coarse unknowns, one after the
+  /// other: translations along the axes, then rotations about them.
   std::vector<double> rigid_motions;
 };
 
@@ -24,8 +25,10 @@ struct Prolongation {
 /// it must not be coarsened. One step of Jacobi's method smooths the rigid motions of the
 /// aggregates; it is kept to the aggregates next to a node along short sides, and what rigid
 /// motions of the whole then lack is given back (Olson, Schroder and Tuminaro 2011).
+/// @param nodes of the matrix
+/// @param unknowns of this rank, by nodes
 /// @param constraints by which the matrix is condensed; given unknowns get zero rows
-/// @param largest_eigenvalue of the matrix scaled by its diagonal
+/// @param largest_eigenvalue of the matrix scaled by its diagonal, positive
 template <int dim>
 Prolongation prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
                           const dealii::AffineConstraints<double>& constraints,

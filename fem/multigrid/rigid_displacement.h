@@ -16,7 +16,7 @@ template <int dim>
 using RigidDisplacement = Eigen::Matrix<double, dim, n_rigid_motions<dim>>;
 
 /// Displacement t + w x r of what stands at r from a coarse node and moves with it.
-/// @param r [m]
+/// @param r in the unit of length of the mesh
 inline RigidDisplacement<2> rigid_displacement(const dealii::Tensor<1, 2>& r) {
   RigidDisplacement<2> result;
   result << 1., 0., -r[1],  //
@@ -36,7 +36,7 @@ template <int dim>
 using RigidMotion = Eigen::Matrix<double, n_rigid_motions<dim>, n_rigid_motions<dim>>;
 
 /// Displacement and rotation of a coarse node that stands at r from another and moves with it.
-/// @param r [m]
+/// @param r in the unit of length of the mesh
 template <int dim>
 RigidMotion<dim> rigid_motion(const dealii::Tensor<1, dim>& r) {
   RigidMotion<dim> result = RigidMotion<dim>::Identity();
