@@ -15,28 +15,6 @@ namespace {
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 using Sets = std::vector<std::vector<bool>>;
 
-/// K u - f with the hanging nodes' shares given to the nodes that they hang on.
-template <int dim>
-Vector residual_of(const Level<dim>& level, const MPI_Comm communicator,
-                   const Vector& displacement) {
-  Vector residual;
-  residual.reinit(level.owned, level.ghosts, communicator, true);
-  dealii::Vector<double> local;
-  dealii::Vector<double> local_residual;
-  for (const CellSystem& cell : level.cells) {
-    local.reinit(cell.load.size());
-    local_residual.reinit(cell.load.size());
-    for (unsigned int i = 0; i < local.size(); ++i) local[i] = displacement(cell.dofs[i]);
-    cell.stiffness.vmult(local_residual, local);
-    local_residual -= cell.load;
-    level.hanging.distribute_local_to_global(local_residual, cell.dofs, residual);
-  }
-  residual.compress(dealii::VectorOperation::add);
-  Vector ghosted(level.owned, level.ghosts, communicator);
-  ghosted = residual;
-  return ghosted;
-}
-
 template <int dim>
 Sets active_sets(const Level<dim>& level) {
   Sets sets;
@@ -169,17 +147,16 @@ class SystemOfSets {
 /// tolerance) and evaluates the contacts.
 template <int dim>
 void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const double reduction,
-                const Settings& settings, const MPI_Comm communicator, Vector& displacement,
-                LevelState& state) {
+                const Settings& settings, Vector& displacement, LevelState& state) {
   state.linear_iterations.back() +=
       systems.is_smoothing()
           ? systems.now().smooth(displacement)
           : systems.now().solve(displacement, settings.linear_tolerance, reduction);
   state.displacement = displacement;
-  state.residual = residual_of(level, communicator, state.displacement);
+  state.forces = surface_forces(level.forced, level.cells, level.hanging, state.displacement);
   state.contacts.clear();
   for (const ContactInterface<dim>& interface : level.interfaces)
-    state.contacts.push_back(evaluate(interface, state.displacement, state.residual, level.held));
+    state.contacts.push_back(evaluate(interface, state.displacement, state.forces, level.held));
 }
 
 }  // namespace
@@ -200,7 +177,7 @@ std::optional<LevelState> solve_level(
     systems.update(level);
     const dealii::Timer solve_timer;
     state.linear_iterations.push_back(0);
-    solve_step(systems, level, reduction, settings, communicator, displacement, state);
+    solve_step(systems, level, reduction, settings, displacement, state);
     bool changed = search.advance(level, state.contacts);
     if (systems.is_smoothing()) {
       search.start_again();
@@ -208,7 +185,7 @@ std::optional<LevelState> solve_level(
     } else if (!changed && reduction > 0.) {
       reduction = 0.;
       search.start_again();
-      solve_step(systems, level, reduction, settings, communicator, displacement, state);
+      solve_step(systems, level, reduction, settings, displacement, state);
       changed = search.advance(level, state.contacts);
     }
     state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();

@@ -11,7 +11,7 @@ namespace geneva::fem {
 /// Converged state on one level.
 struct LevelState {
   dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
-  dealii::TrilinosWrappers::MPI::Vector residual;      ///< K u - f, ghosted
+  SurfaceForces forces;                                ///< K u - f
   std::vector<ContactState> contacts;                  ///< by interface
   std::vector<unsigned int> linear_iterations;         ///< by active-set step
   double assemble_and_solve_seconds = 0.;              ///< of the last step

@@ -114,6 +114,17 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
   return interfaces;
 }
 
+/// Unknowns of the contacts' nodes and of supports and ties.
+template <int dim>
+std::set<global_dof_index> forced_dofs(const Level<dim>& level) {
+  std::set<global_dof_index> dofs = level.held;
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    for (const Surface<dim>* const surface : {&interface.source, &interface.target})
+      for (const SurfaceNode<dim>& node : surface->nodes)
+        dofs.insert(node.dofs.begin(), node.dofs.end());
+  return dofs;
+}
+
 template <int dim>
 void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
                     const Problem<dim>& problem) {
@@ -146,6 +157,7 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   level.hanging_lines = hanging_lines(dof_handler, level.boundary);
   level.hanging = make_constraints(dof_handler, level.ghosts, level.hanging_lines);
   add_held_lines(level, mesh, scaled_problem);
+  level.forced = forced_unknowns(forced_dofs(level), level.cells, level.hanging);
   return level;
 }
 

@@ -33,6 +33,7 @@ struct Level {
   std::set<global_dof_index> held;            ///< dofs of those lines
   std::vector<NodalForce> tie_forces;
   dealii::AffineConstraints<double> hanging;
+  ForcedUnknowns forced;     ///< of contact, supports and ties
   double cell_seconds = 0.;  ///< time to integrate the cells
 };
 

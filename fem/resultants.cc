@@ -82,7 +82,7 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
   const std::map<global_dof_index, double> contact = contact_forces(level, state);
   const auto held_force = [&](const global_dof_index dof) {
     const auto of_contact = contact.find(dof);
-    return state.residual(dof) - (of_contact == contact.end() ? 0. : of_contact->second);
+    return state.forces(dof) - (of_contact == contact.end() ? 0. : of_contact->second);
   };
   std::vector<Reaction<dim>> result;
   std::set<global_dof_index> counted;

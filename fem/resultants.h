@@ -8,7 +8,7 @@
 
 namespace geneva::fem {
 
-/// Forces that supports and ties exert, from the residual at their nodes less what the contact
+/// Forces that supports and ties exert, from the forces at their nodes less what the contact
 /// exerts there; SI units.
 template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,

@@ -69,13 +69,12 @@ double gap_of(const ContactInterface<dim>& interface, const MortarRow<dim>& row,
 
 template <int dim>
 double pressure_of(const SurfaceNode<dim>& node, const MortarRow<dim>& row,
-                   const dealii::TrilinosWrappers::MPI::Vector& residual,
-                   const std::set<global_dof_index>& held) {
+                   const SurfaceForces& forces, const std::set<global_dof_index>& held) {
   double force = 0.;
   double normal_square = 0.;
   for (unsigned int component = 0; component < dim; ++component) {
     if (held.count(node.dofs[component]) > 0) continue;
-    force += residual(node.dofs[component]) * row.normal[component];
+    force += forces(node.dofs[component]) * row.normal[component];
     normal_square += row.normal[component] * row.normal[component];
   }
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
@@ -185,13 +184,12 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface
 template <int dim>
 ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
-                      const dealii::TrilinosWrappers::MPI::Vector& residual,
-                      const std::set<global_dof_index>& held) {
+                      const SurfaceForces& forces, const std::set<global_dof_index>& held) {
   ContactState state;
   for (const MortarRow<dim>& row : interface.rows) {
     state.gap.push_back(gap_of(interface, row, displacement));
     state.approach = std::max(state.approach, std::abs(state.gap.back() - initial_gap(row)));
-    state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, residual, held));
+    state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, forces, held));
   }
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
     if (!interface.active[i]) state.pressure[i] = 0.;
@@ -215,16 +213,14 @@ template std::vector<bool> first_touch(const std::vector<MortarRow<2>>&, double)
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<2>&,
-                               const dealii::TrilinosWrappers::MPI::Vector&,
-                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 template std::vector<bool> updated(const ContactInterface<2>&, const ContactState&);
 template std::vector<bool> first_touch(const std::vector<MortarRow<3>>&, double);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<3>&,
-                               const dealii::TrilinosWrappers::MPI::Vector&,
-                               const dealii::TrilinosWrappers::MPI::Vector&,
+                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
 template std::vector<bool> active_nodes(const ContactInterface<2>&);

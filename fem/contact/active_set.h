@@ -8,6 +8,7 @@
 #include "fem/constraints.h"
 #include "fem/contact/mortar.h"
 #include "fem/solution.h"
+#include "fem/surface_forces.h"
 
 namespace geneva::fem {
 
@@ -63,14 +64,13 @@ template <int dim>
 std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
                                           std::set<global_dof_index>& held);
 
-/// Gap from the displacement; pressure from the residual K u - f, divided by D (no
+/// Gap from the displacement; pressure from the forces K u - f, divided by D (no
 /// differentiation).
-/// @param held dofs whose residual holds reactions of supports
+/// @param held dofs whose forces hold reactions of supports
 template <int dim>
 ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
-                      const dealii::TrilinosWrappers::MPI::Vector& residual,
-                      const std::set<global_dof_index>& held);
+                      const SurfaceForces& forces, const std::set<global_dof_index>& held);
 
 /// The primal-dual active set step (Hintermueller, Ito and Kunisch 2003): active nodes under
 /// tension open, open nodes that overlap close.

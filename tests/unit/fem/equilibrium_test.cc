@@ -48,11 +48,11 @@ struct CoarseSolution {
   std::optional<LevelState> state;
 };
 
-/// Sum of the residual at the nodes of a surface: the force that acts on it beside the known loads.
+/// Sum of the forces at the nodes of a surface: the force that acts on it beside the known loads.
 Tensor<1, 2> force_on(const CoarseSolution& solution, const Surface<2>& surface) {
   Tensor<1, 2> sum;
   for (const SurfaceNode<2>& node : surface.nodes)
-    for (unsigned int c = 0; c < 2; ++c) sum[c] += solution.state->residual(node.dofs[c]);
+    for (unsigned int c = 0; c < 2; ++c) sum[c] += solution.state->forces(node.dofs[c]);
   return sum * solution.scales.force();
 }
 
@@ -106,8 +106,8 @@ TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
   const ContactInterface<2>& interface = solution.level.interfaces.front();
   for (const MortarRow<2>& row : interface.rows) {
     const SurfaceNode<2>& node = interface.source.nodes[row.node];
-    const double along = -row.normal[1] * solution.state->residual(node.dofs[0]) +
-                         row.normal[0] * solution.state->residual(node.dofs[1]);
+    const double along = -row.normal[1] * solution.state->forces(node.dofs[0]) +
+                         row.normal[0] * solution.state->forces(node.dofs[1]);
     EXPECT_NEAR(along * solution.scales.force(), 0., solver_tolerance * 2e6);
   }
 }
