@@ -66,17 +66,23 @@ class CorrectedMatrix {
 class OnFreeUnknowns {
  public:
   OnFreeUnknowns(const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
-                 const dealii::AffineConstraints<double>& constraints)
-      : preconditioner_(preconditioner), constraints_(constraints) {}
+                 const dealii::AffineConstraints<double>& constraints,
+                 const dealii::IndexSet& owned)
+      : preconditioner_(preconditioner) {
+    for (const auto& line : constraints.get_lines())
+      if (owned.is_element(line.index))
+        given_.push_back(static_cast<int>(owned.index_within_set(line.index)));
+  }
 
   void vmult(Vector& correction, const Vector& residual) const {
     preconditioner_.vmult(correction, residual);
-    constraints_.set_zero(correction);
+    double* const values = correction.trilinos_vector()[0];
+    for (const int unknown : given_) values[unknown] = 0.;
   }
 
  private:
   const dealii::TrilinosWrappers::PreconditionBase& preconditioner_;
-  const dealii::AffineConstraints<double>& constraints_;
+  std::vector<int> given_;  ///< among this rank's unknowns
 };
 
 }  // namespace
@@ -176,7 +182,7 @@ unsigned int LinearSystem::iterate(Vector& displacement,
   constraints_.set_zero(displacement);
   dealii::SolverCG<Vector> solver(control);
   solver.solve(CorrectedMatrix(matrix_, correction_.get()), displacement, load,
-               OnFreeUnknowns(preconditioner, constraints_));
+               OnFreeUnknowns(preconditioner, constraints_, owned_));
   constraints_.distribute(displacement);
   return control.last_step();
 }

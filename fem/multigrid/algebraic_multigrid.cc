@@ -66,8 +66,8 @@ static int aggregate_within_bodies(ML_Operator* matrix, char* is_given, double, 
 }
 
 std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> algebraic_multigrid(
-    const dealii::TrilinosWrappers::SparseMatrix& matrix, const int unknowns_per_node,
-    std::vector<double> rigid_motions, std::vector<unsigned int> bodies) {
+    const Epetra_RowMatrix& matrix, const int unknowns_per_node, std::vector<double> rigid_motions,
+    std::vector<unsigned int> bodies) {
   dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
   options.elliptic = true;
   options.smoother_sweeps = 2;

@@ -3,7 +3,6 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <deal.II/lac/trilinos_precondition.h>  // needs trilinos_vector.h before itself
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -17,7 +16,7 @@ namespace geneva::fem {
 /// their values at this rank's unknowns, one after the other
 /// @param bodies of this rank's nodes
 std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> algebraic_multigrid(
-    const dealii::TrilinosWrappers::SparseMatrix& matrix, int unknowns_per_node,
-    std::vector<double> rigid_motions, std::vector<unsigned int> bodies);
+    const Epetra_RowMatrix& matrix, int unknowns_per_node, std::vector<double> rigid_motions,
+    std::vector<unsigned int> bodies);
 
 }  // namespace geneva::fem

@@ -2,22 +2,16 @@
 
 #include <Epetra_Import.h>
 #include <Epetra_Map.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
-#include <map>
 #include <vector>
 
-#include "fem/multigrid/block_row.h"
+#include "fem/multigrid/block_matrix.h"
 
 namespace geneva::fem {
 
 namespace {
 
 using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-
-/// Rows of the coarse matrix by coarse nodes.
-template <int dim>
-using BlockRows = std::map<int, BlockRow<RigidMotion<dim>>>;
 
 /// Rows of a matrix at unknowns of other ranks, which these send.
 Epetra_CrsMatrix rows_of_others(std::vector<int> unknowns, const Epetra_CrsMatrix& matrix) {
@@ -73,9 +67,9 @@ NodeRow<dim> product_row(const std::size_t node, const CoupledNodes<dim>& nodes,
 }
 
 template <int dim>
-BlockRows<dim> product(const CoupledNodes<dim>& nodes,
-                       const std::vector<NodeRow<dim>>& prolongation) {
-  BlockRows<dim> result;
+BlockRows<RigidMotion<dim>> product(const CoupledNodes<dim>& nodes,
+                                    const std::vector<NodeRow<dim>>& prolongation) {
+  BlockRows<RigidMotion<dim>> result;
   for (std::size_t node = 0; node < nodes.n_own(); ++node) {
     const NodeRow<dim>& left = prolongation[node];
     if (left.size() == 0) continue;
@@ -89,44 +83,17 @@ BlockRows<dim> product(const CoupledNodes<dim>& nodes,
   return result;
 }
 
-/// @param range of this rank's unknowns; it may have rows of others
-template <int dim>
-std::unique_ptr<Matrix> empty_matrix(const BlockRows<dim>& rows, const dealii::IndexSet& range,
-                                     const MPI_Comm communicator) {
-  dealii::IndexSet written = range;
-  for (const auto& row : rows)
-    written.add_range(coarse_unknown<dim>(row.first, 0), coarse_unknown<dim>(row.first + 1, 0));
-  dealii::TrilinosWrappers::SparsityPattern pattern(range, range, written, communicator);
-  for (const auto& [number, row] : rows) {
-    const auto columns = coarse_unknowns<dim>(row);
-    for (int i = 0; i < n_rigid_motions<dim>; ++i)
-      pattern.add_entries(coarse_unknown<dim>(number, i), columns.begin(), columns.end());
-  }
-  pattern.compress();
-  auto result = std::make_unique<Matrix>();
-  result->reinit(pattern);
-  return result;
-}
-
 }  // namespace
 
 template <int dim>
-std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<dim>& nodes, const Matrix& prolongation) {
-  const auto rows = product(nodes, rows_of_nodes(nodes, prolongation.trilinos_matrix()));
-  auto result = empty_matrix<dim>(rows, prolongation.locally_owned_domain_indices(),
-                                  prolongation.get_mpi_communicator());
-  for (const auto& [number, row] : rows) {
-    const auto columns = coarse_unknowns<dim>(row);
-    for (int i = 0; i < n_rigid_motions<dim>; ++i)
-      result->add(coarse_unknown<dim>(number, i),
-                  static_cast<dealii::types::global_dof_index>(columns.size()), columns.data(),
-                  values_of_line(row, i).data(), false);
-  }
-  result->compress(dealii::VectorOperation::add);
-  return result;
+std::unique_ptr<Epetra_CrsMatrix> coarse_matrix(const CoupledNodes<dim>& nodes,
+                                                const Matrix& prolongation) {
+  return block_matrix(product(nodes, rows_of_nodes(nodes, prolongation.trilinos_matrix())),
+                      prolongation.trilinos_matrix().DomainMap(),
+                      prolongation.get_mpi_communicator());
 }
 
-template std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<2>&, const Matrix&);
-template std::unique_ptr<Matrix> coarse_matrix(const CoupledNodes<3>&, const Matrix&);
+template std::unique_ptr<Epetra_CrsMatrix> coarse_matrix(const CoupledNodes<2>&, const Matrix&);
+template std::unique_ptr<Epetra_CrsMatrix> coarse_matrix(const CoupledNodes<3>&, const Matrix&);
 
 }  // namespace geneva::fem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Epetra_CrsMatrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <memory>
@@ -14,7 +15,7 @@ namespace geneva::fem {
 /// unknowns as there are rigid motions
 /// @return rows and columns as P's columns, distributed as these
 template <int dim>
-std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> coarse_matrix(
+std::unique_ptr<Epetra_CrsMatrix> coarse_matrix(
     const CoupledNodes<dim>& nodes, const dealii::TrilinosWrappers::SparseMatrix& prolongation);
 
 }  // namespace geneva::fem

@@ -1,5 +1,6 @@
 #include "fem/multigrid/multigrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "fem/multigrid/algebraic_multigrid.h"
@@ -37,20 +38,24 @@ double largest_eigenvalue(const Matrix& matrix) {
 
 /// Makes the matrix positive definite where aggregates lack rigid motions: those whose nodes stand
 /// in a line do not turn about it, nor do nodes of a plane of symmetry leave it.
-void complete(Matrix& matrix, std::vector<double>& rigid_motions) {
+void complete(Epetra_CrsMatrix& matrix, std::vector<double>& rigid_motions) {
   // Above the roundings, and far below what the iterations of the mesh could notice: what it
   // completes does not move the mesh.
   constexpr double shift = 1e-10;
-  const dealii::IndexSet range = matrix.locally_owned_range_indices();
-  for (const auto unknown : range) {
-    const double diagonal = matrix.diag_element(unknown);
-    matrix.set(unknown, unknown, diagonal > 0. ? (1. + shift) * diagonal : 1.);
-    if (diagonal > 0.) continue;
-    for (std::size_t i = range.index_within_set(unknown); i < rigid_motions.size();
-         i += range.n_elements())
+  const int n_rows = matrix.NumMyRows();
+  for (int row = 0; row < n_rows; ++row) {
+    int count = 0;
+    double* values = nullptr;
+    int* columns = nullptr;
+    matrix.ExtractMyRowView(row, count, values, columns);
+    double& diagonal = values[std::find(columns, columns + count, row) - columns];
+    const bool is_moved = diagonal > 0.;
+    diagonal = is_moved ? (1. + shift) * diagonal : 1.;
+    if (is_moved) continue;
+    for (auto i = static_cast<std::size_t>(row); i < rigid_motions.size();
+         i += static_cast<std::size_t>(n_rows))
       rigid_motions[i] = 0.;
   }
-  matrix.compress(dealii::VectorOperation::insert);
 }
 
 }  // namespace
@@ -72,6 +77,7 @@ Multigrid::Multigrid(const Matrix& matrix, const dealii::DoFHandler<dim>& dof_ha
   complete(*coarse_matrix_, prolonged.rigid_motions);
   coarse_ = algebraic_multigrid(*coarse_matrix_, n_rigid_motions<dim>, prolonged.rigid_motions,
                                 prolonged.bodies);
+  coarse_zero_.reinit(prolongation_->locally_owned_domain_indices(), matrix.get_mpi_communicator());
   first_smoother_.initialize(matrix, {degree, largest, ratio, 1., 1e-12, false});
   smoother_.initialize(matrix, {degree, largest, ratio, 1., 1e-12, true});
 }
@@ -80,8 +86,7 @@ void Multigrid::vmult(Vector& correction, const Vector& residual) const {
   first_smoother_.vmult(correction, residual);
   Vector rest(residual);
   matrix_.residual(rest, correction, residual);
-  Vector coarse_residual(coarse_matrix_->locally_owned_range_indices(),
-                         matrix_.get_mpi_communicator());
+  Vector coarse_residual(coarse_zero_);
   prolongation_->Tvmult(coarse_residual, rest);
   Vector coarse_correction(coarse_residual);
   coarse_->vmult(coarse_correction, coarse_residual);

@@ -29,8 +29,9 @@ class Multigrid : public dealii::TrilinosWrappers::PreconditionBase {
 
   const Matrix& matrix_;
   std::unique_ptr<Matrix> prolongation_;
-  std::unique_ptr<Matrix> coarse_matrix_;
+  std::unique_ptr<Epetra_CrsMatrix> coarse_matrix_;
   std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> coarse_;
+  Vector coarse_zero_;  ///< copies of it need no communication, new vectors do
   dealii::TrilinosWrappers::PreconditionChebyshev first_smoother_;  ///< from zero
   dealii::TrilinosWrappers::PreconditionChebyshev smoother_;
 };
