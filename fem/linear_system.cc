@@ -104,6 +104,7 @@ LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
   pattern.compress();
   matrix_.reinit(pattern);
   load_.reinit(owned_, ghosts_, communicator_, true);
+  zero_with_ghosts_.reinit(owned_, ghosts_, communicator_);
   assemble(constraints, cells, nodal_forces, matrix_, load_);
   first_load_ = load_;
 }
@@ -183,8 +184,22 @@ unsigned int LinearSystem::iterate(Vector& displacement,
   dealii::SolverCG<Vector> solver(control);
   solver.solve(CorrectedMatrix(matrix_, correction_.get()), displacement, load,
                OnFreeUnknowns(preconditioner, constraints_, owned_));
-  constraints_.distribute(displacement);
+  distribute(displacement);
   return control.last_step();
+}
+
+/// As AffineConstraints::distribute(), which searches for the unknowns that it needs of other ranks
+/// and makes a vector for them each time.
+void LinearSystem::distribute(Vector& displacement) const {
+  Vector with_ghosts(zero_with_ghosts_);
+  with_ghosts = displacement;
+  double* const values = displacement.trilinos_vector()[0];
+  for (const auto& line : constraints_.get_lines()) {
+    if (!owned_.is_element(line.index)) continue;
+    double value = line.inhomogeneity;
+    for (const auto& [carrier, share] : line.entries) value += share * with_ghosts(carrier);
+    values[owned_.index_within_set(line.index)] = value;
+  }
 }
 
 template LinearSystem::LinearSystem(const dealii::DoFHandler<2>&, const dealii::IndexSet&,

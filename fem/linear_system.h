@@ -64,6 +64,7 @@ class LinearSystem {
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   void correct_diagonal(const std::set<dealii::types::global_dof_index>& changed);
+  void distribute(Vector& displacement) const;
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
   unsigned int iterate(Vector& displacement,
                        const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
@@ -78,6 +79,7 @@ class LinearSystem {
   std::unique_ptr<Matrix> correction_;  ///< to the constraints of now; none if they are the first
   Vector first_load_;
   Vector load_;
+  Vector zero_with_ghosts_;
   std::unique_ptr<Multigrid> multigrid_;
 };
 
