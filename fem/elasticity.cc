@@ -258,6 +258,7 @@ std::vector<CellSystem> cell_systems(const dealii::DoFHandler<dim>& dof_handler,
                                      const std::vector<std::string>& surfaces) {
   CellIntegrator<dim> integrator(dof_handler, problem, surfaces);
   std::vector<CellSystem> systems;
+  systems.reserve(dof_handler.get_triangulation().n_active_cells());
   for (const auto& cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell));
   return systems;
