@@ -79,7 +79,7 @@ class LinearSystem {
   std::unique_ptr<Matrix> correction_;  ///< to the constraints of now; none if they are the first
   Vector first_load_;
   Vector load_;
-  Vector zero_with_ghosts_;
+  Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
   std::unique_ptr<Multigrid> multigrid_;
 };
 

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace geneva::fem {

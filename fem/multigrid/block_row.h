@@ -40,25 +40,4 @@ class BlockRow {
 template <int dim>
 using NodeRow = BlockRow<RigidDisplacement<dim>>;
 
-/// Unknowns of the coarse nodes of a row, one node after the other.
-template <int dim, typename Block>
-std::vector<dealii::types::global_dof_index> coarse_unknowns(const BlockRow<Block>& row) {
-  std::vector<dealii::types::global_dof_index> result;
-  result.reserve(row.size() * n_rigid_motions<dim>);
-  for (std::size_t i = 0; i < row.size(); ++i)
-    for (int j = 0; j < n_rigid_motions<dim>; ++j)
-      result.push_back(coarse_unknown<dim>(row.number(i), j));
-  return result;
-}
-
-/// Values of one line of a row of blocks, in the order of coarse_unknowns().
-template <typename Block>
-std::vector<double> values_of_line(const BlockRow<Block>& row, const Eigen::Index line) {
-  std::vector<double> result;
-  result.reserve(row.size() * Block::ColsAtCompileTime);
-  for (std::size_t i = 0; i < row.size(); ++i)
-    result.insert(result.end(), row.block(i).row(line).begin(), row.block(i).row(line).end());
-  return result;
-}
-
 }  // namespace geneva::fem

@@ -191,6 +191,27 @@ std::vector<NodeRow<dim>> smoothed_rows(const Lists& near, const CoupledNodes<di
   return rows;
 }
 
+/// Unknowns of the coarse nodes of a row, one node after the other.
+template <int dim>
+std::vector<dealii::types::global_dof_index> coarse_unknowns(const NodeRow<dim>& row) {
+  std::vector<dealii::types::global_dof_index> result;
+  result.reserve(row.size() * n_rigid_motions<dim>);
+  for (std::size_t i = 0; i < row.size(); ++i)
+    for (int j = 0; j < n_rigid_motions<dim>; ++j)
+      result.push_back(coarse_unknown<dim>(row.number(i), j));
+  return result;
+}
+
+/// Values of one line of a row of blocks, in the order of coarse_unknowns().
+template <int dim>
+std::vector<double> values_of_line(const NodeRow<dim>& row, const Eigen::Index line) {
+  std::vector<double> result;
+  result.reserve(row.size() * n_rigid_motions<dim>);
+  for (std::size_t i = 0; i < row.size(); ++i)
+    result.insert(result.end(), row.block(i).row(line).begin(), row.block(i).row(line).end());
+  return result;
+}
+
 /// @param range of this rank's coarse unknowns
 template <int dim>
 std::unique_ptr<Matrix> matrix_of(const std::vector<NodeRow<dim>>& rows,
@@ -204,7 +225,7 @@ std::unique_ptr<Matrix> matrix_of(const std::vector<NodeRow<dim>>& rows,
   auto result = std::make_unique<Matrix>(unknowns, range, communicator, lengths);
   const auto first = unknowns.n_elements() == 0 ? 0 : unknowns.nth_index_in_set(0);
   for (std::size_t node = 0; node < rows.size(); ++node) {
-    const auto columns = coarse_unknowns<dim>(rows[node]);
+    const auto columns = coarse_unknowns(rows[node]);
     for (unsigned int component = 0; component < dim; ++component) {
       const auto unknown =
           first + static_cast<dealii::types::global_dof_index>(node) * dim + component;
