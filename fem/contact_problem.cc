@@ -15,6 +15,7 @@
 #include "fem/active_set_iteration.h"
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
+#include "fem/distribution.h"
 #include "fem/error_estimate.h"
 #include "fem/hanging_vertices.h"
 #include "fem/problem_check.h"
@@ -360,12 +361,13 @@ class NestedIteration {
     return ids;
   }
 
-  void refine_flagged(const Vector& displacement) {
+  void refine_flagged(Vector displacement) {
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
-    dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
     put_back(triangulation, moved_vertices_);
     triangulation.prepare_coarsening_and_refinement();
+    distribute_for_refinement(triangulation, dof_handler, displacement);
+    dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
     transfer.prepare_for_coarsening_and_refinement(displacement);
     triangulation.execute_coarsening_and_refinement();
     dof_handler.distribute_dofs(*solution_.element);

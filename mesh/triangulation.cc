@@ -161,7 +161,8 @@ std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> make_triangul
     for (unsigned int component = 0; component < dim; ++component)
       vertices[i][component] = mesh.vertices[i][component] / length;
   auto triangulation = std::make_unique<dealii::parallel::distributed::Triangulation<dim>>(
-      communicator, dealii::Triangulation<dim>::limit_level_difference_at_vertices);
+      communicator, dealii::Triangulation<dim>::limit_level_difference_at_vertices,
+      dealii::parallel::distributed::Triangulation<dim>::no_automatic_repartitioning);
   for (unsigned int i = 0; i < mesh.circles.size(); ++i)
     triangulation->set_manifold(i + 1, *manifold<dim>(mesh.circles[i], length));
   triangulation->create_triangulation(vertices, cell_data(mesh), boundary_data(mesh));
