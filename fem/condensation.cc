@@ -1,7 +1,7 @@
 #include "fem/condensation.h"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace geneva::fem {
 
@@ -10,18 +10,40 @@ namespace {
 using dealii::types::global_dof_index;
 using Constraints = dealii::AffineConstraints<double>;
 
-/// The unknowns that a cell's unknowns depend on, with their places in the condensed system.
-std::map<global_dof_index, unsigned int> free_unknowns(const std::vector<global_dof_index>& dofs,
-                                                       const Constraints& constraints) {
-  std::map<global_dof_index, unsigned int> places;
-  for (const global_dof_index dof : dofs)
-    if (const auto* entries = constraints.get_constraint_entries(dof))
-      for (const auto& [other, weight] : *entries) places.emplace(other, 0);
+/// Shares that an unknown has in free ones, by their places in the condensed system.
+using Shares = std::vector<std::pair<unsigned int, double>>;
+
+/// C by its rows.
+std::vector<Shares> dependence(const std::vector<global_dof_index>& dofs,
+                               const std::vector<global_dof_index>& free,
+                               const Constraints& constraints) {
+  const auto place_of = [&](const global_dof_index dof) {
+    return static_cast<unsigned int>(std::lower_bound(free.begin(), free.end(), dof) -
+                                     free.begin());
+  };
+  std::vector<Shares> result(dofs.size());
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    if (const auto* entries = constraints.get_constraint_entries(dofs[i]))
+      for (const auto& [dof, weight] : *entries) result[i].emplace_back(place_of(dof), weight);
     else
-      places.emplace(dof, 0);
-  unsigned int place = 0;
-  for (auto& entry : places) entry.second = place++;
-  return places;
+      result[i].emplace_back(place_of(dofs[i]), 1.);
+  return result;
+}
+
+/// C^T K C
+dealii::FullMatrix<double> triple_product(const dealii::FullMatrix<double>& stiffness,
+                                          const std::vector<Shares>& dependence,
+                                          const unsigned int n_free) {
+  dealii::FullMatrix<double> left(n_free, stiffness.n());  // C^T K
+  for (unsigned int i = 0; i < stiffness.m(); ++i)
+    for (const auto& [place, weight] : dependence[i])
+      for (unsigned int j = 0; j < stiffness.n(); ++j) left(place, j) += weight * stiffness(i, j);
+  dealii::FullMatrix<double> result(n_free);
+  for (unsigned int place = 0; place < n_free; ++place)
+    for (unsigned int j = 0; j < stiffness.n(); ++j)
+      for (const auto& [other, weight] : dependence[j])
+        result(place, other) += left(place, j) * weight;
+  return result;
 }
 
 /// Whether the constraint of an unknown is the same in both; it is constrained in the first.
@@ -33,26 +55,33 @@ bool is_same(const Constraints::ConstraintLine& line, const Constraints& other) 
 
 }  // namespace
 
+std::vector<global_dof_index> free_unknowns(const std::vector<global_dof_index>& unknowns,
+                                            const Constraints& constraints) {
+  std::vector<global_dof_index> free;
+  for (const global_dof_index unknown : unknowns)
+    if (const auto* entries = constraints.get_constraint_entries(unknown))
+      for (const auto& entry : *entries) free.push_back(entry.first);
+    else
+      free.push_back(unknown);
+  std::sort(free.begin(), free.end());
+  free.erase(std::unique(free.begin(), free.end()), free.end());
+  return free;
+}
+
 CellSystem condensed(const CellSystem& cell, const Constraints& constraints) {
-  const auto places = free_unknowns(cell.dofs, constraints);
-  const auto n_dofs = static_cast<unsigned int>(cell.dofs.size());
-  const auto n_free = static_cast<unsigned int>(places.size());
-  dealii::FullMatrix<double> dependence(n_dofs, n_free);  // C
-  dealii::Vector<double> prescribed(n_dofs);              // g
-  for (unsigned int i = 0; i < n_dofs; ++i)
-    if (const auto* entries = constraints.get_constraint_entries(cell.dofs[i])) {
-      for (const auto& [dof, weight] : *entries) dependence(i, places.at(dof)) += weight;
-      prescribed[i] = constraints.get_inhomogeneity(cell.dofs[i]);
-    } else {
-      dependence(i, places.at(cell.dofs[i])) = 1.;
-    }
-  CellSystem result{dealii::FullMatrix<double>(n_free), dealii::Vector<double>(n_free), {}};
-  for (const auto& [dof, place] : places) result.dofs.push_back(dof);
-  result.stiffness.triple_product(cell.stiffness, dependence, dependence, true, false);
-  dealii::Vector<double> load(n_dofs);
+  const auto free = free_unknowns(cell.dofs, constraints);
+  const std::vector<Shares> shares = dependence(cell.dofs, free, constraints);
+  dealii::Vector<double> prescribed(cell.load.size());  // g
+  for (unsigned int i = 0; i < prescribed.size(); ++i)
+    prescribed[i] = constraints.get_inhomogeneity(cell.dofs[i]);
+  dealii::Vector<double> load(cell.load.size());  // f - K g
   cell.stiffness.vmult(load, prescribed);
   load.sadd(-1., cell.load);
-  dependence.Tvmult(result.load, load);
+  const auto n_free = static_cast<unsigned int>(free.size());
+  CellSystem result{triple_product(cell.stiffness, shares, n_free), dealii::Vector<double>(n_free),
+                    free};
+  for (unsigned int i = 0; i < load.size(); ++i)
+    for (const auto& [place, weight] : shares[i]) result.load[place] += weight * load[i];
   return result;
 }
 

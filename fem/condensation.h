@@ -3,10 +3,17 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <set>
+#include <vector>
 
 #include "fem/elasticity.h"
 
 namespace geneva::fem {
+
+/// The unknowns that some unknowns depend on by constraints, or themselves, ascending.
+/// @param constraints closed
+std::vector<dealii::types::global_dof_index> free_unknowns(
+    const std::vector<dealii::types::global_dof_index>& unknowns,
+    const dealii::AffineConstraints<double>& constraints);
 
 /// A cell's system in the unknowns that constraints u = C v + g leave free: (C^T K C) v =
 /// C^T (f - K g) (Shephard 1984, Linear multipoint constraints applied via transformation as part

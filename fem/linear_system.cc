@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "fem/assembly.h"
 #include "fem/condensation.h"
 
 namespace geneva::fem {
@@ -14,17 +15,6 @@ namespace {
 
 using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
-void assemble(const dealii::AffineConstraints<double>& constraints,
-              const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces,
-              Matrix& matrix, Vector& load) {
-  for (const CellSystem& cell : cells)
-    constraints.distribute_local_to_global(cell.stiffness, cell.load, cell.dofs, matrix, load);
-  for (const NodalForce& force : nodal_forces)
-    if (load.locally_owned_elements().is_element(force.dof)) load(force.dof) += force.value;
-  matrix.compress(dealii::VectorOperation::add);
-  load.compress(dealii::VectorOperation::add);
-}
 
 /// What the cells at some unknowns contribute to the system with one set of constraints less what
 /// they contribute with another.
@@ -98,14 +88,12 @@ LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
       communicator_(dof_handler.get_communicator()),
       first_constraints_(constraints),
       constraints_(constraints) {
-  dealii::TrilinosWrappers::SparsityPattern pattern(owned_, owned_, ghosts_, communicator_, 20);
-  dealii::DoFTools::make_sparsity_pattern(dof_handler, pattern, constraints, false,
-                                          dealii::Utilities::MPI::this_mpi_process(communicator_));
-  pattern.compress();
-  matrix_.reinit(pattern);
   load_.reinit(owned_, ghosts_, communicator_, true);
   zero_with_ghosts_.reinit(owned_, ghosts_, communicator_);
-  assemble(constraints, cells, nodal_forces, matrix_, load_);
+  assemble<dim>(cells, constraints, owned_, communicator_, matrix_, load_);
+  for (const NodalForce& force : nodal_forces)
+    if (owned_.is_element(force.dof)) load_(force.dof) += force.value;
+  load_.compress(dealii::VectorOperation::add);
   first_load_ = load_;
 }
 

@@ -3,17 +3,11 @@
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Map.h>
 
-#include <map>
 #include <memory>
-#include <vector>
 
-#include "fem/multigrid/block_row.h"
+#include "fem/multigrid/block_rows.h"
 
 namespace geneva::fem {
-
-/// Rows of a matrix by coarse nodes.
-template <typename Block>
-using BlockRows = std::map<int, BlockRow<Block>>;
 
 /// The matrix that is the sum of what the ranks have of its rows.
 /// @param rows by coarse nodes of any rank; those of others are sent to them

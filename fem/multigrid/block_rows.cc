@@ -1,0 +1,93 @@
+#include "fem/multigrid/block_rows.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace geneva::fem {
+
+namespace {
+
+/// A row as numbers: its node, the number of its blocks, and each with its node.
+template <typename Block>
+void pack(const int number, const BlockRow<Block>& row, std::vector<double>& packed) {
+  packed.push_back(number);
+  packed.push_back(static_cast<double>(row.size()));
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    packed.push_back(row.number(i));
+    packed.insert(packed.end(), row.block(i).data(),
+                  row.block(i).data() + Block::SizeAtCompileTime);
+  }
+}
+
+template <typename Block>
+void add_packed(const std::vector<double>& packed, BlockRows<Block>& rows) {
+  for (const double* next = packed.data(); next != packed.data() + packed.size();) {
+    auto& row = rows[static_cast<int>(*next++)];
+    const auto size = static_cast<std::size_t>(*next++);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto column = static_cast<int>(*next++);
+      row.at(column) += Eigen::Map<const Block>(next);
+      next += Block::SizeAtCompileTime;
+    }
+  }
+}
+
+}  // namespace
+
+OwnNodes::OwnNodes(const Epetra_Map& unknowns, const int of_each)
+    : first(unknowns.NumMyElements() == 0 ? 0 : unknowns.MinMyGID() / of_each),
+      end(first + unknowns.NumMyElements() / of_each) {}
+
+ColumnNodes::ColumnNodes(const OwnNodes& own, std::vector<int> others)
+    : own_(own), others_(std::move(others)) {
+  std::sort(others_.begin(), others_.end());
+  others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
+}
+
+int ColumnNodes::place_of(const int node) const {
+  if (own_.have(node)) return node - own_.first;
+  const auto found = std::lower_bound(others_.begin(), others_.end(), node);
+  return own_.end - own_.first + static_cast<int>(found - others_.begin());
+}
+
+Epetra_Map ColumnNodes::unknowns(const int of_each, const Epetra_Comm& communicator) const {
+  std::vector<int> numbers;
+  numbers.reserve((own_.size() + others_.size()) * static_cast<std::size_t>(of_each));
+  const auto add = [&](const int node) {
+    for (int i = 0; i < of_each; ++i) numbers.push_back(node * of_each + i);
+  };
+  for (int node = own_.first; node < own_.end; ++node) add(node);
+  for (const int node : others_) add(node);
+  return {-1, static_cast<int>(numbers.size()), numbers.data(), 0, communicator};
+}
+
+template <typename Block>
+void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Map& unknowns,
+                    const MPI_Comm communicator) {
+  std::vector<int> of_others;
+  for (const auto& row : rows)
+    if (!own.have(row.first)) of_others.push_back(row.first * Block::ColsAtCompileTime);
+  std::vector<int> owners(of_others.size());
+  std::vector<int> places(of_others.size());
+  unknowns.RemoteIDList(static_cast<int>(of_others.size()), of_others.data(), owners.data(),
+                        places.data());
+  std::map<unsigned int, std::vector<double>> sent;
+  for (std::size_t i = 0; i < of_others.size(); ++i) {
+    const auto row = rows.find(of_others[i] / Block::ColsAtCompileTime);
+    pack(row->first, row->second, sent[static_cast<unsigned int>(owners[i])]);
+    rows.erase(row);
+  }
+  for (const auto& [rank, packed] : dealii::Utilities::MPI::some_to_some(communicator, sent))
+    add_packed(packed, rows);
+}
+
+template void send_to_owners(BlockRows<Eigen::Matrix2d>&, const OwnNodes&, const Epetra_Map&,
+                             MPI_Comm);
+template void send_to_owners(BlockRows<Eigen::Matrix3d>&, const OwnNodes&, const Epetra_Map&,
+                             MPI_Comm);
+template void send_to_owners(BlockRows<Eigen::Matrix<double, 6, 6>>&, const OwnNodes&,
+                             const Epetra_Map&, MPI_Comm);
+
+}  // namespace geneva::fem

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Epetra_Map.h>
+#include <mpi.h>
+
+#include <map>
+#include <vector>
+
+#include "fem/multigrid/block_row.h"
+
+namespace geneva::fem {
+
+/// Rows of a matrix by their nodes, of this mesh or of a coarser one.
+template <typename Block>
+using BlockRows = std::map<int, BlockRow<Block>>;
+
+/// The nodes of this rank: those from first on, before end.
+struct OwnNodes {
+  /// @param unknowns of this rank, those of a node after each other
+  OwnNodes(const Epetra_Map& unknowns, int of_each);
+
+  [[nodiscard]] bool have(const int node) const { return node >= first && node < end; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - first); }
+
+  int first;
+  int end;
+};
+
+/// Places of the nodes that a rank's part of a matrix has in its columns: its own ones, then
+/// others.
+class ColumnNodes {
+ public:
+  /// @param others in any order, also several times
+  ColumnNodes(const OwnNodes& own, std::vector<int> others);
+
+  [[nodiscard]] int place_of(int node) const;
+  /// The unknowns of these nodes, in the order of their places.
+  [[nodiscard]] Epetra_Map unknowns(int of_each, const Epetra_Comm& communicator) const;
+
+ private:
+  OwnNodes own_;
+  std::vector<int> others_;
+};
+
+/// Sends the rows of other ranks' nodes to these and adds what they send.
+/// @param unknowns of the nodes
+template <typename Block>
+void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Map& unknowns,
+                    MPI_Comm communicator);
+
+}  // namespace geneva::fem

@@ -1,0 +1,165 @@
+#include "fem/assembly.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/boundary.h"
+#include "fem/constraints.h"
+#include "mesh/extrusion.h"
+#include "tests/unit/fem/discretisation.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using geneva::test::equal_steps;
+using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+struct System {
+  Matrix matrix;
+  Vector load;
+};
+
+/// A block with hanging nodes, held at its bottom, whose top is pulled and tied to its side.
+class TiedBlock {
+ public:
+  TiedBlock() {
+    refine_in_part();
+    dealii::DoFTools::extract_locally_relevant_dofs(*grid_.dof_handler, ghosts_);
+    const Boundary<3> boundary = gather_boundary(*grid_.dof_handler, mesh_.circles, 1.);
+    for (const BoundaryNode<3>& node : boundary.nodes)
+      ghosts_.add_indices(node.dofs.begin(), node.dofs.end());
+    auto lines = hanging_lines(*grid_.dof_handler, boundary);
+    const auto supports = support_lines<3>(boundary, {{"bottom", {0., 0.1, 0.}}}, mesh_.surfaces);
+    lines.insert(lines.end(), supports.begin(), supports.end());
+    const auto ties = tie_lines<3>(boundary, {"top", {0.6, 0.8, 0.}, 0.}, mesh_.surfaces);
+    lines.insert(lines.end(), ties.lines.begin(), ties.lines.end());
+    constraints_ = make_constraints(*grid_.dof_handler, ghosts_, lines);
+    Problem<3> problem;
+    problem.bodies.push_back({"block", {2., 0.3}, {}});
+    problem.loads.push_back({"side", 0., {0.1, 0.2, 0.3}});
+    cells_ = cell_systems(*grid_.dof_handler, problem, mesh_.surfaces);
+  }
+
+  [[nodiscard]] System assembled() const {
+    System system;
+    system.load = zero();
+    assemble<3>(cells_, constraints_, owned(), MPI_COMM_WORLD, system.matrix, system.load);
+    system.load.compress(dealii::VectorOperation::add);
+    return system;
+  }
+
+  /// As the library assembles it, entry by entry.
+  [[nodiscard]] System expected() const {
+    System system;
+    dealii::TrilinosWrappers::SparsityPattern pattern(owned(), owned(), ghosts_, MPI_COMM_WORLD);
+    dealii::DoFTools::make_sparsity_pattern(*grid_.dof_handler, pattern, constraints_, false);
+    pattern.compress();
+    system.matrix.reinit(pattern);
+    system.load = zero();
+    for (const CellSystem& cell : cells_)
+      constraints_.distribute_local_to_global(cell.stiffness, cell.load, cell.dofs, system.matrix,
+                                              system.load);
+    system.matrix.compress(dealii::VectorOperation::add);
+    system.load.compress(dealii::VectorOperation::add);
+    return system;
+  }
+
+  /// Values that look random at free unknowns, zero at others.
+  [[nodiscard]] Vector some_vector(const double seed) const {
+    Vector result(owned(), MPI_COMM_WORLD);
+    for (const auto i : owned())
+      if (!constraints_.is_constrained(i))
+        result(i) = std::sin(seed * (1. + static_cast<double>(i)));
+    result.compress(dealii::VectorOperation::insert);
+    return result;
+  }
+
+  [[nodiscard]] const dealii::IndexSet& owned() const {
+    return grid_.dof_handler->locally_owned_dofs();
+  }
+  [[nodiscard]] const dealii::AffineConstraints<double>& constraints() const {
+    return constraints_;
+  }
+
+ private:
+  static mesh::MeshData<3> block() {
+    mesh::MeshData<2> plane = geneva::test::empty_mesh();
+    geneva::test::add_rectangle(plane, "block", equal_steps(0., 5., 5), equal_steps(0., 4., 4),
+                                {"bottom", "side", "top", ""});
+    return extruded(plane, {{equal_steps(0., 6., 3), "", ""}});
+  }
+
+  void refine_in_part() {
+    for (const auto& cell : grid_.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center()[0] + cell->center()[2] < 4.)
+        cell->set_refine_flag();
+    grid_.triangulation->execute_coarsening_and_refinement();
+    grid_.dof_handler->distribute_dofs(grid_.element);
+  }
+
+  [[nodiscard]] Vector zero() const {
+    Vector vector;
+    vector.reinit(owned(), ghosts_, MPI_COMM_WORLD, true);
+    return vector;
+  }
+
+  mesh::MeshData<3> mesh_ = block();
+  Discretisation<3> grid_{mesh_};
+  dealii::IndexSet ghosts_;
+  dealii::AffineConstraints<double> constraints_;
+  std::vector<CellSystem> cells_;
+};
+
+TEST(Assembly, IsTheLibrarysAtFreeUnknowns) {
+  const TiedBlock block;
+  const System expected = block.expected();
+  const System assembled = block.assembled();
+  Vector product(block.owned(), MPI_COMM_WORLD);
+  Vector difference(product);
+  for (const double seed : {1., 2., 3.}) {
+    const Vector vector = block.some_vector(seed);
+    assembled.matrix.vmult(product, vector);
+    expected.matrix.vmult(difference, vector);
+    difference -= product;
+    EXPECT_LT(difference.linfty_norm(), 1e-13 * product.linfty_norm());
+  }
+}
+
+TEST(Assembly, LoadsFreeUnknownsAsTheLibraryDoes) {
+  const TiedBlock block;
+  Vector load(block.owned(), MPI_COMM_WORLD);
+  load = block.assembled().load;
+  Vector expected(load);
+  expected = block.expected().load;
+  expected -= load;
+  EXPECT_GT(load.linfty_norm(), 0.);
+  EXPECT_LT(expected.linfty_norm(), 1e-13 * load.linfty_norm());
+}
+
+TEST(Assembly, LeavesConstrainedUnknownsAloneWithAStiffness) {
+  const TiedBlock block;
+  const System assembled = block.assembled();
+  const Epetra_CrsMatrix& matrix = assembled.matrix.trilinos_matrix();
+  std::size_t n_constrained = 0;
+  for (const auto unknown : block.owned()) {
+    if (!block.constraints().is_constrained(unknown)) continue;
+    ++n_constrained;
+    int count = 0;
+    double* values = nullptr;
+    int* columns = nullptr;
+    matrix.ExtractMyRowView(matrix.LRID(static_cast<int>(unknown)), count, values, columns);
+    for (int i = 0; i < count; ++i)
+      if (matrix.GCID(columns[i]) == static_cast<int>(unknown))
+        EXPECT_GT(values[i], 0.1);
+      else
+        EXPECT_EQ(values[i], 0.);
+  }
+  EXPECT_GT(dealii::Utilities::MPI::sum(n_constrained, MPI_COMM_WORLD), 100U);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
