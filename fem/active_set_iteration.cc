@@ -104,7 +104,7 @@ class SystemOfSets {
   /// Whether the sets change by so much still that reducing local errors is enough.
   [[nodiscard]] bool is_smoothing() const { return is_smoothing_; }
 
-  [[nodiscard]] const LinearSystem& now() const { return *system_; }
+  [[nodiscard]] const LinearSystem<dim>& now() const { return *system_; }
 
   /// Time of the last assembly, with its multigrid.
   [[nodiscard]] double assembly_seconds() const { return assembly_seconds_; }
@@ -120,8 +120,8 @@ class SystemOfSets {
   void assemble(const Level<dim>& level, const dealii::AffineConstraints<double>& constraints) {
     const dealii::Timer timer;
     system_.reset();  // two at a time would need twice the memory
-    system_ = std::make_unique<LinearSystem>(dof_handler_, level.ghosts, constraints, level.cells,
-                                             level.tie_forces);
+    system_ = std::make_unique<LinearSystem<dim>>(dof_handler_, level.ghosts, constraints,
+                                                  level.cells, level.tie_forces);
     has_multigrid_ = false;
     assembly_seconds_ = timer.wall_time();
   }
@@ -134,7 +134,7 @@ class SystemOfSets {
   }
 
   const dealii::DoFHandler<dim>& dof_handler_;
-  std::unique_ptr<LinearSystem> system_;
+  std::unique_ptr<LinearSystem<dim>> system_;
   Sets assembled_sets_;
   Sets last_sets_;
   unsigned int n_smoothing_steps_ = 0;

@@ -1,12 +1,8 @@
 #include "fem/assembly.h"
 
-#include <Epetra_CrsGraph.h>
-#include <Epetra_CrsMatrix.h>
-
-#include <Eigen/Core>
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <utility>
 
 #include "fem/condensation.h"
 #include "fem/multigrid/block_rows.h"
@@ -17,7 +13,6 @@ namespace {
 
 using Constraints = dealii::AffineConstraints<double>;
 using Dof = dealii::types::global_dof_index;
-using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// The cells' systems in the free unknowns, condensed each time they are visited (together they
@@ -112,8 +107,9 @@ void add_rows_of_others(const CellSystem& system, const OwnNodes& own, Rows<dim>
 
 /// What the systems of other ranks add to rows of this one, for what its own add to theirs.
 template <int dim>
-Rows<dim> received_rows(const CondensedSystems& systems, const OwnNodes& own, const Epetra_Map& map,
+Rows<dim> received_rows(const CondensedSystems& systems, const Epetra_Map& map,
                         const MPI_Comm communicator) {
+  const OwnNodes own(map, dim);
   const auto has_others = [&](const std::vector<Dof>& unknowns) {
     return std::any_of(unknowns.begin(), unknowns.end(), [&](const Dof unknown) {
       return !own.have(static_cast<int>(unknown) / dim);
@@ -126,160 +122,74 @@ Rows<dim> received_rows(const CondensedSystems& systems, const OwnNodes& own, co
   return rows;
 }
 
-/// Nodes in the columns of each own node's rows, by their places.
-struct Pattern {
-  std::vector<std::vector<int>> places;
-  ColumnNodes columns;
-};
-
 void add_once(std::vector<int>& list, const int number) {
   if (std::find(list.begin(), list.end(), number) == list.end()) list.push_back(number);
 }
 
+/// Of the systems and of what was received; each node is coupled to itself at least.
 template <int dim>
-Pattern pattern_of(const CondensedSystems& systems, const Rows<dim>& received,
-                   const OwnNodes& own) {
+NodePattern pattern_of(const CondensedSystems& systems, const Rows<dim>& received,
+                       const Epetra_Map& map) {
   constexpr std::size_t usual_neighbours = dim == 2 ? 9 : 27;
-  std::vector<std::vector<int>> lists(own.size());
-  for (auto& list : lists) list.reserve(usual_neighbours);
+  const OwnNodes own(map, dim);
+  std::vector<std::vector<int>> coupled;
+  for (int node = own.first; node < own.end; ++node) coupled.push_back({node});
   const auto list_of = [&](const int node) -> std::vector<int>& {
-    return lists[static_cast<std::size_t>(node - own.first)];
+    return coupled[static_cast<std::size_t>(node - own.first)];
   };
   systems.visit_unknowns([&](const std::vector<Dof>& unknowns) {
     const SystemNodes nodes = nodes_of<dim>(unknowns);
-    for (const int row : nodes.numbers)
-      if (own.have(row))
-        for (const int column : nodes.numbers) add_once(list_of(row), column);
+    for (const int row : nodes.numbers) {
+      if (!own.have(row)) continue;
+      list_of(row).reserve(usual_neighbours);
+      for (const int column : nodes.numbers) add_once(list_of(row), column);
+    }
   });
   for (const auto& [node, row] : received)
     for (std::size_t i = 0; i < row.size(); ++i) add_once(list_of(node), row.number(i));
-  std::vector<int> others;
-  for (const auto& list : lists)
-    std::copy_if(list.begin(), list.end(), std::back_inserter(others),
-                 [&](const int node) { return !own.have(node); });
-  Pattern pattern{std::move(lists), {own, std::move(others)}};
-  for (auto& list : pattern.places) {
-    for (int& number : list) number = pattern.columns.place_of(number);
-    std::sort(list.begin(), list.end());
-  }
-  return pattern;
+  return {map, dim, std::move(coupled)};
 }
 
+/// Adds a system to the rows of this rank's nodes.
 template <int dim>
-Epetra_CrsGraph graph_of(const Pattern& pattern, const Epetra_Map& rows) {
-  std::vector<int> lengths;
-  lengths.reserve(dim * pattern.places.size());
-  for (const auto& places : pattern.places)
-    lengths.insert(lengths.end(), dim, dim * static_cast<int>(places.size()));
-  Epetra_CrsGraph graph(Copy, rows, pattern.columns.unknowns(dim, rows.Comm()), lengths.data(),
-                        true);
-  std::vector<int> columns;
-  int line = 0;
-  for (const auto& places : pattern.places) {
-    columns.clear();
-    for (const int place : places)
-      for (int component = 0; component < dim; ++component)
-        columns.push_back(dim * place + component);
-    for (int component = 0; component < dim; ++component)
-      graph.InsertMyIndices(line++, static_cast<int>(columns.size()), columns.data());
-  }
-  graph.FillComplete(rows, rows);
-  graph.OptimizeStorage();
-  return graph;
-}
-
-/// A matrix of a pattern that values are added to.
-template <int dim>
-class NodeMatrix {
- public:
-  NodeMatrix(const Epetra_CrsMatrix& matrix, const Pattern& pattern, const OwnNodes& own)
-      : matrix_(matrix), pattern_(pattern), own_(own) {}
-
-  void add(const CellSystem& system) const {
-    const SystemNodes nodes = nodes_of<dim>(system.dofs);
-    std::vector<int> places;
-    for (const int node : nodes.numbers) places.push_back(pattern_.columns.place_of(node));
-    std::vector<std::size_t> positions(places.size());
-    for (std::size_t a = 0; a < places.size(); ++a) {
-      if (!own_.have(nodes.numbers[a])) continue;
-      for (std::size_t b = 0; b < places.size(); ++b)
-        positions[b] = position(nodes.numbers[a], places[b]);
+void add(const CellSystem& system, NodeMatrix<dim>& matrix) {
+  const NodePattern& pattern = matrix.pattern();
+  const SystemNodes nodes = nodes_of<dim>(system.dofs);
+  std::vector<int> places;
+  for (const int node : nodes.numbers) places.push_back(pattern.place_of(node));
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    if (!pattern.own().have(nodes.numbers[a])) continue;
+    for (std::size_t b = 0; b < places.size(); ++b) {
+      auto& block = matrix.block(pattern.block(static_cast<std::size_t>(places[a]), places[b]));
       for (unsigned int i = nodes.first_unknowns[a]; i < nodes.first_unknowns[a + 1]; ++i)
-        add_line(system, i, nodes.first_unknowns, positions,
-                 values_of(nodes.numbers[a], system.dofs[i] % dim));
+        for (unsigned int j = nodes.first_unknowns[b]; j < nodes.first_unknowns[b + 1]; ++j)
+          block(system.dofs[i] % dim, system.dofs[j] % dim) += system.stiffness(i, j);
     }
   }
-
-  void add(const Rows<dim>& rows) const {
-    for (const auto& [node, row] : rows)
-      for (std::size_t i = 0; i < row.size(); ++i) {
-        const std::size_t at = position(node, pattern_.columns.place_of(row.number(i)));
-        for (unsigned int component = 0; component < dim; ++component)
-          Eigen::Map<Eigen::Matrix<double, 1, dim>>(values_of(node, component) + at) +=
-              row.block(i).row(component);
-      }
-  }
-
- private:
-  /// @param positions of the blocks of the system's nodes in the values
-  static void add_line(const CellSystem& system, const unsigned int line,
-                       const std::vector<unsigned int>& first_unknowns,
-                       const std::vector<std::size_t>& positions, double* const values) {
-    for (std::size_t b = 0; b < positions.size(); ++b)
-      for (unsigned int j = first_unknowns[b]; j < first_unknowns[b + 1]; ++j)
-        values[positions[b] + system.dofs[j] % dim] += system.stiffness(line, j);
-  }
-
-  /// Of a node's block in the lines of an own node.
-  [[nodiscard]] std::size_t position(const int node, const int place) const {
-    const auto& places = pattern_.places[static_cast<std::size_t>(node - own_.first)];
-    return dim * static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), place) -
-                                          places.begin());
-  }
-
-  [[nodiscard]] double* values_of(const int node, const unsigned int component) const {
-    int count = 0;
-    double* values = nullptr;
-    int* columns = nullptr;
-    matrix_.ExtractMyRowView((node - own_.first) * dim + static_cast<int>(component), count, values,
-                             columns);
-    return values;
-  }
-
-  const Epetra_CrsMatrix& matrix_;
-  const Pattern& pattern_;
-  OwnNodes own_;
-};
-
-template <int dim>
-void add(const CondensedSystems& systems, const NodeMatrix<dim>& sum, Vector& load) {
-  systems.visit([](const auto&) { return true; },
-                [&](const CellSystem& system) {
-                  sum.add(system);
-                  if (!system.load.all_zero()) load.add(system.dofs, system.load);
-                });
 }
 
 }  // namespace
 
 template <int dim>
-void assemble(const std::vector<CellSystem>& cells, const Constraints& constraints,
-              const dealii::IndexSet& unknowns, const MPI_Comm communicator, Matrix& matrix,
-              Vector& load) {
+NodeMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints& constraints,
+                         const dealii::IndexSet& unknowns, const MPI_Comm communicator,
+                         Vector& load) {
   const Epetra_Map map = unknowns.make_trilinos_map(communicator, false);
-  const OwnNodes own(map, dim);
   const CondensedSystems systems(cells, constraints);
-  const Rows<dim> received = received_rows<dim>(systems, own, map, communicator);
-  const Pattern pattern = pattern_of<dim>(systems, received, own);
-  matrix.reinit(Epetra_CrsMatrix(View, graph_of<dim>(pattern, map)), false);
-  const NodeMatrix<dim> sum(matrix.trilinos_matrix(), pattern, own);
-  add(systems, sum, load);
-  sum.add(received);
+  const Rows<dim> received = received_rows<dim>(systems, map, communicator);
+  NodeMatrix<dim> matrix(pattern_of<dim>(systems, received, map));
+  systems.visit([](const auto&) { return true; },
+                [&](const CellSystem& system) {
+                  add(system, matrix);
+                  if (!system.load.all_zero()) load.add(system.dofs, system.load);
+                });
+  matrix.add(received);
+  return matrix;
 }
 
-template void assemble<2>(const std::vector<CellSystem>&, const Constraints&,
-                          const dealii::IndexSet&, MPI_Comm, Matrix&, Vector&);
-template void assemble<3>(const std::vector<CellSystem>&, const Constraints&,
-                          const dealii::IndexSet&, MPI_Comm, Matrix&, Vector&);
+template NodeMatrix<2> assemble(const std::vector<CellSystem>&, const Constraints&,
+                                const dealii::IndexSet&, MPI_Comm, Vector&);
+template NodeMatrix<3> assemble(const std::vector<CellSystem>&, const Constraints&,
+                                const dealii::IndexSet&, MPI_Comm, Vector&);
 
 }  // namespace geneva::fem

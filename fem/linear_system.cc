@@ -1,10 +1,9 @@
 #include "fem/linear_system.h"
 
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <algorithm>
+#include <set>
 
 #include "fem/assembly.h"
 #include "fem/condensation.h"
@@ -13,7 +12,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// What the cells at some unknowns contribute to the system with one set of constraints less what
@@ -36,26 +34,43 @@ std::vector<CellSystem> differences(const std::vector<CellSystem>& cells,
 }
 
 /// A matrix that is the sum of the one of the first constraints and a correction.
+template <int dim>
 class CorrectedMatrix {
  public:
-  CorrectedMatrix(const Matrix& matrix, const Matrix* correction)
+  CorrectedMatrix(const NodeMatrix<dim>& matrix, const std::optional<NodeMatrix<dim>>& correction)
       : matrix_(matrix), correction_(correction) {}
 
   void vmult(Vector& result, const Vector& vector) const {
     matrix_.vmult(result, vector);
-    if (correction_ != nullptr) correction_->vmult_add(result, vector);
+    if (correction_) correction_->vmult_add(result, vector);
   }
 
  private:
-  const Matrix& matrix_;
-  const Matrix* correction_;
+  const NodeMatrix<dim>& matrix_;
+  const std::optional<NodeMatrix<dim>>& correction_;
+};
+
+/// Division by the diagonal.
+class Jacobi {
+ public:
+  explicit Jacobi(std::vector<double> diagonal) : diagonal_(std::move(diagonal)) {}
+
+  void vmult(Vector& correction, const Vector& residual) const {
+    const double* const from = residual.trilinos_vector()[0];
+    double* const to = correction.trilinos_vector()[0];
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) to[i] = from[i] / diagonal_[i];
+  }
+
+ private:
+  std::vector<double> diagonal_;
 };
 
 /// A preconditioner whose corrections vanish where constraints give the values: made for a system
 /// with other constraints, it would correct unknowns that are none now.
+template <typename Preconditioner>
 class OnFreeUnknowns {
  public:
-  OnFreeUnknowns(const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
+  OnFreeUnknowns(const Preconditioner& preconditioner,
                  const dealii::AffineConstraints<double>& constraints,
                  const dealii::IndexSet& owned)
       : preconditioner_(preconditioner) {
@@ -71,80 +86,84 @@ class OnFreeUnknowns {
   }
 
  private:
-  const dealii::TrilinosWrappers::PreconditionBase& preconditioner_;
+  const Preconditioner& preconditioner_;
   std::vector<int> given_;  ///< among this rank's unknowns
 };
+
+/// Loads that this rank may write to.
+Vector writable(const dealii::IndexSet& owned, const dealii::IndexSet& ghosts,
+                const MPI_Comm communicator) {
+  Vector result;
+  result.reinit(owned, ghosts, communicator, true);
+  return result;
+}
 
 }  // namespace
 
 template <int dim>
-LinearSystem::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
-                           const dealii::IndexSet& ghosts,
-                           const dealii::AffineConstraints<double>& constraints,
-                           const std::vector<CellSystem>& cells,
-                           const std::vector<NodalForce>& nodal_forces)
+LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
+                                const dealii::IndexSet& ghosts,
+                                const dealii::AffineConstraints<double>& constraints,
+                                const std::vector<CellSystem>& cells,
+                                const std::vector<NodalForce>& nodal_forces)
     : owned_(dof_handler.locally_owned_dofs()),
       ghosts_(ghosts),
       communicator_(dof_handler.get_communicator()),
       first_constraints_(constraints),
-      constraints_(constraints) {
-  load_.reinit(owned_, ghosts_, communicator_, true);
-  zero_with_ghosts_.reinit(owned_, ghosts_, communicator_);
-  assemble<dim>(cells, constraints, owned_, communicator_, matrix_, load_);
+      constraints_(constraints),
+      load_(writable(owned_, ghosts_, communicator_)),
+      matrix_(assemble<dim>(cells, constraints, owned_, communicator_, load_)) {
   for (const NodalForce& force : nodal_forces)
     if (owned_.is_element(force.dof)) load_(force.dof) += force.value;
   load_.compress(dealii::VectorOperation::add);
   first_load_ = load_;
+  zero_with_ghosts_.reinit(owned_, ghosts_, communicator_);
 }
 
 template <int dim>
-void LinearSystem::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
-  multigrid_ = std::make_unique<Multigrid>(matrix_, dof_handler, first_constraints_);
+void LinearSystem<dim>::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
+  multigrid_ = std::make_unique<Multigrid<dim>>(matrix_, dof_handler, first_constraints_);
 }
 
-void LinearSystem::change(const dealii::AffineConstraints<double>& constraints,
-                          const std::vector<CellSystem>& cells) {
+template <int dim>
+void LinearSystem<dim>::change(const dealii::AffineConstraints<double>& constraints,
+                               const std::vector<CellSystem>& cells) {
   constraints_.copy_from(constraints);
-  const auto changed = changed_unknowns(first_constraints_, constraints_);
-  const auto changes = differences(cells, changed, first_constraints_, constraints_);
-  dealii::TrilinosWrappers::SparsityPattern pattern(owned_, owned_, ghosts_, communicator_, 1);
-  for (const CellSystem& cell : changes)
-    for (const auto row : cell.dofs) pattern.add_entries(row, cell.dofs.begin(), cell.dofs.end());
-  pattern.compress();
-  correction_ = std::make_unique<Matrix>();
-  correction_->reinit(pattern);
   load_ = first_load_;
-  for (const CellSystem& cell : changes) {
-    correction_->add(cell.dofs, cell.stiffness);
-    load_.add(cell.dofs, cell.load);
-  }
-  correct_diagonal(changed);
-  correction_->compress(dealii::VectorOperation::add);
+  dealii::AffineConstraints<double> none;
+  none.close();
+  correction_.emplace(assemble<dim>(changes_from_first(cells), none, owned_, communicator_, load_));
   load_.compress(dealii::VectorOperation::add);
 }
 
 /// A constrained unknown stands alone in the matrix, with a diagonal of its own: it goes where the
 /// unknown has become free, and comes where it was.
-void LinearSystem::correct_diagonal(const std::set<dealii::types::global_dof_index>& changed) {
+template <int dim>
+std::vector<CellSystem> LinearSystem<dim>::changes_from_first(
+    const std::vector<CellSystem>& cells) const {
+  const auto changed = changed_unknowns(first_constraints_, constraints_);
+  auto changes = differences(cells, changed, first_constraints_, constraints_);
+  const std::vector<double> diagonal = matrix_.diagonal();
   for (const auto dof : changed) {
     if (!owned_.is_element(dof)) continue;
     const bool was_free = !first_constraints_.is_constrained(dof);
-    const bool is_free = !constraints_.is_constrained(dof);
-    if (was_free != is_free)
-      correction_->add(dof, dof, (was_free ? 1. : -1.) * matrix_.el(dof, dof));
+    if (was_free != constraints_.is_constrained(dof)) continue;
+    changes.push_back({dealii::FullMatrix<double>(1), dealii::Vector<double>(1), {dof}});
+    changes.back().stiffness(0, 0) = (was_free ? 1. : -1.) * diagonal[owned_.index_within_set(dof)];
   }
+  return changes;
 }
 
-unsigned int LinearSystem::smooth(Vector& displacement) const {
+template <int dim>
+unsigned int LinearSystem<dim>::smooth(Vector& displacement) const {
   constexpr unsigned int n_iterations = 15;
-  dealii::TrilinosWrappers::PreconditionJacobi jacobi;
-  jacobi.initialize(matrix_);
   dealii::IterationNumberControl control(n_iterations, 0.);
-  return iterate(displacement, jacobi, control);
+  return iterate(displacement, Jacobi(matrix_.diagonal()), control);
 }
 
-unsigned int LinearSystem::solve(Vector& displacement, const double tolerance,
-                                 const double reduction) const {
+template <int dim>
+unsigned int LinearSystem<dim>::solve(Vector& displacement, const double tolerance,
+                                      const double reduction) const {
   constexpr unsigned int most_iterations = 1000;
   double goal = tolerance * load_.l2_norm();
   if (reduction > 0.) goal = std::max(goal, reduction * residual_norm(displacement));
@@ -152,33 +171,36 @@ unsigned int LinearSystem::solve(Vector& displacement, const double tolerance,
   return iterate(displacement, *multigrid_, control);
 }
 
-double LinearSystem::residual_norm(const Vector& displacement) const {
+template <int dim>
+double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
   Vector free(displacement);
   constraints_.set_zero(free);
   Vector load(displacement);
   load = load_;
   Vector residual(displacement);
-  CorrectedMatrix(matrix_, correction_.get()).vmult(residual, free);
+  CorrectedMatrix<dim>(matrix_, correction_).vmult(residual, free);
   residual -= load;
   return residual.l2_norm();
 }
 
-unsigned int LinearSystem::iterate(Vector& displacement,
-                                   const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
-                                   dealii::SolverControl& control) const {
+template <int dim>
+template <typename Preconditioner>
+unsigned int LinearSystem<dim>::iterate(Vector& displacement, const Preconditioner& preconditioner,
+                                        dealii::SolverControl& control) const {
   Vector load(displacement);
   load = load_;
   constraints_.set_zero(displacement);
   dealii::SolverCG<Vector> solver(control);
-  solver.solve(CorrectedMatrix(matrix_, correction_.get()), displacement, load,
-               OnFreeUnknowns(preconditioner, constraints_, owned_));
+  solver.solve(CorrectedMatrix<dim>(matrix_, correction_), displacement, load,
+               OnFreeUnknowns<Preconditioner>(preconditioner, constraints_, owned_));
   distribute(displacement);
   return control.last_step();
 }
 
 /// As AffineConstraints::distribute(), which searches for the unknowns that it needs of other ranks
 /// and makes a vector for them each time.
-void LinearSystem::distribute(Vector& displacement) const {
+template <int dim>
+void LinearSystem<dim>::distribute(Vector& displacement) const {
   Vector with_ghosts(zero_with_ghosts_);
   with_ghosts = displacement;
   double* const values = displacement.trilinos_vector()[0];
@@ -190,14 +212,7 @@ void LinearSystem::distribute(Vector& displacement) const {
   }
 }
 
-template LinearSystem::LinearSystem(const dealii::DoFHandler<2>&, const dealii::IndexSet&,
-                                    const dealii::AffineConstraints<double>&,
-                                    const std::vector<CellSystem>&, const std::vector<NodalForce>&);
-template LinearSystem::LinearSystem(const dealii::DoFHandler<3>&, const dealii::IndexSet&,
-                                    const dealii::AffineConstraints<double>&,
-                                    const std::vector<CellSystem>&, const std::vector<NodalForce>&);
-
-template void LinearSystem::set_up_multigrid(const dealii::DoFHandler<2>&);
-template void LinearSystem::set_up_multigrid(const dealii::DoFHandler<3>&);
+template class LinearSystem<2>;
+template class LinearSystem<3>;
 
 }  // namespace geneva::fem

@@ -4,16 +4,15 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
-#include <set>
+#include <optional>
 #include <vector>
 
 #include "fem/elasticity.h"
 #include "fem/multigrid/multigrid.h"
+#include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
 
@@ -25,12 +24,12 @@ struct NodalForce {
 
 /// Condensed stiffness system K u = f on one mesh with one set of constraints: symmetric and
 /// positive definite.
+template <int dim>
 class LinearSystem {
  public:
   /// Assembles the system.
   /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
   /// @param cells of this rank
-  template <int dim>
   LinearSystem(const dealii::DoFHandler<dim>& dof_handler, const dealii::IndexSet& ghosts,
                const dealii::AffineConstraints<double>& constraints,
                const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
@@ -42,7 +41,6 @@ class LinearSystem {
               const std::vector<CellSystem>& cells);
 
   /// Sets up algebraic multigrid for the constraints that the system was assembled with.
-  template <int dim>
   void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler);
 
   /// Reduces local errors by a few conjugate gradients without multigrid.
@@ -60,14 +58,14 @@ class LinearSystem {
                      double reduction) const;
 
  private:
-  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  void correct_diagonal(const std::set<dealii::types::global_dof_index>& changed);
+  [[nodiscard]] std::vector<CellSystem> changes_from_first(
+      const std::vector<CellSystem>& cells) const;
   void distribute(Vector& displacement) const;
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
-  unsigned int iterate(Vector& displacement,
-                       const dealii::TrilinosWrappers::PreconditionBase& preconditioner,
+  template <typename Preconditioner>
+  unsigned int iterate(Vector& displacement, const Preconditioner& preconditioner,
                        dealii::SolverControl& control) const;
 
   dealii::IndexSet owned_;
@@ -75,12 +73,13 @@ class LinearSystem {
   MPI_Comm communicator_;
   dealii::AffineConstraints<double> first_constraints_;
   dealii::AffineConstraints<double> constraints_;
-  Matrix matrix_;                       ///< condensed by the first constraints
-  std::unique_ptr<Matrix> correction_;  ///< to the constraints of now; none if they are the first
   Vector first_load_;
   Vector load_;
+  NodeMatrix<dim> matrix_;  ///< condensed by the first constraints
+  std::optional<NodeMatrix<dim>>
+      correction_;           ///< to the constraints of now; none if they are the first
   Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
-  std::unique_ptr<Multigrid> multigrid_;
+  std::unique_ptr<Multigrid<dim>> multigrid_;
 };
 
 }  // namespace geneva::fem

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace geneva::fem {
@@ -52,15 +53,19 @@ int ColumnNodes::place_of(const int node) const {
   return own_.end - own_.first + static_cast<int>(found - others_.begin());
 }
 
+std::vector<int> ColumnNodes::numbers() const {
+  std::vector<int> result(own_.size());
+  std::iota(result.begin(), result.end(), own_.first);
+  result.insert(result.end(), others_.begin(), others_.end());
+  return result;
+}
+
 Epetra_Map ColumnNodes::unknowns(const int of_each, const Epetra_Comm& communicator) const {
-  std::vector<int> numbers;
-  numbers.reserve((own_.size() + others_.size()) * static_cast<std::size_t>(of_each));
-  const auto add = [&](const int node) {
-    for (int i = 0; i < of_each; ++i) numbers.push_back(node * of_each + i);
-  };
-  for (int node = own_.first; node < own_.end; ++node) add(node);
-  for (const int node : others_) add(node);
-  return {-1, static_cast<int>(numbers.size()), numbers.data(), 0, communicator};
+  std::vector<int> result;
+  result.reserve((own_.size() + others_.size()) * static_cast<std::size_t>(of_each));
+  for (const int number : numbers())
+    for (int i = 0; i < of_each; ++i) result.push_back(number * of_each + i);
+  return {-1, static_cast<int>(result.size()), result.data(), 0, communicator};
 }
 
 template <typename Block>

@@ -34,7 +34,9 @@ class ColumnNodes {
   ColumnNodes(const OwnNodes& own, std::vector<int> others);
 
   [[nodiscard]] int place_of(int node) const;
-  /// The unknowns of these nodes, in the order of their places.
+  /// The nodes in the order of their places.
+  [[nodiscard]] std::vector<int> numbers() const;
+  /// Their unknowns.
   [[nodiscard]] Epetra_Map unknowns(int of_each, const Epetra_Comm& communicator) const;
 
  private:

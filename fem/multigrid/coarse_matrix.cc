@@ -44,11 +44,14 @@ std::vector<NodeRow<dim>> rows_of_nodes(const CoupledNodes<dim>& nodes,
     add_line<dim>(result[static_cast<std::size_t>(line / dim)],
                   static_cast<unsigned int>(line % dim), prolongation, line);
   std::vector<int> numbers;
-  for (const auto& unknown : nodes.unknowns_of_others()) numbers.push_back(unknown.number);
+  for (std::size_t node = nodes.n_own(); node < nodes.n_all(); ++node)
+    for (int component = 0; component < dim; ++component)
+      numbers.push_back(nodes.unknown(node, component));
   const Epetra_CrsMatrix of_others = rows_of_others(numbers, prolongation);
   int line = 0;
-  for (const auto& unknown : nodes.unknowns_of_others())
-    add_line<dim>(result[unknown.node], unknown.component, of_others, line++);
+  for (std::size_t node = nodes.n_own(); node < nodes.n_all(); ++node)
+    for (unsigned int component = 0; component < dim; ++component)
+      add_line<dim>(result[node], component, of_others, line++);
   return result;
 }
 
@@ -57,12 +60,11 @@ template <int dim>
 NodeRow<dim> product_row(const std::size_t node, const CoupledNodes<dim>& nodes,
                          const std::vector<NodeRow<dim>>& prolongation) {
   NodeRow<dim> result;
-  for (unsigned int component = 0; component < dim; ++component)
-    nodes.visit_row(node, component, [&](const auto& entry) {
-      const NodeRow<dim>& row = prolongation[entry.node];
-      for (std::size_t i = 0; i < row.size(); ++i)
-        result.at(row.number(i)).row(component) += entry.value * row.block(i).row(entry.component);
-    });
+  nodes.visit_row(node, [&](const std::size_t other, const auto& entries) {
+    const NodeRow<dim>& row = prolongation[other];
+    for (std::size_t i = 0; i < row.size(); ++i)
+      result.at(row.number(i)).noalias() += entries * row.block(i);
+  });
   return result;
 }
 

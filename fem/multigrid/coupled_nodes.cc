@@ -1,19 +1,11 @@
 #include "fem/multigrid/coupled_nodes.h"
 
-#include <Epetra_Import.h>
-#include <Epetra_Vector.h>
-
-#include <algorithm>
-#include <map>
-
 namespace geneva::fem {
 
 template <int dim>
-CoupledNodes<dim>::CoupledNodes(const dealii::TrilinosWrappers::SparseMatrix& matrix,
+CoupledNodes<dim>::CoupledNodes(const NodeMatrix<dim>& matrix,
                                 const dealii::DoFHandler<dim>& dof_handler)
-    : matrix_(matrix.trilinos_matrix()),
-      neighbours_(static_cast<std::size_t>(matrix_.NumMyRows() / dim)) {
-  number_columns();
+    : matrix_(matrix), neighbours_(matrix.pattern().own().size()) {
   const dealii::IndexSet& owned = dof_handler.locally_owned_dofs();
   std::vector<std::vector<double>> coordinates(dim, std::vector<double>(n_own()));
   std::vector<double> bodies(n_own());
@@ -37,50 +29,22 @@ CoupledNodes<dim>::CoupledNodes(const dealii::TrilinosWrappers::SparseMatrix& ma
   find_neighbours();
 }
 
-/// A node's unknowns follow each other; the columns of other ranks may lack some of them.
-template <int dim>
-void CoupledNodes<dim>::number_columns() {
-  std::map<int, std::size_t> others;
-  for (int column = 0; column < matrix_.NumMyCols(); ++column) {
-    const int unknown = matrix_.GCID(column);
-    const int row = matrix_.LRID(unknown);
-    const std::size_t node =
-        row >= 0 ? static_cast<std::size_t>(row / dim)
-                 : others.emplace(unknown / dim, n_own() + others.size()).first->second;
-    node_of_column_.push_back(node);
-    component_of_column_.push_back(static_cast<unsigned int>(unknown % dim));
-    if (row < 0) others_.push_back({unknown, node, component_of_column_.back()});
-  }
-}
-
 template <int dim>
 void CoupledNodes<dim>::find_neighbours() {
-  for (std::size_t node = 0; node < n_own(); ++node) {
-    std::vector<std::size_t>& list = neighbours_[node];
-    for (unsigned int component = 0; component < dim; ++component)
-      visit_row(node, component, [&](const Entry& entry) {
-        if (entry.node != node && entry.value != 0.) list.push_back(entry.node);
-      });
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    list.shrink_to_fit();
-  }
+  for (std::size_t node = 0; node < n_own(); ++node)
+    visit_row(node, [&](const std::size_t other, const auto& block) {
+      if (other != node && !block.isZero(0.)) neighbours_[node].push_back(other);
+    });
 }
 
 template <int dim>
 std::vector<double> CoupledNodes<dim>::on_all_nodes(const std::vector<double>& of_own_nodes) const {
-  Epetra_Vector rows(matrix_.RowMap());
-  for (int row = 0; row < matrix_.NumMyRows(); ++row)
-    rows[row] = of_own_nodes[static_cast<std::size_t>(row / dim)];
-  std::vector<double> result = of_own_nodes;
-  if (matrix_.Importer() == nullptr) return result;  // one rank
-  Epetra_Vector columns(matrix_.ColMap());
-  columns.Import(rows, *matrix_.Importer(), Insert);
-  for (int column = 0; column < matrix_.NumMyCols(); ++column) {
-    const std::size_t node = node_of_column_[static_cast<std::size_t>(column)];
-    result.resize(std::max(result.size(), node + 1));
-    result[node] = columns[column];
-  }
+  Epetra_MultiVector own(matrix_.pattern().unknowns(), 1);
+  for (std::size_t node = 0; node < of_own_nodes.size(); ++node)
+    own[0][node * dim] = of_own_nodes[node];
+  const double* const all = matrix_.pattern().on_all_places(own);
+  std::vector<double> result(matrix_.pattern().n_places());
+  for (std::size_t node = 0; node < result.size(); ++node) result[node] = all[node * dim];
   return result;
 }
 

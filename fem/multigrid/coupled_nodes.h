@@ -2,9 +2,10 @@
 
 #include <deal.II/base/point.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <vector>
+
+#include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
 
@@ -14,8 +15,7 @@ template <int dim>
 class CoupledNodes {
  public:
   /// @param matrix of trilinear or bilinear displacements; must outlive this
-  CoupledNodes(const dealii::TrilinosWrappers::SparseMatrix& matrix,
-               const dealii::DoFHandler<dim>& dof_handler);
+  CoupledNodes(const NodeMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler);
 
   [[nodiscard]] std::size_t n_own() const { return neighbours_.size(); }
   [[nodiscard]] std::size_t n_all() const { return positions_.size(); }
@@ -28,44 +28,28 @@ class CoupledNodes {
     return neighbours_[own_node];
   }
 
-  /// One entry of the matrix.
-  struct Entry {
-    std::size_t node;        ///< of the column
-    unsigned int component;  ///< of the column
-    double value;
-  };
-  /// Calls visit(entry) for the entries of a row.
+  [[nodiscard]] const auto& diagonal_block(const std::size_t own_node) const {
+    return matrix_.block(matrix_.pattern().block(own_node, static_cast<int>(own_node)));
+  }
+  /// Calls visit(node, block) for the blocks of a row.
   template <typename Visit>
-  void visit_row(const std::size_t own_node, const unsigned int component,
-                 const Visit& visit) const {
-    int count = 0;
-    double* values = nullptr;
-    int* columns = nullptr;
-    matrix_.ExtractMyRowView(static_cast<int>(own_node * dim + component), count, values, columns);
-    for (int i = 0; i < count; ++i) {
-      const auto column = static_cast<std::size_t>(columns[i]);
-      visit(Entry{node_of_column_[column], component_of_column_[column], values[i]});
-    }
+  void visit_row(const std::size_t own_node, const Visit& visit) const {
+    const NodePattern& pattern = matrix_.pattern();
+    for (std::size_t i = pattern.first_block(own_node); i < pattern.first_block(own_node + 1); ++i)
+      visit(static_cast<std::size_t>(pattern.place(i)), matrix_.block(i));
   }
 
   /// Values of all nodes from those of the ranks that own them.
   [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const;
-  /// An unknown of a node of another rank.
-  struct OtherUnknown {
-    int number;  ///< among the unknowns of all ranks
-    std::size_t node;
-    unsigned int component;
-  };
-  [[nodiscard]] const std::vector<OtherUnknown>& unknowns_of_others() const { return others_; }
+  /// Number of a node's unknown among those of all ranks.
+  [[nodiscard]] int unknown(const std::size_t node, const int component) const {
+    return matrix_.pattern().number(node) * dim + component;
+  }
 
  private:
-  void number_columns();
   void find_neighbours();
 
-  const Epetra_CrsMatrix& matrix_;
-  std::vector<std::size_t> node_of_column_;
-  std::vector<unsigned int> component_of_column_;
-  std::vector<OtherUnknown> others_;
+  const NodeMatrix<dim>& matrix_;
   std::vector<dealii::Point<dim>> positions_;
   std::vector<unsigned int> bodies_;
   std::vector<std::vector<std::size_t>> neighbours_;

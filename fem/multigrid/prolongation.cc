@@ -130,19 +130,13 @@ CoarseNodes<dim> coarse_nodes(const Aggregates& aggregates,
 template <int dim>
 void add_jacobi_step(NodeRow<dim>& row, const std::size_t node, const CoupledNodes<dim>& nodes,
                      const CoarseNodes<dim>& coarse, const double step) {
-  for (unsigned int component = 0; component < dim; ++component) {
-    double diagonal = 0.;
-    nodes.visit_row(node, component, [&](const auto& entry) {
-      if (entry.node == node && entry.component == component) diagonal = entry.value;
-    });
-    nodes.visit_row(node, component, [&](const auto& entry) {
-      auto* const block = row.find(coarse.of_nodes[entry.node]);
-      if (block == nullptr) return;
-      const auto from_centre = nodes.position(entry.node) - coarse.centres[entry.node];
-      block->row(component) -=
-          step / diagonal * entry.value * rigid_displacement(from_centre).row(entry.component);
-    });
-  }
+  const auto diagonal = nodes.diagonal_block(node).diagonal();
+  nodes.visit_row(node, [&](const std::size_t other, const auto& entries) {
+    auto* const block = row.find(coarse.of_nodes[other]);
+    if (block == nullptr) return;
+    const auto from_centre = nodes.position(other) - coarse.centres[other];
+    *block -= step * diagonal.asDiagonal().inverse() * (entries * rigid_displacement(from_centre));
+  });
 }
 
 /// @param near of the node

@@ -51,7 +51,7 @@ PlainSolve plain_solve(const fem::Solution<3>& solution) {
   const dealii::Timer timer;
   const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
                                        solution.mesh.surfaces);
-  fem::LinearSystem system(
+  fem::LinearSystem<3> system(
       dof_handler, level.ghosts,
       fem::make_constraints(dof_handler, level.ghosts, fem::constraint_lines(level)), cells,
       level.tie_forces);

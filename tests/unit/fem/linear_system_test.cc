@@ -51,11 +51,11 @@ class TiedSector {
     return make_constraints(*grid_.dof_handler, ghosts_, lines);
   }
 
-  [[nodiscard]] LinearSystem system(const Lines& ties) const {
+  [[nodiscard]] LinearSystem<3> system(const Lines& ties) const {
     return {*grid_.dof_handler, ghosts_, constraints(ties), cells_, {}};
   }
 
-  [[nodiscard]] Vector solved(LinearSystem& system) const {
+  [[nodiscard]] Vector solved(LinearSystem<3>& system) const {
     system.set_up_multigrid(*grid_.dof_handler);
     Vector displacement(grid_.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
     system.solve(displacement, 1e-13, 0.);
@@ -92,12 +92,12 @@ TEST(LinearSystem, ChangedConstraintsGiveWhatAssemblingThemGives) {
   const TiedSector sector;
   const Lines first{sector.tie(0, 9, 0.01), sector.tie(4, 9, 0.02), sector.tie(12, 17, -0.03)};
   const Lines second{sector.tie(4, 9, 0.02), sector.tie(12, 17, 0.05), sector.tie(21, 30, -0.01)};
-  LinearSystem assembled = sector.system(second);
-  LinearSystem changed = sector.system(first);
+  LinearSystem<3> assembled = sector.system(second);
+  LinearSystem<3> changed = sector.system(first);
   changed.change(sector.constraints(second), sector.cells());
   const Vector expected = sector.solved(assembled);
   expect_same(expected, sector.solved(changed));
-  LinearSystem untouched = sector.system(first);
+  LinearSystem<3> untouched = sector.system(first);
   Vector difference = sector.solved(untouched);
   difference -= expected;
   EXPECT_GT(difference.linfty_norm(), 1e-3 * expected.linfty_norm());
@@ -106,8 +106,8 @@ TEST(LinearSystem, ChangedConstraintsGiveWhatAssemblingThemGives) {
 TEST(LinearSystem, ChangesBackToTheFirstConstraints) {
   const TiedSector sector;
   const Lines first{sector.tie(0, 9, 0.01), sector.tie(4, 9, 0.02)};
-  LinearSystem untouched = sector.system(first);
-  LinearSystem changed = sector.system(first);
+  LinearSystem<3> untouched = sector.system(first);
+  LinearSystem<3> changed = sector.system(first);
   changed.change(sector.constraints({}), sector.cells());
   changed.change(sector.constraints(first), sector.cells());
   expect_same(sector.solved(untouched), sector.solved(changed));
@@ -115,7 +115,7 @@ TEST(LinearSystem, ChangesBackToTheFirstConstraints) {
 
 TEST(LinearSystem, SmoothingLowersTheResidualWithoutMultigrid) {
   const TiedSector sector;
-  LinearSystem system = sector.system({sector.tie(0, 9, 0.01)});
+  LinearSystem<3> system = sector.system({sector.tie(0, 9, 0.01)});
   Vector smoothed = sector.solved(system);
   const Vector exact = smoothed;
   smoothed *= 1.1;

@@ -2,12 +2,13 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
+#include "fem/assembly.h"
 #include "fem/boundary.h"
 #include "fem/constraints.h"
 #include "fem/multigrid/coarse_matrix.h"
@@ -42,7 +43,7 @@ class Block {
                                            {"lower", {std::nullopt, std::nullopt, 0.}}};
     constraints_ = make_constraints(*grid_.dof_handler, ghosts_,
                                     support_lines<3>(boundary, supports, mesh_.surfaces));
-    assemble();
+    matrix_ = std::make_unique<NodeMatrix<3>>(assembled());
   }
 
   [[nodiscard]] const dealii::DoFHandler<3>& dof_handler() const { return *grid_.dof_handler; }
@@ -52,8 +53,8 @@ class Block {
   [[nodiscard]] const dealii::AffineConstraints<double>& constraints() const {
     return constraints_;
   }
-  [[nodiscard]] const Matrix& matrix() const { return matrix_; }
-  [[nodiscard]] CoupledNodes<3> nodes() const { return {matrix_, *grid_.dof_handler}; }
+  [[nodiscard]] const NodeMatrix<3>& matrix() const { return *matrix_; }
+  [[nodiscard]] CoupledNodes<3> nodes() const { return {*matrix_, *grid_.dof_handler}; }
   [[nodiscard]] Prolongation prolonged() const {
     return prolongation(nodes(), unknowns(), constraints_, 4., MPI_COMM_WORLD);
   }
@@ -73,24 +74,20 @@ class Block {
     grid_.dof_handler->distribute_dofs(grid_.element);
   }
 
-  void assemble() {
-    dealii::TrilinosWrappers::SparsityPattern pattern(unknowns(), unknowns(), ghosts_,
-                                                      MPI_COMM_WORLD);
-    dealii::DoFTools::make_sparsity_pattern(dof_handler(), pattern, constraints_, false);
-    pattern.compress();
-    matrix_.reinit(pattern);
+  [[nodiscard]] NodeMatrix<3> assembled() const {
     Problem<3> problem;
     problem.bodies.push_back({"block", {2., 0.3}, {}});
-    for (const CellSystem& cell : cell_systems(dof_handler(), problem, mesh_.surfaces))
-      constraints_.distribute_local_to_global(cell.stiffness, cell.dofs, matrix_);
-    matrix_.compress(dealii::VectorOperation::add);
+    Vector load;
+    load.reinit(unknowns(), ghosts_, MPI_COMM_WORLD, true);
+    return assemble<3>(cell_systems(dof_handler(), problem, mesh_.surfaces), constraints_,
+                       unknowns(), MPI_COMM_WORLD, load);
   }
 
   mesh::MeshData<3> mesh_;
   Discretisation<3> grid_;
   dealii::IndexSet ghosts_;
   dealii::AffineConstraints<double> constraints_;
-  Matrix matrix_;
+  std::unique_ptr<NodeMatrix<3>> matrix_;
 };
 
 /// Values that look random and are the same on any number of ranks.
@@ -166,7 +163,9 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   };
   const Vector one = some_vector(range, 0.7);
   const Vector other = some_vector(range, 1.9);
-  const double expected = block.matrix().matrix_scalar_product(fine(one), fine(other));
+  Vector product(block.unknowns(), MPI_COMM_WORLD);
+  block.matrix().vmult(product, fine(other));
+  const double expected = fine(one) * product;
   Vector forces(one);
   coarse->Multiply(false, other.trilinos_vector(), forces.trilinos_vector());
   EXPECT_NEAR(one * forces, expected, 1e-11 * std::abs(expected));
@@ -174,7 +173,7 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
 
 TEST(Multigrid, IsSymmetricAndPositive) {
   const Block block(8., 0, true);
-  const Multigrid multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints());
   const auto corrected = [&](const Vector& residual) {
     Vector result(residual);
     multigrid.vmult(result, residual);
@@ -189,7 +188,7 @@ TEST(Multigrid, IsSymmetricAndPositive) {
 
 /// Conjugate gradients that reduce the residual by 1e8.
 unsigned int iterations(const Block& block) {
-  const Multigrid multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints());
   Vector load = some_vector(block.unknowns(), 0.7);
   block.constraints().set_zero(load);
   Vector displacement(block.unknowns(), MPI_COMM_WORLD);

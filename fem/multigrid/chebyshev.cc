@@ -1,0 +1,86 @@
+#include "fem/multigrid/chebyshev.h"
+
+#include <cmath>
+
+namespace geneva::fem {
+
+namespace {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+template <int n>
+std::vector<double> inverse_diagonal(const NodeMatrix<n>& matrix) {
+  std::vector<double> result = matrix.diagonal();
+  for (double& entry : result) entry = 1. / entry;
+  return result;
+}
+
+/// factor D^-1 v
+void scale(Vector& vector, const std::vector<double>& inverse_diagonal, const double factor) {
+  double* const values = vector.trilinos_vector()[0];
+  for (std::size_t i = 0; i < inverse_diagonal.size(); ++i)
+    values[i] *= factor * inverse_diagonal[i];
+}
+
+}  // namespace
+
+template <int n>
+Chebyshev<n>::Chebyshev(const NodeMatrix<n>& matrix, const double lowest, const double highest)
+    : matrix_(matrix),
+      inverse_diagonal_(inverse_diagonal(matrix)),
+      centre_((highest + lowest) / 2.),
+      half_width_((highest - lowest) / 2.) {}
+
+template <int n>
+void Chebyshev<n>::solve(Vector& solution, const Vector& right_hand_side) const {
+  Vector step(right_hand_side);
+  scale(step, inverse_diagonal_, 1. / centre_);
+  solution = step;
+  take_second_step(solution, step, right_hand_side);
+}
+
+template <int n>
+void Chebyshev<n>::improve(Vector& solution, const Vector& right_hand_side) const {
+  Vector step(right_hand_side);
+  matrix_.residual(step, solution, right_hand_side);
+  scale(step, inverse_diagonal_, 1. / centre_);
+  solution += step;
+  take_second_step(solution, step, right_hand_side);
+}
+
+template <int n>
+void Chebyshev<n>::take_second_step(Vector& solution, Vector& step,
+                                    const Vector& right_hand_side) const {
+  const double first_rho = half_width_ / centre_;
+  const double rho = 1. / (2. / first_rho - first_rho);
+  Vector residual(right_hand_side);
+  matrix_.residual(residual, solution, right_hand_side);
+  scale(residual, inverse_diagonal_, 2. * rho / half_width_);
+  step.sadd(rho * first_rho, 1., residual);
+  solution += step;
+}
+
+template <int n>
+double largest_eigenvalue(const NodeMatrix<n>& matrix, const MPI_Comm communicator) {
+  constexpr int n_steps = 12;
+  const std::vector<double> inverse = inverse_diagonal(matrix);
+  Vector vector(dealii::IndexSet(matrix.pattern().unknowns()), communicator);
+  for (const auto row : vector.locally_owned_elements())
+    vector(row) = std::sin(static_cast<double>(row * row % 7919));
+  vector.compress(dealii::VectorOperation::insert);
+  Vector product(vector);
+  for (int step = 0; step < n_steps; ++step) {
+    vector /= vector.l2_norm();
+    matrix.vmult(product, vector);
+    scale(product, inverse, 1.);
+    vector = product;
+  }
+  return vector.l2_norm();
+}
+
+template class Chebyshev<2>;
+template class Chebyshev<3>;
+template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);
+template double largest_eigenvalue(const NodeMatrix<3>&, MPI_Comm);
+
+}  // namespace geneva::fem

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <vector>
+
+#include "fem/multigrid/node_matrix.h"
+
+namespace geneva::fem {
+
+/// Chebyshev's iteration of degree two for the system scaled by its diagonal (Saad 2003, Iterative
+/// methods for sparse linear systems, algorithm 12.1): reduces the errors at the upper end of the
+/// spectrum.
+template <int n>
+class Chebyshev {
+ public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /// @param matrix symmetric and positive definite; must outlive this
+  /// @param lowest, highest eigenvalues of the scaled matrix that are reduced, positive
+  Chebyshev(const NodeMatrix<n>& matrix, double lowest, double highest);
+
+  /// An approximate solution for a right-hand side, from zero.
+  void solve(Vector& solution, const Vector& right_hand_side) const;
+  /// A better one than that given.
+  void improve(Vector& solution, const Vector& right_hand_side) const;
+
+ private:
+  void take_second_step(Vector& solution, Vector& step, const Vector& right_hand_side) const;
+
+  const NodeMatrix<n>& matrix_;
+  std::vector<double> inverse_diagonal_;
+  double centre_;      ///< theta
+  double half_width_;  ///< delta
+};
+
+/// The largest eigenvalue of a matrix scaled by its diagonal, from below: by the power method from
+/// a vector that is the same in every run.
+template <int n>
+double largest_eigenvalue(const NodeMatrix<n>& matrix, MPI_Comm communicator);
+
+}  // namespace geneva::fem
