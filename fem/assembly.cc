@@ -46,19 +46,20 @@ class CondensedSystems {
     for (const CellSystem& system : alone_) visit(system.dofs);
   }
 
-  /// Calls visit(system) for each system of whose unknowns is_wanted(unknowns).
-  template <typename IsWanted, typename Visit>
-  void visit(const IsWanted& is_wanted, const Visit& visit) const {
+  /// Calls visit(system) for each system of whose unknowns is_visited(unknowns), with the lines of
+  /// the unknowns for which is_wanted(unknown) at least.
+  template <typename IsVisited, typename IsWanted, typename Visit>
+  void visit(const IsVisited& is_visited, const IsWanted& is_wanted, const Visit& visit) const {
     for (std::size_t index = 0; index < cells_.size(); ++index) {
       const CellSystem& cell = cells_[index];
       if (!is_constrained_[index]) {
-        if (is_wanted(cell.dofs)) visit(cell);
-      } else if (is_wanted(free_unknowns(cell.dofs, constraints_))) {
-        visit(condensed(cell, constraints_));
+        if (is_visited(cell.dofs)) visit(cell);
+      } else if (is_visited(free_unknowns(cell.dofs, constraints_))) {
+        visit(condensed(cell, constraints_, is_wanted));
       }
     }
     for (const CellSystem& system : alone_)
-      if (is_wanted(system.dofs)) visit(system);
+      if (is_visited(system.dofs)) visit(system);
   }
 
  private:
@@ -110,14 +111,15 @@ template <int dim>
 Rows<dim> received_rows(const CondensedSystems& systems, const Epetra_Map& map,
                         const MPI_Comm communicator) {
   const OwnNodes own(map, dim);
-  const auto has_others = [&](const std::vector<Dof>& unknowns) {
-    return std::any_of(unknowns.begin(), unknowns.end(), [&](const Dof unknown) {
-      return !own.have(static_cast<int>(unknown) / dim);
-    });
+  const auto is_of_other = [&](const Dof unknown) {
+    return !own.have(static_cast<int>(unknown) / dim);
   };
   Rows<dim> rows;
-  systems.visit(has_others,
-                [&](const CellSystem& system) { add_rows_of_others<dim>(system, own, rows); });
+  systems.visit(
+      [&](const std::vector<Dof>& unknowns) {
+        return std::any_of(unknowns.begin(), unknowns.end(), is_of_other);
+      },
+      is_of_other, [&](const CellSystem& system) { add_rows_of_others<dim>(system, own, rows); });
   send_to_owners(rows, own, map, communicator);
   return rows;
 }
@@ -178,7 +180,8 @@ NodeMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints
   const CondensedSystems systems(cells, constraints);
   const Rows<dim> received = received_rows<dim>(systems, map, communicator);
   NodeMatrix<dim> matrix(pattern_of<dim>(systems, received, map));
-  systems.visit([](const auto&) { return true; },
+  systems.visit([](const std::vector<Dof>&) { return true; },
+                [&](const Dof unknown) { return unknowns.is_element(unknown); },
                 [&](const CellSystem& system) {
                   add(system, matrix);
                   if (!system.load.all_zero()) load.add(system.dofs, system.load);

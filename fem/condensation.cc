@@ -30,19 +30,22 @@ std::vector<Shares> dependence(const std::vector<global_dof_index>& dofs,
   return result;
 }
 
-/// C^T K C
+/// The wanted lines of C^T K C.
 dealii::FullMatrix<double> triple_product(const dealii::FullMatrix<double>& stiffness,
                                           const std::vector<Shares>& dependence,
-                                          const unsigned int n_free) {
+                                          const std::vector<bool>& is_wanted) {
+  const auto n_free = static_cast<unsigned int>(is_wanted.size());
   dealii::FullMatrix<double> left(n_free, stiffness.n());  // C^T K
   for (unsigned int i = 0; i < stiffness.m(); ++i)
     for (const auto& [place, weight] : dependence[i])
-      for (unsigned int j = 0; j < stiffness.n(); ++j) left(place, j) += weight * stiffness(i, j);
+      if (is_wanted[place])
+        for (unsigned int j = 0; j < stiffness.n(); ++j) left(place, j) += weight * stiffness(i, j);
   dealii::FullMatrix<double> result(n_free);
   for (unsigned int place = 0; place < n_free; ++place)
-    for (unsigned int j = 0; j < stiffness.n(); ++j)
-      for (const auto& [other, weight] : dependence[j])
-        result(place, other) += left(place, j) * weight;
+    if (is_wanted[place])
+      for (unsigned int j = 0; j < stiffness.n(); ++j)
+        for (const auto& [other, weight] : dependence[j])
+          result(place, other) += left(place, j) * weight;
   return result;
 }
 
@@ -68,7 +71,8 @@ std::vector<global_dof_index> free_unknowns(const std::vector<global_dof_index>&
   return free;
 }
 
-CellSystem condensed(const CellSystem& cell, const Constraints& constraints) {
+CellSystem condensed(const CellSystem& cell, const Constraints& constraints,
+                     const std::function<bool(global_dof_index)>& is_wanted) {
   const auto free = free_unknowns(cell.dofs, constraints);
   const std::vector<Shares> shares = dependence(cell.dofs, free, constraints);
   dealii::Vector<double> prescribed(cell.load.size());  // g
@@ -77,9 +81,10 @@ CellSystem condensed(const CellSystem& cell, const Constraints& constraints) {
   dealii::Vector<double> load(cell.load.size());  // f - K g
   cell.stiffness.vmult(load, prescribed);
   load.sadd(-1., cell.load);
-  const auto n_free = static_cast<unsigned int>(free.size());
-  CellSystem result{triple_product(cell.stiffness, shares, n_free), dealii::Vector<double>(n_free),
-                    free};
+  std::vector<bool> wanted(free.size());
+  std::transform(free.begin(), free.end(), wanted.begin(), is_wanted);
+  CellSystem result{triple_product(cell.stiffness, shares, wanted),
+                    dealii::Vector<double>(static_cast<unsigned int>(free.size())), free};
   for (unsigned int i = 0; i < load.size(); ++i)
     for (const auto& [place, weight] : shares[i]) result.load[place] += weight * load[i];
   return result;

@@ -2,6 +2,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -19,7 +20,12 @@ std::vector<dealii::types::global_dof_index> free_unknowns(
 /// C^T (f - K g) (Shephard 1984, Linear multipoint constraints applied via transformation as part
 /// of a direct stiffness assembly process).
 /// @param constraints closed
-CellSystem condensed(const CellSystem& cell, const dealii::AffineConstraints<double>& constraints);
+/// @param is_wanted whether an unknown's line of the matrix is; other lines are left zero
+CellSystem condensed(
+    const CellSystem& cell, const dealii::AffineConstraints<double>& constraints,
+    const std::function<bool(dealii::types::global_dof_index)>& is_wanted = [](const auto) {
+      return true;
+    });
 
 /// The unknowns whose constraints are not the same in both.
 /// @param before, after closed
