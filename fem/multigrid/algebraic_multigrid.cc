@@ -1,93 +1,148 @@
 #include "fem/multigrid/algebraic_multigrid.h"
 
-#include <ml_include.h>
-
-#include <ml_agg_user.h>
-
-#include <Teuchos_ParameterList.hpp>
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <utility>
-#include <vector>
 
 #include "fem/multigrid/aggregation.h"
+#include "fem/multigrid/coarse_matrix.h"
+#include "fem/multigrid/coarse_nodes.h"
 
 namespace geneva::fem {
 
 namespace {
 
-/// Bodies of this rank's nodes on the level that ML coarsens next. ML hands its callbacks nothing
-/// of the caller's, so that this cannot be an argument.
-thread_local std::vector<unsigned int> bodies_of_level;
+/// Levels with fewer unknowns are factorised.
+constexpr int most_for_factors = 2000;
+/// Damping of Jacobi's method over the inverse of the largest eigenvalue, as in smoothed
+/// aggregation.
+constexpr double damping = 4. / 3.;
 
-/// Neighbours of this rank's nodes on this rank; a node with unknowns of its own that only other
-/// ranks' nodes are coupled to is its own neighbour.
-std::vector<std::vector<int>> neighbours_of_nodes(ML_Operator* matrix, int* n_entries) {
-  const int n_nodes = matrix->outvec_leng;
-  std::vector<std::vector<int>> result(static_cast<std::size_t>(n_nodes));
-  std::vector<int> columns(256);
-  std::vector<double> values(columns.size());
-  for (int node = 0; node < n_nodes; ++node) {
-    int count = 0;
-    while (ML_Operator_Getrow(matrix, 1, &node, static_cast<int>(columns.size()), columns.data(),
-                              values.data(), &count) == 0) {
-      columns.resize(2 * columns.size());
-      values.resize(columns.size());
+template <int n>
+using Row = BlockRow<Eigen::Matrix<double, n, n>>;
+
+/// Makes the matrix positive definite where nodes lack rigid motions: those that stand for nodes in
+/// a line do not turn about it, nor do nodes of a plane of symmetry leave it.
+/// @return whether each of this rank's unknowns moves
+template <int n>
+std::vector<bool> complete(NodeMatrix<n>& matrix) {
+  // Above the roundings, and far below what the iterations of the mesh could notice: what it
+  // completes does not move the mesh.
+  constexpr double shift = 1e-10;
+  std::vector<bool> is_moved;
+  for (std::size_t row = 0; row < matrix.pattern().n_rows(); ++row)
+    for (int component = 0; component < n; ++component) {
+      double& diagonal = matrix.diagonal_block(row)(component, component);
+      is_moved.push_back(diagonal > 0.);
+      diagonal = is_moved.back() ? (1. + shift) * diagonal : 1.;
     }
-    *n_entries += count;
-    auto& neighbours = result[static_cast<std::size_t>(node)];
-    std::copy_if(columns.begin(), columns.begin() + count, std::back_inserter(neighbours),
-                 [&](const int other) { return other != node && other < n_nodes; });
-    if (neighbours.empty() && count > 1) neighbours.push_back(node);
+  return is_moved;
+}
+
+/// Aggregates of this rank's nodes.
+template <int n>
+Aggregates aggregates_of(const NodePattern& pattern, const std::vector<unsigned int>& bodies) {
+  std::vector<std::vector<int>> neighbours(pattern.n_rows());
+  for (std::size_t node = 0; node < neighbours.size(); ++node) {
+    const std::size_t first = pattern.first_block(node);
+    const std::size_t end = pattern.first_block(node + 1);
+    for (std::size_t i = first; i < end; ++i) {
+      const int other = pattern.place(i);
+      if (static_cast<std::size_t>(other) != node &&
+          static_cast<std::size_t>(other) < neighbours.size())
+        neighbours[node].push_back(other);
+    }
+    // Coupled to nodes of other ranks alone, it may still begin an aggregate.
+    if (neighbours[node].empty() && end - first > 1)
+      neighbours[node].push_back(static_cast<int>(node));
   }
-  return result;
+  return aggregate(neighbours, bodies, 1);
+}
+
+/// The row of a node in (1 - step D^-1 A) T, where T are the rigid motions of the aggregates.
+template <int dim, int n = n_rigid_motions<dim>>
+Row<n> smoothed_row(const std::size_t node, const NodeMatrix<n>& matrix,
+                    const std::vector<dealii::Point<dim>>& positions,
+                    const CoarseNodes<dim>& coarse, const double step) {
+  Row<n> row;
+  const auto motion = [&](const std::size_t place) {
+    return rigid_motion<dim>(positions[place] - coarse.centres[place]);
+  };
+  row.at(coarse.of_nodes[node]) = motion(node);
+  const NodePattern& pattern = matrix.pattern();
+  const Eigen::Matrix<double, n, 1> steps =
+      step * matrix.diagonal_block(node).diagonal().cwiseInverse();
+  for (std::size_t i = pattern.first_block(node); i < pattern.first_block(node + 1); ++i) {
+    const auto other = static_cast<std::size_t>(pattern.place(i));
+    if (coarse.of_nodes[other] == no_aggregate) continue;
+    row.at(coarse.of_nodes[other]).noalias() -=
+        steps.asDiagonal() * (matrix.block(i) * motion(other));
+  }
+  return row;
+}
+
+/// @param is_moved of each of this rank's unknowns
+template <int dim, int n = n_rigid_motions<dim>>
+NodeMatrix<n> smoothed_prolongation(const NodeMatrix<n>& matrix,
+                                    const std::vector<dealii::Point<dim>>& positions,
+                                    const CoarseNodes<dim>& coarse,
+                                    const std::vector<bool>& is_moved, const double step) {
+  std::vector<Row<n>> rows(matrix.pattern().n_rows());
+  for (std::size_t node = 0; node < rows.size(); ++node) {
+    if (coarse.of_nodes[node] == no_aggregate) continue;
+    rows[node] = smoothed_row<dim>(node, matrix, positions, coarse, step);
+    for (int component = 0; component < n; ++component)
+      if (!is_moved[n * node + static_cast<std::size_t>(component)])
+        for (auto& block : rows[node].blocks()) block.row(component).setZero();
+  }
+  return matrix_of(rows, coarse.unknowns);
 }
 
 }  // namespace
 
-// What ML calls, with the types that it asks for.
-extern "C" {
-
-static char* label_of_aggregation() {
-  static std::array<char, 16> label{"within bodies"};
-  return label.data();
+template <int dim>
+AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MPI_Comm communicator)
+    : matrix_(std::move(problem.matrix)) {
+  // As on the mesh.
+  constexpr double margin = 1.1;
+  // Of the eigenvalues that are smoothed: aggregates of all neighbours are larger than those of a
+  // layer, so that more is left to smooth. 10 and 20 take three and two iterations more, 60 as
+  // many.
+  constexpr double ratio = 40.;
+  const std::vector<bool> is_moved = complete(matrix_);
+  const NodePattern& pattern = matrix_.pattern();
+  if (pattern.unknowns().NumGlobalElements() <= most_for_factors) {
+    direct_ = std::make_unique<DirectSolver<n>>(matrix_, communicator);
+    return;
+  }
+  const double largest = margin * largest_eigenvalue(matrix_, communicator);
+  const auto positions = on_all_nodes(problem.positions, pattern);
+  Aggregates aggregates = aggregates_of<n>(pattern, problem.bodies);
+  CoarseNodes<dim> coarse = coarse_nodes(aggregates, positions, pattern);
+  prolongation_.emplace(
+      smoothed_prolongation<dim>(matrix_, positions, coarse, is_moved, damping / largest));
+  coarse_ = std::make_unique<AlgebraicMultigrid>(
+      CoarseProblem<dim>{coarse_matrix(matrix_, *prolongation_, communicator),
+                         std::move(coarse.own_centres), std::move(aggregates.bodies)},
+      communicator);
+  coarse_zero_.reinit(dealii::IndexSet(coarse.unknowns), communicator);
+  smoother_ = std::make_unique<Chebyshev<n>>(matrix_, largest / ratio, margin * largest);
 }
 
-static int aggregate_within_bodies(ML_Operator* matrix, char* is_given, double, double*, double*,
-                                   double*, int* of_nodes, int* n_entries) {
-  *n_entries = 0;
-  std::fill_n(is_given, matrix->outvec_leng, 'F');  // the modes have zeros for given values already
-  Aggregates aggregates = aggregate(neighbours_of_nodes(matrix, n_entries), bodies_of_level, 1);
-  std::copy(aggregates.of_nodes.begin(), aggregates.of_nodes.end(), of_nodes);
-  bodies_of_level = std::move(aggregates.bodies);
-  return static_cast<int>(bodies_of_level.size());
-}
+template <int dim>
+void AlgebraicMultigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
+  if (direct_) return direct_->vmult(correction, residual);
+  smoother_->solve(correction, residual);
+  Vector rest(residual);
+  matrix_.residual(rest, correction, residual);
+  Vector coarse_residual(coarse_zero_);
+  prolongation_->Tvmult(coarse_residual, rest);
+  Vector coarse_correction(coarse_zero_);
+  coarse_->vmult(coarse_correction, coarse_residual);
+  prolongation_->vmult_add(correction, coarse_correction);
+  smoother_->improve(correction, residual);
 }
 
-std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> algebraic_multigrid(
-    const Epetra_RowMatrix& matrix, const int unknowns_per_node, std::vector<double> rigid_motions,
-    std::vector<unsigned int> bodies) {
-  dealii::TrilinosWrappers::PreconditionAMG::AdditionalData options;
-  options.elliptic = true;
-  options.smoother_sweeps = 2;
-  options.aggregation_threshold = 0.;
-  Teuchos::ParameterList list;
-  std::unique_ptr<Epetra_MultiVector> unused;
-  options.set_parameters(list, unused, matrix);
-  list.set("PDE equations", unknowns_per_node);
-  list.set("null space: type", "pre-computed");
-  list.set("null space: dimension", unknowns_per_node);
-  list.set("null space: vectors", rigid_motions.data());
-  list.set("null space: add default vectors", false);
-  bodies_of_level = std::move(bodies);
-  ML_SetUserLabel(label_of_aggregation);
-  ML_SetUserPartitions(aggregate_within_bodies);
-  list.set("aggregation: type", "user");
-  list.set("increasing or decreasing", "decreasing");  // so ML takes a node for all its unknowns
-  auto result = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
-  result->initialize(matrix, list);
-  return result;
-}
+template class AlgebraicMultigrid<2>;
+template class AlgebraicMultigrid<3>;
 
 }  // namespace geneva::fem

@@ -1,22 +1,47 @@
 #pragma once
 
+#include <deal.II/base/point.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <deal.II/lac/trilinos_precondition.h>  // needs trilinos_vector.h before itself
-
 #include <memory>
+#include <optional>
 #include <vector>
+
+#include "fem/multigrid/chebyshev.h"
+#include "fem/multigrid/direct_solver.h"
+#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/rigid_displacement.h"
 
 namespace geneva::fem {
 
-/// Smoothed aggregation (Vanek, Mandel and Brezina 1996) with the aggregates of aggregate().
-/// @param matrix symmetric and positive definite; must outlive the result
-/// @param unknowns_per_node
-/// @param rigid_motions that the coarse unknowns are to reproduce, as many as a node has unknowns:
-/// their values at this rank's unknowns, one after the other
-/// @param bodies of this rank's nodes
-std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> algebraic_multigrid(
-    const Epetra_RowMatrix& matrix, int unknowns_per_node, std::vector<double> rigid_motions,
-    std::vector<unsigned int> bodies);
+/// What a coarse level of a multigrid is made from.
+template <int dim>
+struct CoarseProblem {
+  NodeMatrix<n_rigid_motions<dim>> matrix;    ///< symmetric and positive semi-definite
+  std::vector<dealii::Point<dim>> positions;  ///< of this rank's nodes
+  std::vector<unsigned int> bodies;           ///< of this rank's nodes
+};
+
+/// V-cycles of smoothed aggregation (Vanek, Mandel and Brezina 1996) with the aggregates of
+/// aggregate(), for nodes that move rigidly.
+template <int dim>
+class AlgebraicMultigrid {
+ public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  AlgebraicMultigrid(CoarseProblem<dim> problem, MPI_Comm communicator);
+
+  void vmult(Vector& correction, const Vector& residual) const;
+
+ private:
+  static constexpr int n = n_rigid_motions<dim>;
+
+  NodeMatrix<n> matrix_;
+  std::unique_ptr<DirectSolver<n>> direct_;  ///< of the coarsest level, which has nothing else
+  std::unique_ptr<Chebyshev<n>> smoother_;
+  std::optional<NodeMatrix<n>> prolongation_;
+  std::unique_ptr<AlgebraicMultigrid> coarse_;
+  Vector coarse_zero_;  ///< copies of it need no communication, new vectors do
+};
 
 }  // namespace geneva::fem

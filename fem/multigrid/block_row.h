@@ -13,8 +13,11 @@ template <typename Block>
 class BlockRow {
  public:
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
+  [[nodiscard]] const std::vector<int>& numbers() const { return numbers_; }
   [[nodiscard]] int number(const std::size_t i) const { return numbers_[i]; }
   [[nodiscard]] const Block& block(const std::size_t i) const { return blocks_[i]; }
+
+  std::vector<Block>& blocks() { return blocks_; }
 
   /// The block of a coarse node, zero if it is new.
   Block& at(const int number) {

@@ -68,19 +68,50 @@ Epetra_Map ColumnNodes::unknowns(const int of_each, const Epetra_Comm& communica
   return {-1, static_cast<int>(result.size()), result.data(), 0, communicator};
 }
 
+std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unknowns,
+                           const int of_each) {
+  std::vector<int> numbers(nodes);
+  for (int& number : numbers) number *= of_each;
+  std::vector<int> owners(nodes.size());
+  std::vector<int> places(nodes.size());
+  unknowns.RemoteIDList(static_cast<int>(numbers.size()), numbers.data(), owners.data(),
+                        places.data());
+  return owners;
+}
+
+template <typename Block>
+std::vector<BlockRow<Block>> rows_of_others(const std::vector<BlockRow<Block>>& rows,
+                                            const std::vector<int>& others,
+                                            const Epetra_Map& unknowns, const int of_each,
+                                            const MPI_Comm communicator) {
+  const OwnNodes own(unknowns, of_each);
+  const std::vector<int> owners = owners_of(others, unknowns, of_each);
+  std::map<unsigned int, std::vector<int>> asked;
+  for (std::size_t i = 0; i < others.size(); ++i)
+    asked[static_cast<unsigned int>(owners[i])].push_back(others[i]);
+  std::map<unsigned int, std::vector<double>> sent;
+  for (const auto& [rank, numbers] : dealii::Utilities::MPI::some_to_some(communicator, asked))
+    for (const int number : numbers)
+      pack(number, rows[static_cast<std::size_t>(number - own.first)], sent[rank]);
+  BlockRows<Block> received;
+  for (const auto& [rank, packed] : dealii::Utilities::MPI::some_to_some(communicator, sent))
+    add_packed(packed, received);
+  std::vector<BlockRow<Block>> result;
+  result.reserve(others.size());
+  for (const int number : others) result.push_back(std::move(received[number]));
+  return result;
+}
+
 template <typename Block>
 void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Map& unknowns,
                     const MPI_Comm communicator) {
   std::vector<int> of_others;
   for (const auto& row : rows)
-    if (!own.have(row.first)) of_others.push_back(row.first * Block::ColsAtCompileTime);
-  std::vector<int> owners(of_others.size());
-  std::vector<int> places(of_others.size());
-  unknowns.RemoteIDList(static_cast<int>(of_others.size()), of_others.data(), owners.data(),
-                        places.data());
+    if (!own.have(row.first)) of_others.push_back(row.first);
+  const std::vector<int> owners = owners_of(of_others, unknowns, Block::ColsAtCompileTime);
   std::map<unsigned int, std::vector<double>> sent;
   for (std::size_t i = 0; i < of_others.size(); ++i) {
-    const auto row = rows.find(of_others[i] / Block::ColsAtCompileTime);
+    const auto row = rows.find(of_others[i]);
     pack(row->first, row->second, sent[static_cast<unsigned int>(owners[i])]);
     rows.erase(row);
   }
@@ -94,5 +125,17 @@ template void send_to_owners(BlockRows<Eigen::Matrix3d>&, const OwnNodes&, const
                              MPI_Comm);
 template void send_to_owners(BlockRows<Eigen::Matrix<double, 6, 6>>&, const OwnNodes&,
                              const Epetra_Map&, MPI_Comm);
+template std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>> rows_of_others(
+    const std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>>&, const std::vector<int>&,
+    const Epetra_Map&, int, MPI_Comm);
+template std::vector<BlockRow<Eigen::Matrix3d>> rows_of_others(
+    const std::vector<BlockRow<Eigen::Matrix3d>>&, const std::vector<int>&, const Epetra_Map&, int,
+    MPI_Comm);
+template std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>> rows_of_others(
+    const std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>>&, const std::vector<int>&,
+    const Epetra_Map&, int, MPI_Comm);
+template std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>> rows_of_others(
+    const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&, const std::vector<int>&,
+    const Epetra_Map&, int, MPI_Comm);
 
 }  // namespace geneva::fem

@@ -44,6 +44,21 @@ class ColumnNodes {
   std::vector<int> others_;
 };
 
+/// Ranks that own nodes.
+/// @param unknowns of the nodes, of_each of each
+std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unknowns, int of_each);
+
+/// Rows of other ranks' nodes, which these send.
+/// @param rows of this rank's nodes, from the first on
+/// @param others numbers of the nodes
+/// @param unknowns of the nodes, of_each of each
+/// @return in the order of others
+template <typename Block>
+std::vector<BlockRow<Block>> rows_of_others(const std::vector<BlockRow<Block>>& rows,
+                                            const std::vector<int>& others,
+                                            const Epetra_Map& unknowns, int of_each,
+                                            MPI_Comm communicator);
+
 /// Sends the rows of other ranks' nodes to these and adds what they send.
 /// @param unknowns of the nodes
 template <typename Block>

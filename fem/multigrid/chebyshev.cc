@@ -80,7 +80,9 @@ double largest_eigenvalue(const NodeMatrix<n>& matrix, const MPI_Comm communicat
 
 template class Chebyshev<2>;
 template class Chebyshev<3>;
+template class Chebyshev<6>;
 template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<3>&, MPI_Comm);
+template double largest_eigenvalue(const NodeMatrix<6>&, MPI_Comm);
 
 }  // namespace geneva::fem

@@ -22,15 +22,14 @@ class CoupledNodes {
   [[nodiscard]] const dealii::Point<dim>& position(const std::size_t node) const {
     return positions_[node];
   }
+  [[nodiscard]] const std::vector<dealii::Point<dim>>& positions() const { return positions_; }
   [[nodiscard]] unsigned int body(const std::size_t node) const { return bodies_[node]; }
   /// Other nodes that an own node is coupled to, of any body and rank.
   [[nodiscard]] const std::vector<std::size_t>& neighbours(const std::size_t own_node) const {
     return neighbours_[own_node];
   }
 
-  [[nodiscard]] const auto& diagonal_block(const std::size_t own_node) const {
-    return matrix_.block(matrix_.pattern().block(own_node, static_cast<int>(own_node)));
-  }
+  [[nodiscard]] const NodeMatrix<dim>& matrix() const { return matrix_; }
   /// Calls visit(node, block) for the blocks of a row.
   template <typename Visit>
   void visit_row(const std::size_t own_node, const Visit& visit) const {
@@ -40,10 +39,8 @@ class CoupledNodes {
   }
 
   /// Values of all nodes from those of the ranks that own them.
-  [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const;
-  /// Number of a node's unknown among those of all ranks.
-  [[nodiscard]] int unknown(const std::size_t node, const int component) const {
-    return matrix_.pattern().number(node) * dim + component;
+  [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const {
+    return matrix_.pattern().on_all_nodes(of_own_nodes);
   }
 
  private:

@@ -4,18 +4,17 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <deal.II/lac/trilinos_precondition.h>  // needs trilinos_vector.h before itself
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-
 #include <memory>
+#include <optional>
 
+#include "fem/multigrid/algebraic_multigrid.h"
 #include "fem/multigrid/chebyshev.h"
 #include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
 
 /// One V-cycle (Trottenberg, Oosterlee and Schueller 2001, 2.4): Chebyshev smoothing on the mesh,
-/// correction on the coarse nodes of prolongation() by algebraic_multigrid().
+/// correction on the coarse nodes of prolongation() by AlgebraicMultigrid.
 template <int dim>
 class Multigrid {
  public:
@@ -30,9 +29,8 @@ class Multigrid {
 
  private:
   const NodeMatrix<dim>& matrix_;
-  std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> prolongation_;
-  std::unique_ptr<Epetra_CrsMatrix> coarse_matrix_;
-  std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> coarse_;
+  std::optional<NodeMatrix<dim, n_rigid_motions<dim>>> prolongation_;
+  std::unique_ptr<AlgebraicMultigrid<dim>> coarse_;
   Vector coarse_zero_;  ///< copies of it need no communication, new vectors do
   std::unique_ptr<Chebyshev<dim>> smoother_;
 };

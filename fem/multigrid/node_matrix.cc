@@ -21,6 +21,7 @@ std::vector<int> others_in(const std::vector<std::vector<int>>& lists, const Own
 NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
                          std::vector<std::vector<int>> coupled)
     : unknowns_(unknowns),
+      of_each_(static_cast<std::size_t>(of_each)),
       own_(unknowns, of_each),
       columns_(own_, others_in(coupled, own_)),
       numbers_(columns_.numbers()),
@@ -39,9 +40,9 @@ NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
   all_ = std::make_unique<Epetra_MultiVector>(all, 1);
 }
 
-std::size_t NodePattern::block(const std::size_t own_place, const int place) const {
-  const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_blocks_[own_place]);
-  const auto end = places_.begin() + static_cast<std::ptrdiff_t>(first_blocks_[own_place + 1]);
+std::size_t NodePattern::block(const std::size_t row, const int place) const {
+  const auto begin = places_.begin() + static_cast<std::ptrdiff_t>(first_blocks_[row]);
+  const auto end = places_.begin() + static_cast<std::ptrdiff_t>(first_blocks_[row + 1]);
   return static_cast<std::size_t>(std::lower_bound(begin, end, place) - places_.begin());
 }
 
@@ -51,44 +52,78 @@ const double* NodePattern::on_all_places(const Epetra_MultiVector& of_own) const
   return (*all_)[0];
 }
 
-template <int n>
-void NodeMatrix<n>::add(const BlockRows<Block>& rows) {
-  for (const auto& [number, row] : rows) {
-    const auto own_place = static_cast<std::size_t>(number - pattern_.own().first);
-    for (std::size_t i = 0; i < row.size(); ++i)
-      blocks_[pattern_.block(own_place, pattern_.place_of(row.number(i)))] += row.block(i);
-  }
+std::vector<double> NodePattern::on_all_nodes(const std::vector<double>& of_own_nodes) const {
+  Epetra_MultiVector own(unknowns_, 1);
+  for (std::size_t node = 0; node < of_own_nodes.size(); ++node)
+    own[0][node * of_each_] = of_own_nodes[node];
+  const double* const all = on_all_places(own);
+  std::vector<double> result(n_places());
+  for (std::size_t node = 0; node < result.size(); ++node) result[node] = all[node * of_each_];
+  return result;
 }
 
-template <int n>
+void NodePattern::sum(Epetra_MultiVector& of_own, const std::function<void(double*)>& fill) const {
+  of_own.PutScalar(0.);
+  if (!import_) return fill(of_own[0]);
+  all_->PutScalar(0.);
+  fill((*all_)[0]);
+  of_own.Export(*all_, *import_, Add);
+}
+
+template <int n, int m>
+void NodeMatrix<n, m>::add(const std::size_t row, const BlockRow<Block>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    blocks_[pattern_.block(row, pattern_.place_of(values.number(i)))] += values.block(i);
+}
+
+template <int n, int m>
+void NodeMatrix<n, m>::add(const BlockRows<Block>& rows) {
+  for (const auto& [number, row] : rows)
+    add(static_cast<std::size_t>(number - pattern_.own().first), row);
+}
+
+template <int n, int m>
 template <typename Use>
-void NodeMatrix<n>::multiply(const Vector& vector, const Use& use) const {
-  using Part = Eigen::Matrix<double, n, 1>;
+void NodeMatrix<n, m>::multiply(const Vector& vector, const Use& use) const {
+  using Part = Eigen::Matrix<double, m, 1>;
   const double* const values = pattern_.on_all_places(vector.trilinos_vector());
-  for (std::size_t row = 0; row < pattern_.own().size(); ++row) {
-    Part sum = Part::Zero();
+  for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
+    Eigen::Matrix<double, n, 1> sum = Eigen::Matrix<double, n, 1>::Zero();
     for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i)
-      sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values + n * pattern_.place(i));
+      sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values + m * pattern_.place(i));
     for (int component = 0; component < n; ++component)
       use(n * row + static_cast<std::size_t>(component), sum[component]);
   }
 }
 
-template <int n>
-void NodeMatrix<n>::vmult(Vector& result, const Vector& vector) const {
+template <int n, int m>
+void NodeMatrix<n, m>::vmult(Vector& result, const Vector& vector) const {
   double* const to = result.trilinos_vector()[0];
   multiply(vector, [&](const std::size_t unknown, const double value) { to[unknown] = value; });
 }
 
-template <int n>
-void NodeMatrix<n>::vmult_add(Vector& result, const Vector& vector) const {
+template <int n, int m>
+void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
   double* const to = result.trilinos_vector()[0];
   multiply(vector, [&](const std::size_t unknown, const double value) { to[unknown] += value; });
 }
 
-template <int n>
-void NodeMatrix<n>::residual(Vector& result, const Vector& vector,
-                             const Vector& right_hand_side) const {
+template <int n, int m>
+void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
+  const double* const from = vector.trilinos_vector()[0];
+  pattern_.sum(result.trilinos_vector(), [&](double* const to) {
+    for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
+      const Eigen::Map<const Eigen::Matrix<double, n, 1>> of_row(from + n * row);
+      for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i)
+        Eigen::Map<Eigen::Matrix<double, m, 1>>(to + m * pattern_.place(i)).noalias() +=
+            blocks_[i].transpose() * of_row;
+    }
+  });
+}
+
+template <int n, int m>
+void NodeMatrix<n, m>::residual(Vector& result, const Vector& vector,
+                                const Vector& right_hand_side) const {
   double* const to = result.trilinos_vector()[0];
   const double* const from = right_hand_side.trilinos_vector()[0];
   multiply(vector, [&](const std::size_t unknown, const double value) {
@@ -96,19 +131,53 @@ void NodeMatrix<n>::residual(Vector& result, const Vector& vector,
   });
 }
 
-template <int n>
-std::vector<double> NodeMatrix<n>::diagonal() const {
+template <int n, int m>
+std::vector<double> NodeMatrix<n, m>::diagonal() const {
   std::vector<double> result;
-  result.reserve(n * pattern_.own().size());
-  for (std::size_t row = 0; row < pattern_.own().size(); ++row) {
-    const Block& block = blocks_[pattern_.block(row, static_cast<int>(row))];
+  result.reserve(n * pattern_.n_rows());
+  for (std::size_t row = 0; row < pattern_.n_rows(); ++row)
     for (int component = 0; component < n; ++component)
-      result.push_back(block(component, component));
-  }
+      result.push_back(diagonal_block(row)(component, component));
   return result;
+}
+
+template <int n, int m>
+NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
+                           const Epetra_Map& unknowns) {
+  std::vector<std::vector<int>> coupled;
+  for (const auto& row : rows) coupled.push_back(row.numbers());
+  NodeMatrix<n, m> matrix(NodePattern(unknowns, m, std::move(coupled)));
+  for (std::size_t row = 0; row < rows.size(); ++row) matrix.add(row, rows[row]);
+  return matrix;
+}
+
+template <int n>
+NodeMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows, const Epetra_Map& unknowns,
+                          const MPI_Comm communicator) {
+  const OwnNodes own(unknowns, n);
+  send_to_owners(rows, own, unknowns, communicator);
+  std::vector<BlockRow<Eigen::Matrix<double, n, n>>> own_rows;
+  for (int node = own.first; node < own.end; ++node) {
+    own_rows.push_back(std::move(rows[node]));
+    own_rows.back().at(node);
+  }
+  return matrix_of(own_rows, unknowns);
 }
 
 template class NodeMatrix<2>;
 template class NodeMatrix<3>;
+template class NodeMatrix<6>;
+template class NodeMatrix<2, 3>;
+template class NodeMatrix<3, 6>;
+template NodeMatrix<3> matrix_of(const std::vector<BlockRow<Eigen::Matrix3d>>&, const Epetra_Map&);
+template NodeMatrix<6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&,
+                                 const Epetra_Map&);
+template NodeMatrix<2, 3> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>>&,
+                                    const Epetra_Map&);
+template NodeMatrix<3, 6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>>&,
+                                    const Epetra_Map&);
+template NodeMatrix<3> sum_of_rows(BlockRows<Eigen::Matrix3d>, const Epetra_Map&, MPI_Comm);
+template NodeMatrix<6> sum_of_rows(BlockRows<Eigen::Matrix<double, 6, 6>>, const Epetra_Map&,
+                                   MPI_Comm);
 
 }  // namespace geneva::fem

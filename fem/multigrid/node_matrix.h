@@ -7,6 +7,7 @@
 #include <Epetra_MultiVector.h>
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -14,36 +15,43 @@
 
 namespace geneva::fem {
 
-/// Which nodes each node of this rank is coupled to. Nodes have places: the rank's own ones in the
-/// order of their numbers, then those of other ranks.
+/// Which column nodes each row node of this rank is coupled to. Column nodes have places: the
+/// rank's own ones in the order of their numbers, then those of other ranks.
 class NodePattern {
  public:
-  /// @param unknowns of this rank, those of a node after each other
-  /// @param of_each number of unknowns of a node
-  /// @param coupled numbers of the nodes that each own node is coupled to, once each
+  /// @param unknowns of this rank's column nodes, those of a node after each other
+  /// @param of_each number of unknowns of a column node
+  /// @param coupled numbers of the column nodes that each row node is coupled to, once each
   NodePattern(const Epetra_Map& unknowns, int of_each, std::vector<std::vector<int>> coupled);
 
+  [[nodiscard]] std::size_t n_rows() const { return first_blocks_.size() - 1; }
+  /// This rank's column nodes.
   [[nodiscard]] const OwnNodes& own() const { return own_; }
   [[nodiscard]] std::size_t n_places() const { return numbers_.size(); }
   [[nodiscard]] int number(const std::size_t place) const { return numbers_[place]; }
-  /// @param number of a node that this rank has in a row or column
+  [[nodiscard]] const std::vector<int>& numbers() const { return numbers_; }
+  /// @param number of a node that this rank has in a column
   [[nodiscard]] int place_of(const int number) const { return columns_.place_of(number); }
   [[nodiscard]] std::size_t n_blocks() const { return places_.size(); }
-  /// Blocks of an own node's row: from this one on, before that of the next place.
-  [[nodiscard]] std::size_t first_block(const std::size_t own_place) const {
-    return first_blocks_[own_place];
-  }
+  /// Blocks of a row: from this one on, before that of the next row.
+  [[nodiscard]] std::size_t first_block(const std::size_t row) const { return first_blocks_[row]; }
   /// Place of a block's column, ascending in a row.
   [[nodiscard]] int place(const std::size_t block) const { return places_[block]; }
   /// The block of two nodes that are coupled.
-  [[nodiscard]] std::size_t block(std::size_t own_place, int place) const;
+  [[nodiscard]] std::size_t block(std::size_t row, int place) const;
 
   [[nodiscard]] const Epetra_Map& unknowns() const { return unknowns_; }
   /// Values at the unknowns of all places from those of the own ones.
   [[nodiscard]] const double* on_all_places(const Epetra_MultiVector& of_own) const;
+  /// Values of the nodes of all places from those of the own ones.
+  [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const;
+  /// Values at the own unknowns that are the sums of those that the ranks have at all their places.
+  /// @param fill called with the values at this rank's places, zero before
+  void sum(Epetra_MultiVector& of_own, const std::function<void(double*)>& fill) const;
 
  private:
   Epetra_Map unknowns_;
+  std::size_t of_each_;
   OwnNodes own_;
   ColumnNodes columns_;
   std::vector<int> numbers_;
@@ -53,11 +61,11 @@ class NodePattern {
   std::unique_ptr<Epetra_MultiVector> all_;  ///< what the last import gave
 };
 
-/// A square matrix of n x n blocks by nodes, distributed by rows.
-template <int n>
+/// A matrix of n x m blocks by nodes, distributed by rows.
+template <int n, int m = n>
 class NodeMatrix {
  public:
-  using Block = Eigen::Matrix<double, n, n>;
+  using Block = Eigen::Matrix<double, n, m>;
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   /// Zero.
@@ -67,18 +75,28 @@ class NodeMatrix {
   [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
   [[nodiscard]] const Block& block(const std::size_t index) const { return blocks_[index]; }
   Block& block(const std::size_t index) { return blocks_[index]; }
+  /// Of the own row of a square matrix.
+  [[nodiscard]] const Block& diagonal_block(const std::size_t row) const {
+    return blocks_[pattern_.block(row, static_cast<int>(row))];
+  }
+  Block& diagonal_block(const std::size_t row) {
+    return blocks_[pattern_.block(row, static_cast<int>(row))];
+  }
 
-  /// Adds what the ranks' rows have in common with this matrix's pattern.
+  void add(std::size_t row, const BlockRow<Block>& values);
+  /// Adds rows of this rank's nodes to a square matrix.
   void add(const BlockRows<Block>& rows);
 
   /// A v
   void vmult(Vector& result, const Vector& vector) const;
   /// result + A v
   void vmult_add(Vector& result, const Vector& vector) const;
+  /// A^T v
+  void Tvmult(Vector& result, const Vector& vector) const;
   /// b - A v
   void residual(Vector& result, const Vector& vector, const Vector& right_hand_side) const;
 
-  /// The diagonal's entries, in the order of this rank's unknowns.
+  /// The entries of a square matrix's diagonal, in the order of this rank's unknowns.
   [[nodiscard]] std::vector<double> diagonal() const;
 
  private:
@@ -89,5 +107,19 @@ class NodeMatrix {
   NodePattern pattern_;
   std::vector<Block> blocks_;
 };
+
+/// @param rows of this rank's nodes, by the numbers of column nodes
+/// @param unknowns of this rank's column nodes
+template <int n, int m>
+NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
+                           const Epetra_Map& unknowns);
+
+/// The square matrix that is the sum of what the ranks have of its rows.
+/// @param rows by nodes of any rank; those of others are sent to them
+/// @param unknowns of this rank's nodes, those of a node after each other
+/// @return with at least the diagonal blocks
+template <int n>
+NodeMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows, const Epetra_Map& unknowns,
+                          MPI_Comm communicator);
 
 }  // namespace geneva::fem

@@ -1,23 +1,22 @@
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <memory>
 #include <vector>
 
 #include "fem/multigrid/coupled_nodes.h"
+#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/rigid_displacement.h"
 
 namespace geneva::fem {
 
 /// The first coarsening: coarse nodes move rigidly, each with three or six unknowns, its
 /// displacement and its rotation.
+template <int dim>
 struct Prolongation {
-  std::unique_ptr<dealii::TrilinosWrappers::SparseMatrix> matrix;  ///< fine by coarse unknowns
-  std::vector<unsigned int> bodies;                                ///< of this rank's coarse nodes
-  /// Rigid motions of the whole about the origin at this rank's coarse unknowns, one after the
-  /// other: translations along the axes, then rotations about them.
-  std::vector<double> rigid_motions;
+  NodeMatrix<dim, n_rigid_motions<dim>> matrix;  ///< fine by coarse unknowns
+  std::vector<unsigned int> bodies;              ///< of this rank's coarse nodes
+  std::vector<dealii::Point<dim>> positions;     ///< of this rank's coarse nodes
 };
 
 /// Smoothed aggregation (Vanek, Mandel and Brezina 1996) along the short sides of long cells only:
@@ -26,12 +25,12 @@ struct Prolongation {
 /// aggregates; it is kept to the aggregates next to a node along short sides, and what rigid
 /// motions of the whole then lack is given back (Olson, Schroder and Tuminaro 2011).
 /// @param nodes of the matrix
-/// @param unknowns of this rank, by nodes
+/// @param unknowns of this rank
 /// @param constraints by which the matrix is condensed; given unknowns get zero rows
 /// @param largest_eigenvalue of the matrix scaled by its diagonal, positive
 template <int dim>
-Prolongation prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
-                          const dealii::AffineConstraints<double>& constraints,
-                          double largest_eigenvalue, MPI_Comm communicator);
+Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
+                               const dealii::AffineConstraints<double>& constraints,
+                               double largest_eigenvalue);
 
 }  // namespace geneva::fem

@@ -55,8 +55,8 @@ class Block {
   }
   [[nodiscard]] const NodeMatrix<3>& matrix() const { return *matrix_; }
   [[nodiscard]] CoupledNodes<3> nodes() const { return {*matrix_, *grid_.dof_handler}; }
-  [[nodiscard]] Prolongation prolonged() const {
-    return prolongation(nodes(), unknowns(), constraints_, 4., MPI_COMM_WORLD);
+  [[nodiscard]] Prolongation<3> prolonged() const {
+    return prolongation(nodes(), unknowns(), constraints_, 4.);
   }
 
  private:
@@ -101,17 +101,18 @@ Vector some_vector(const dealii::IndexSet& range, const double seed) {
 TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
   for (const double length : {1., 8.}) {
     const Block block(length, 0, true);
-    const Prolongation prolonged = block.prolonged();
-    const dealii::IndexSet range = prolonged.matrix->locally_owned_domain_indices();
+    const Prolongation<3> prolonged = block.prolonged();
+    const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
     const dealii::IndexSet& unknowns = block.unknowns();
     const CoupledNodes<3> nodes = block.nodes();
     for (unsigned int mode = 0; mode < 6; ++mode) {
       Vector coarse(range, MPI_COMM_WORLD);
       for (unsigned int i = 0; i < range.n_elements(); ++i)
-        coarse(range.nth_index_in_set(i)) = prolonged.rigid_motions[mode * range.n_elements() + i];
+        coarse(range.nth_index_in_set(i)) =
+            rigid_motion<3>(prolonged.positions[i / 6])(i % 6, mode);
       coarse.compress(dealii::VectorOperation::insert);
       Vector fine(unknowns, MPI_COMM_WORLD);
-      prolonged.matrix->vmult(fine, coarse);
+      prolonged.matrix.vmult(fine, coarse);
       for (unsigned int i = 0; i < unknowns.n_elements(); ++i) {
         const auto unknown = unknowns.nth_index_in_set(i);
         const bool is_given = block.constraints().is_constrained(unknown);
@@ -124,19 +125,20 @@ TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
 
 /// The greatest extent along z of the nodes that one coarse node moves.
 double thickness_moved(const Block& block) {
-  const Prolongation prolonged = block.prolonged();
+  const Prolongation<3> prolonged = block.prolonged();
   const CoupledNodes<3> nodes = block.nodes();
   constexpr double far = std::numeric_limits<double>::max();
-  std::vector<double> lowest(prolonged.matrix->n() / 6, far);
+  const NodePattern& pattern = prolonged.matrix.pattern();
+  std::vector<double> lowest(static_cast<std::size_t>(pattern.unknowns().NumGlobalElements()) / 6,
+                             far);
   std::vector<double> highest(lowest.size(), -far);
-  for (unsigned int i = 0; i < block.unknowns().n_elements(); ++i) {
-    const auto row = block.unknowns().nth_index_in_set(i);
-    for (auto entry = prolonged.matrix->begin(row); entry != prolonged.matrix->end(row); ++entry) {
-      const std::size_t coarse = entry->column() / 6;
-      lowest[coarse] = std::min(lowest[coarse], nodes.position(i / 3)[2]);
-      highest[coarse] = std::max(highest[coarse], nodes.position(i / 3)[2]);
+  for (std::size_t node = 0; node < pattern.n_rows(); ++node)
+    for (std::size_t i = pattern.first_block(node); i < pattern.first_block(node + 1); ++i) {
+      const auto coarse =
+          static_cast<std::size_t>(pattern.number(static_cast<std::size_t>(pattern.place(i))));
+      lowest[coarse] = std::min(lowest[coarse], nodes.position(node)[2]);
+      highest[coarse] = std::max(highest[coarse], nodes.position(node)[2]);
     }
-  }
   dealii::Utilities::MPI::min(lowest, MPI_COMM_WORLD, lowest);
   dealii::Utilities::MPI::max(highest, MPI_COMM_WORLD, highest);
   double thickness = 0.;
@@ -153,12 +155,12 @@ TEST(Prolongation, CoarsensWithinTheLayersOfLongCells) {
 
 TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   const Block block(8., 0, true);
-  const Prolongation prolonged = block.prolonged();
-  const auto coarse = coarse_matrix(block.nodes(), *prolonged.matrix);
-  const dealii::IndexSet range = prolonged.matrix->locally_owned_domain_indices();
+  const Prolongation<3> prolonged = block.prolonged();
+  const auto coarse = coarse_matrix(block.matrix(), prolonged.matrix, MPI_COMM_WORLD);
+  const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
   const auto fine = [&](const Vector& vector) {
     Vector result(block.unknowns(), MPI_COMM_WORLD);
-    prolonged.matrix->vmult(result, vector);
+    prolonged.matrix.vmult(result, vector);
     return result;
   };
   const Vector one = some_vector(range, 0.7);
@@ -167,7 +169,7 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   block.matrix().vmult(product, fine(other));
   const double expected = fine(one) * product;
   Vector forces(one);
-  coarse->Multiply(false, other.trilinos_vector(), forces.trilinos_vector());
+  coarse.vmult(forces, other);
   EXPECT_NEAR(one * forces, expected, 1e-11 * std::abs(expected));
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <Eigen/Cholesky>
+
+#include "fem/multigrid/node_matrix.h"
+
+namespace geneva::fem {
+
+/// Cholesky's factorisation of a small matrix, whole on every rank, so that none waits for another.
+template <int n>
+class DirectSolver {
+ public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /// @param matrix symmetric and positive definite
+  DirectSolver(const NodeMatrix<n>& matrix, MPI_Comm communicator);
+
+  void vmult(Vector& solution, const Vector& right_hand_side) const;
+
+ private:
+  MPI_Comm communicator_;
+  Eigen::Index first_;  ///< of this rank's unknowns
+  Eigen::Index n_own_;
+  Eigen::LLT<Eigen::MatrixXd> factors_;
+};
+
+}  // namespace geneva::fem
