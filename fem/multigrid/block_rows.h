@@ -36,8 +36,8 @@ class ColumnNodes {
   [[nodiscard]] int place_of(int node) const;
   /// The nodes in the order of their places.
   [[nodiscard]] std::vector<int> numbers() const;
-  /// Their unknowns.
-  [[nodiscard]] Epetra_Map unknowns(int of_each, const Epetra_Comm& communicator) const;
+  /// The unknowns of other ranks' nodes.
+  [[nodiscard]] Epetra_Map unknowns_of_others(int of_each, const Epetra_Comm& communicator) const;
 
  private:
   OwnNodes own_;

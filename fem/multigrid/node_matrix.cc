@@ -35,9 +35,9 @@ NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
     std::sort(places_.begin() + first, places_.end());
   }
   if (unknowns.Comm().NumProc() == 1) return;
-  const Epetra_Map all = columns_.unknowns(of_each, unknowns.Comm());
-  import_ = std::make_unique<Epetra_Import>(all, unknowns_);
-  all_ = std::make_unique<Epetra_MultiVector>(all, 1);
+  const Epetra_Map others = columns_.unknowns_of_others(of_each, unknowns.Comm());
+  import_ = std::make_unique<Epetra_Import>(others, unknowns_);
+  others_ = std::make_unique<Epetra_MultiVector>(others, 1);
 }
 
 std::size_t NodePattern::block(const std::size_t row, const int place) const {
@@ -46,28 +46,30 @@ std::size_t NodePattern::block(const std::size_t row, const int place) const {
   return static_cast<std::size_t>(std::lower_bound(begin, end, place) - places_.begin());
 }
 
-const double* NodePattern::on_all_places(const Epetra_MultiVector& of_own) const {
-  if (!import_) return of_own[0];
-  all_->Import(of_own, *import_, Insert);
-  return (*all_)[0];
+const double* NodePattern::on_others(const Epetra_MultiVector& of_own) const {
+  if (!import_) return nullptr;
+  others_->Import(of_own, *import_, Insert);
+  return (*others_)[0];
 }
 
 std::vector<double> NodePattern::on_all_nodes(const std::vector<double>& of_own_nodes) const {
   Epetra_MultiVector own(unknowns_, 1);
   for (std::size_t node = 0; node < of_own_nodes.size(); ++node)
     own[0][node * of_each_] = of_own_nodes[node];
-  const double* const all = on_all_places(own);
-  std::vector<double> result(n_places());
-  for (std::size_t node = 0; node < result.size(); ++node) result[node] = all[node * of_each_];
+  const double* const others = on_others(own);
+  std::vector<double> result = of_own_nodes;
+  for (std::size_t node = own_.size(); node < n_places(); ++node)
+    result.push_back(others[(node - own_.size()) * of_each_]);
   return result;
 }
 
-void NodePattern::sum(Epetra_MultiVector& of_own, const std::function<void(double*)>& fill) const {
+void NodePattern::sum(Epetra_MultiVector& of_own,
+                      const std::function<void(double*, double*)>& add) const {
   of_own.PutScalar(0.);
-  if (!import_) return fill(of_own[0]);
-  all_->PutScalar(0.);
-  fill((*all_)[0]);
-  of_own.Export(*all_, *import_, Add);
+  if (!import_) return add(of_own[0], nullptr);
+  others_->PutScalar(0.);
+  add(of_own[0], (*others_)[0]);
+  of_own.Export(*others_, *import_, Add);
 }
 
 template <int n, int m>
@@ -86,11 +88,16 @@ template <int n, int m>
 template <typename Use>
 void NodeMatrix<n, m>::multiply(const Vector& vector, const Use& use) const {
   using Part = Eigen::Matrix<double, m, 1>;
-  const double* const values = pattern_.on_all_places(vector.trilinos_vector());
+  const double* const own = vector.trilinos_vector()[0];
+  const double* const others = pattern_.on_others(vector.trilinos_vector());
+  const auto n_own = static_cast<int>(pattern_.own().size());
   for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
     Eigen::Matrix<double, n, 1> sum = Eigen::Matrix<double, n, 1>::Zero();
-    for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i)
-      sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values + m * pattern_.place(i));
+    for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
+      const int place = pattern_.place(i);
+      const double* const values = place < n_own ? own + m * place : others + m * (place - n_own);
+      sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values);
+    }
     for (int component = 0; component < n; ++component)
       use(n * row + static_cast<std::size_t>(component), sum[component]);
   }
@@ -111,12 +118,15 @@ void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
 template <int n, int m>
 void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
   const double* const from = vector.trilinos_vector()[0];
-  pattern_.sum(result.trilinos_vector(), [&](double* const to) {
+  const auto n_own = static_cast<int>(pattern_.own().size());
+  pattern_.sum(result.trilinos_vector(), [&](double* const own, double* const others) {
     for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
       const Eigen::Map<const Eigen::Matrix<double, n, 1>> of_row(from + n * row);
-      for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i)
-        Eigen::Map<Eigen::Matrix<double, m, 1>>(to + m * pattern_.place(i)).noalias() +=
-            blocks_[i].transpose() * of_row;
+      for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
+        const int place = pattern_.place(i);
+        double* const to = place < n_own ? own + m * place : others + m * (place - n_own);
+        Eigen::Map<Eigen::Matrix<double, m, 1>>(to).noalias() += blocks_[i].transpose() * of_row;
+      }
     }
   });
 }

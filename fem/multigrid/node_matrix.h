@@ -41,13 +41,16 @@ class NodePattern {
   [[nodiscard]] std::size_t block(std::size_t row, int place) const;
 
   [[nodiscard]] const Epetra_Map& unknowns() const { return unknowns_; }
-  /// Values at the unknowns of all places from those of the own ones.
-  [[nodiscard]] const double* on_all_places(const Epetra_MultiVector& of_own) const;
+  /// Values at the unknowns of other ranks' nodes, in the order of their places.
+  /// @param of_own values at this rank's unknowns
+  /// @return valid until the next call
+  [[nodiscard]] const double* on_others(const Epetra_MultiVector& of_own) const;
   /// Values of the nodes of all places from those of the own ones.
   [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const;
   /// Values at the own unknowns that are the sums of those that the ranks have at all their places.
-  /// @param fill called with the values at this rank's places, zero before
-  void sum(Epetra_MultiVector& of_own, const std::function<void(double*)>& fill) const;
+  /// @param add adds to the values at own unknowns and to those at others, zero before
+  void sum(Epetra_MultiVector& of_own,
+           const std::function<void(double* own, double* others)>& add) const;
 
  private:
   Epetra_Map unknowns_;
@@ -57,8 +60,8 @@ class NodePattern {
   std::vector<int> numbers_;
   std::vector<std::size_t> first_blocks_;
   std::vector<int> places_;
-  std::unique_ptr<Epetra_Import> import_;    ///< none on one rank
-  std::unique_ptr<Epetra_MultiVector> all_;  ///< what the last import gave
+  std::unique_ptr<Epetra_Import> import_;       ///< none on one rank
+  std::unique_ptr<Epetra_MultiVector> others_;  ///< values that come from or go to other ranks
 };
 
 /// A matrix of n x m blocks by nodes, distributed by rows.
