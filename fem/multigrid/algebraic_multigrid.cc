@@ -6,6 +6,7 @@
 #include "fem/multigrid/aggregation.h"
 #include "fem/multigrid/coarse_matrix.h"
 #include "fem/multigrid/coarse_nodes.h"
+#include "fem/multigrid/v_cycle.h"
 
 namespace geneva::fem {
 
@@ -131,15 +132,7 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MP
 template <int dim>
 void AlgebraicMultigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
   if (direct_) return direct_->vmult(correction, residual);
-  smoother_->solve(correction, residual);
-  Vector rest(residual);
-  matrix_.residual(rest, correction, residual);
-  Vector coarse_residual(coarse_zero_);
-  prolongation_->Tvmult(coarse_residual, rest);
-  Vector coarse_correction(coarse_zero_);
-  coarse_->vmult(coarse_correction, coarse_residual);
-  prolongation_->vmult_add(correction, coarse_correction);
-  smoother_->improve(correction, residual);
+  v_cycle(matrix_, *smoother_, *prolongation_, *coarse_, coarse_zero_, correction, residual);
 }
 
 template class AlgebraicMultigrid<2>;

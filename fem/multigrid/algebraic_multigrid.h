@@ -41,7 +41,7 @@ class AlgebraicMultigrid {
   std::unique_ptr<Chebyshev<n>> smoother_;
   std::optional<NodeMatrix<n>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid> coarse_;
-  Vector coarse_zero_;  ///< copies of it need no communication, new vectors do
+  Vector coarse_zero_;  ///< as v_cycle() takes it
 };
 
 }  // namespace geneva::fem

@@ -7,8 +7,8 @@
 
 namespace geneva::fem {
 
-/// A row of a sparse matrix of blocks by coarse nodes, in the order in which they were named first.
-/// It is short: a search from its beginning is faster than any order.
+/// A row of a sparse matrix of blocks by nodes, of the mesh or coarse ones, in the order in which
+/// they were named first. It is short: a search from its beginning is faster than any order.
 template <typename Block>
 class BlockRow {
  public:
@@ -19,7 +19,7 @@ class BlockRow {
 
   std::vector<Block>& blocks() { return blocks_; }
 
-  /// The block of a coarse node, zero if it is new.
+  /// The block of a node, zero if it is new.
   Block& at(const int number) {
     if (Block* const found = find(number)) return *found;
     numbers_.push_back(number);
@@ -27,7 +27,7 @@ class BlockRow {
     return blocks_.back();
   }
 
-  /// The block of a coarse node; none if there is none.
+  /// The block of a node; none if there is none.
   Block* find(const int number) {
     const auto found = std::find(numbers_.begin(), numbers_.end(), number);
     return found == numbers_.end() ? nullptr
@@ -35,7 +35,7 @@ class BlockRow {
   }
 
  private:
-  std::vector<int> numbers_;  ///< among the coarse nodes of all ranks
+  std::vector<int> numbers_;  ///< among the nodes of all ranks
   std::vector<Block> blocks_;
 };
 

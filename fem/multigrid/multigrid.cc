@@ -4,6 +4,7 @@
 
 #include "fem/multigrid/coarse_matrix.h"
 #include "fem/multigrid/prolongation.h"
+#include "fem/multigrid/v_cycle.h"
 
 namespace geneva::fem {
 
@@ -31,15 +32,7 @@ Multigrid<dim>::Multigrid(const NodeMatrix<dim>& matrix, const dealii::DoFHandle
 
 template <int dim>
 void Multigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
-  smoother_->solve(correction, residual);
-  Vector rest(residual);
-  matrix_.residual(rest, correction, residual);
-  Vector coarse_residual(coarse_zero_);
-  prolongation_->Tvmult(coarse_residual, rest);
-  Vector coarse_correction(coarse_zero_);
-  coarse_->vmult(coarse_correction, coarse_residual);
-  prolongation_->vmult_add(correction, coarse_correction);
-  smoother_->improve(correction, residual);
+  v_cycle(matrix_, *smoother_, *prolongation_, *coarse_, coarse_zero_, correction, residual);
 }
 
 template class Multigrid<2>;

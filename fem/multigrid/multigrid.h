@@ -13,8 +13,8 @@
 
 namespace geneva::fem {
 
-/// One V-cycle (Trottenberg, Oosterlee and Schueller 2001, 2.4): Chebyshev smoothing on the mesh,
-/// correction on the coarse nodes of prolongation() by AlgebraicMultigrid.
+/// One V-cycle: smoothing on the mesh, correction on the coarse nodes of prolongation() by
+/// AlgebraicMultigrid.
 template <int dim>
 class Multigrid {
  public:
@@ -31,7 +31,7 @@ class Multigrid {
   const NodeMatrix<dim>& matrix_;
   std::optional<NodeMatrix<dim, n_rigid_motions<dim>>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid<dim>> coarse_;
-  Vector coarse_zero_;  ///< copies of it need no communication, new vectors do
+  Vector coarse_zero_;  ///< as v_cycle() takes it
   std::unique_ptr<Chebyshev<dim>> smoother_;
 };
 

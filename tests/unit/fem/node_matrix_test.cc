@@ -1,0 +1,73 @@
+#include "fem/multigrid/node_matrix.h"
+
+#include <Epetra_MpiComm.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "fem/multigrid/direct_solver.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+Epetra_Map unknowns(const int of_each) {
+  return {-1, 2 * of_each, 0, Epetra_MpiComm(MPI_COMM_WORLD)};
+}
+
+/// Two nodes on each rank, in a ring with those of the others.
+std::vector<std::vector<int>> ring(const Epetra_Map& map, const int of_each) {
+  const int n_nodes = map.NumGlobalElements() / of_each;
+  const int first = map.MinMyGID() / of_each;
+  std::vector<std::vector<int>> coupled{{first, first + 1}, {first, first + 1}};
+  if (n_nodes > 2) {
+    coupled[0].push_back((first + n_nodes - 1) % n_nodes);
+    coupled[1].push_back((first + 2) % n_nodes);
+  }
+  return coupled;
+}
+
+/// Values that look random and are the same on any number of ranks.
+Vector some_vector(const Epetra_Map& map, const double seed) {
+  Vector result(dealii::IndexSet(map), MPI_COMM_WORLD);
+  for (const auto i : result.locally_owned_elements())
+    result(i) = std::sin(seed * (1. + static_cast<double>(i)));
+  result.compress(dealii::VectorOperation::insert);
+  return result;
+}
+
+TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
+  const Epetra_Map columns = unknowns(6);
+  NodeMatrix<3, 6> matrix(NodePattern(columns, 6, ring(columns, 6)));
+  for (std::size_t i = 0; i < matrix.pattern().n_blocks(); ++i)
+    for (int entry = 0; entry < 18; ++entry)
+      matrix.block(i).data()[entry] = std::cos(1. + static_cast<double>(18 * i) + entry);
+  const Vector of_columns = some_vector(columns, 0.7);
+  const Vector of_rows = some_vector(unknowns(3), 1.9);
+  Vector product(of_rows);
+  Vector transposed(of_columns);
+  matrix.vmult(product, of_columns);
+  matrix.Tvmult(transposed, of_rows);
+  EXPECT_NEAR(product * of_rows, transposed * of_columns, 1e-12);
+  EXPECT_GT(product.linfty_norm(), 0.1);
+}
+
+TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
+  const Epetra_Map map = unknowns(3);
+  NodeMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
+  for (std::size_t i = 0; i < matrix.pattern().n_blocks(); ++i)
+    matrix.block(i) << 1., 0.2, 0.1, 0.2, 1., 0.3, 0.1, 0.3, 1.;
+  for (std::size_t row = 0; row < 2; ++row) matrix.diagonal_block(row) *= 8.;
+  const Vector solution = some_vector(map, 0.7);
+  Vector load(solution);
+  matrix.vmult(load, solution);
+  Vector found(solution);
+  DirectSolver<3>(matrix, MPI_COMM_WORLD).vmult(found, load);
+  found -= solution;
+  EXPECT_LT(found.linfty_norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
