@@ -106,8 +106,8 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MP
   // As on the mesh.
   constexpr double margin = 1.1;
   // Of the eigenvalues that are smoothed: aggregates of all neighbours are larger than those of a
-  // layer, so that more is left to smooth. 10 and 20 take three and two iterations more, 60 as
-  // many.
+  // layer, so that more is left to smooth. 10 and 20 take three and two iterations more, 60 one
+  // less.
   constexpr double ratio = 40.;
   const std::vector<bool> is_moved = complete(matrix_);
   const NodePattern& pattern = matrix_.pattern();
