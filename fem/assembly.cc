@@ -88,6 +88,16 @@ SystemNodes nodes_of(const std::vector<Dof>& unknowns) {
   return nodes;
 }
 
+/// Adds what a system has of a row's and a column's node.
+/// @param row, column places of the nodes in nodes.numbers
+template <int dim>
+void add_block(const CellSystem& system, const SystemNodes& nodes, const std::size_t row,
+               const std::size_t column, Eigen::Matrix<double, dim, dim>& block) {
+  for (unsigned int i = nodes.first_unknowns[row]; i < nodes.first_unknowns[row + 1]; ++i)
+    for (unsigned int j = nodes.first_unknowns[column]; j < nodes.first_unknowns[column + 1]; ++j)
+      block(system.dofs[i] % dim, system.dofs[j] % dim) += system.stiffness(i, j);
+}
+
 template <int dim>
 using Rows = BlockRows<Eigen::Matrix<double, dim, dim>>;
 
@@ -97,12 +107,8 @@ void add_rows_of_others(const CellSystem& system, const OwnNodes& own, Rows<dim>
   for (std::size_t a = 0; a < nodes.numbers.size(); ++a) {
     if (own.have(nodes.numbers[a])) continue;
     auto& row = rows[nodes.numbers[a]];
-    for (std::size_t b = 0; b < nodes.numbers.size(); ++b) {
-      auto& block = row.at(nodes.numbers[b]);
-      for (unsigned int i = nodes.first_unknowns[a]; i < nodes.first_unknowns[a + 1]; ++i)
-        for (unsigned int j = nodes.first_unknowns[b]; j < nodes.first_unknowns[b + 1]; ++j)
-          block(system.dofs[i] % dim, system.dofs[j] % dim) += system.stiffness(i, j);
-    }
+    for (std::size_t b = 0; b < nodes.numbers.size(); ++b)
+      add_block<dim>(system, nodes, a, b, row.at(nodes.numbers[b]));
   }
 }
 
@@ -161,12 +167,9 @@ void add(const CellSystem& system, NodeMatrix<dim>& matrix) {
   for (const int node : nodes.numbers) places.push_back(pattern.place_of(node));
   for (std::size_t a = 0; a < places.size(); ++a) {
     if (!pattern.own().have(nodes.numbers[a])) continue;
-    for (std::size_t b = 0; b < places.size(); ++b) {
-      auto& block = matrix.block(pattern.block(static_cast<std::size_t>(places[a]), places[b]));
-      for (unsigned int i = nodes.first_unknowns[a]; i < nodes.first_unknowns[a + 1]; ++i)
-        for (unsigned int j = nodes.first_unknowns[b]; j < nodes.first_unknowns[b + 1]; ++j)
-          block(system.dofs[i] % dim, system.dofs[j] % dim) += system.stiffness(i, j);
-    }
+    for (std::size_t b = 0; b < places.size(); ++b)
+      add_block<dim>(system, nodes, a, b,
+                     matrix.block(pattern.block(static_cast<std::size_t>(places[a]), places[b])));
   }
 }
 

@@ -11,7 +11,8 @@ namespace geneva::fem {
 
 namespace {
 
-/// A rank may have this share more cells than the average.
+/// A rank may have this share more cells than the average: to move cells takes about as long as it
+/// would wait for the rank.
 constexpr double tolerated_excess = 0.02;
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -30,13 +31,12 @@ Flags flags_of(const Triangulation<dim>& triangulation) {
   return flags;
 }
 
-/// @param flags of all cells, or none to clear them
 template <int dim>
 void set_flags(const Triangulation<dim>& triangulation, const Flags& flags) {
   for (const auto& cell : triangulation.active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     cell->clear_refine_flag();
-    if (!flags.empty() && flags[cell->active_cell_index()] == 1) cell->set_refine_flag();
+    if (flags[cell->active_cell_index()] == 1) cell->set_refine_flag();
   }
 }
 
@@ -78,7 +78,7 @@ void distribute_for_refinement(Triangulation<dim>& triangulation,
                                dealii::DoFHandler<dim>& dof_handler, Vector& displacement) {
   Flags flags = flags_of(triangulation);
   if (!is_uneven(triangulation, flags)) return;
-  set_flags(triangulation, {});  // flagged cells cannot move
+  set_flags(triangulation, Flags(flags.size(), 0));  // flagged cells cannot move
   dealii::parallel::distributed::CellDataTransfer<dim, dim, Flags> flag_transfer(triangulation);
   dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
   flag_transfer.prepare_for_coarsening_and_refinement(flags);

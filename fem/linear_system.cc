@@ -107,17 +107,16 @@ LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
                                 const std::vector<CellSystem>& cells,
                                 const std::vector<NodalForce>& nodal_forces)
     : owned_(dof_handler.locally_owned_dofs()),
-      ghosts_(ghosts),
       communicator_(dof_handler.get_communicator()),
       first_constraints_(constraints),
       constraints_(constraints),
-      load_(writable(owned_, ghosts_, communicator_)),
+      load_(writable(owned_, ghosts, communicator_)),
       matrix_(assemble<dim>(cells, constraints, owned_, communicator_, load_)) {
   for (const NodalForce& force : nodal_forces)
     if (owned_.is_element(force.dof)) load_(force.dof) += force.value;
   load_.compress(dealii::VectorOperation::add);
   first_load_ = load_;
-  zero_with_ghosts_.reinit(owned_, ghosts_, communicator_);
+  zero_with_ghosts_.reinit(owned_, ghosts, communicator_);
 }
 
 template <int dim>

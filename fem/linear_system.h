@@ -69,7 +69,6 @@ class LinearSystem {
                        dealii::SolverControl& control) const;
 
   dealii::IndexSet owned_;
-  dealii::IndexSet ghosts_;
   MPI_Comm communicator_;
   dealii::AffineConstraints<double> first_constraints_;
   dealii::AffineConstraints<double> constraints_;

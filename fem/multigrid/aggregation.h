@@ -13,6 +13,10 @@ struct Aggregates {
 /// A node that nothing is coupled to, such as one whose unknowns are all given.
 inline constexpr int no_aggregate = -1;
 
+/// Damping of the step of Jacobi's method that smooths the motions of aggregates, over the inverse
+/// of the largest eigenvalue (Vanek, Mandel and Brezina 1996).
+inline constexpr double aggregation_damping = 4. / 3.;
+
 /// Aggregates of coupled nodes (Vanek, Mandel and Brezina 1996, section 5.1): every node none of
 /// whose neighbours is taken yet begins one with all of them, what is left joins the aggregate that
 /// most of its neighbours are in. No aggregate has nodes of two bodies: bodies in contact slide on

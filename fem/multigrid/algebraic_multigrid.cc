@@ -14,12 +14,9 @@ namespace {
 
 /// Levels with fewer unknowns are factorised.
 constexpr int most_for_factors = 2000;
-/// Damping of Jacobi's method over the inverse of the largest eigenvalue, as in smoothed
-/// aggregation.
-constexpr double damping = 4. / 3.;
 
 template <int n>
-using Row = BlockRow<Eigen::Matrix<double, n, n>>;
+using MotionRow = BlockRow<Eigen::Matrix<double, n, n>>;
 
 /// Makes the matrix positive definite where nodes lack rigid motions: those that stand for nodes in
 /// a line do not turn about it, nor do nodes of a plane of symmetry leave it.
@@ -61,10 +58,10 @@ Aggregates aggregates_of(const NodePattern& pattern, const std::vector<unsigned 
 
 /// The row of a node in (1 - step D^-1 A) T, where T are the rigid motions of the aggregates.
 template <int dim, int n = n_rigid_motions<dim>>
-Row<n> smoothed_row(const std::size_t node, const NodeMatrix<n>& matrix,
-                    const std::vector<dealii::Point<dim>>& positions,
-                    const CoarseNodes<dim>& coarse, const double step) {
-  Row<n> row;
+MotionRow<n> smoothed_row(const std::size_t node, const NodeMatrix<n>& matrix,
+                          const std::vector<dealii::Point<dim>>& positions,
+                          const CoarseNodes<dim>& coarse, const double step) {
+  MotionRow<n> row;
   const auto motion = [&](const std::size_t place) {
     return rigid_motion<dim>(positions[place] - coarse.centres[place]);
   };
@@ -87,7 +84,7 @@ NodeMatrix<n> smoothed_prolongation(const NodeMatrix<n>& matrix,
                                     const std::vector<dealii::Point<dim>>& positions,
                                     const CoarseNodes<dim>& coarse,
                                     const std::vector<bool>& is_moved, const double step) {
-  std::vector<Row<n>> rows(matrix.pattern().n_rows());
+  std::vector<MotionRow<n>> rows(matrix.pattern().n_rows());
   for (std::size_t node = 0; node < rows.size(); ++node) {
     if (coarse.of_nodes[node] == no_aggregate) continue;
     rows[node] = smoothed_row<dim>(node, matrix, positions, coarse, step);
@@ -119,8 +116,8 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MP
   const auto positions = on_all_nodes(problem.positions, pattern);
   Aggregates aggregates = aggregates_of<n>(pattern, problem.bodies);
   CoarseNodes<dim> coarse = coarse_nodes(aggregates, positions, pattern);
-  prolongation_.emplace(
-      smoothed_prolongation<dim>(matrix_, positions, coarse, is_moved, damping / largest));
+  prolongation_.emplace(smoothed_prolongation<dim>(matrix_, positions, coarse, is_moved,
+                                                   aggregation_damping / largest));
   coarse_ = std::make_unique<AlgebraicMultigrid>(
       CoarseProblem<dim>{coarse_matrix(matrix_, *prolongation_, communicator),
                          std::move(coarse.own_centres), std::move(aggregates.bodies)},

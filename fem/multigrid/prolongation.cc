@@ -16,9 +16,6 @@ namespace {
 /// weakly: those on the long sides of cells that are longer than this. A neighbour across a corner
 /// of cells of twice the size is 2.8 times as far.
 constexpr double short_sides = 5.;
-/// Damping of Jacobi's method over the inverse of the largest eigenvalue, as in smoothed
-/// aggregation.
-constexpr double damping = 4. / 3.;
 /// In long cells two thirds of a motion's stiffness that is the same in all layers are within the
 /// layer of a node, the rest is between this and the next ones (the mass matrix of linear elements
 /// along the long side: 1/6, 4/6, 1/6); and so is the largest eigenvalue without the latter.
@@ -123,7 +120,7 @@ std::vector<NodeRow<dim>> smoothed_rows(const Lists& near, const CoupledNodes<di
     if (coarse.of_nodes[node] != no_aggregate)
       rows[node] = smoothed_row(
           node, near[node], nodes, coarse,
-          damping /
+          aggregation_damping /
               (largest_eigenvalue * (is_in_layer(node, near[node], nodes) ? share_of_layer : 1.)));
   return rows;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deal.II/base/tensor.h>
-#include <deal.II/base/types.h>
 
 #include <Eigen/Core>
 
@@ -42,13 +41,6 @@ RigidMotion<dim> rigid_motion(const dealii::Tensor<1, dim>& r) {
   RigidMotion<dim> result = RigidMotion<dim>::Identity();
   result.template topRows<dim>() = rigid_displacement(r);
   return result;
-}
-
-/// Number of a coarse node's unknown.
-template <int dim>
-dealii::types::global_dof_index coarse_unknown(const int coarse_node, const int component) {
-  return static_cast<dealii::types::global_dof_index>(coarse_node * n_rigid_motions<dim> +
-                                                      component);
 }
 
 }  // namespace geneva::fem
