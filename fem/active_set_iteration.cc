@@ -90,7 +90,7 @@ class SystemOfSets {
                     n_active(sets) >= fewest_for_smoothing &&
                     (!system_ || changed_share(last_sets_, sets) > small_change);
     if (is_smoothing_) ++n_smoothing_steps_;
-    const auto constraints = make_constraints(dof_handler_, level.ghosts, constraint_lines(level));
+    const auto constraints = make_constraints(level.hanging_nodes, constraint_lines(level));
     if (system_ && (is_smoothing_ || changed_share(assembled_sets_, sets) <= small_change)) {
       system_->change(constraints, level.cells);
     } else {

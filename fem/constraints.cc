@@ -76,18 +76,23 @@ TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
 }
 
 template <int dim>
+dealii::AffineConstraints<double> hanging_nodes(const dealii::DoFHandler<dim>& dof_handler,
+                                                const dealii::IndexSet& ghosts) {
+  dealii::AffineConstraints<double> constraints(ghosts);
+  dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  return constraints;
+}
+
+template <int dim>
 std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_handler,
+                                          const dealii::AffineConstraints<double>& hanging_nodes,
                                           const Boundary<dim>& boundary) {
   if (dim == 2) return {};
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-  dealii::AffineConstraints<double> constraints(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
   std::vector<ConstraintLine> own;
   for (const BoundaryNode<dim>& node : boundary.nodes)
     for (const global_dof_index dof : node.dofs)
-      if (dof_handler.locally_owned_dofs().is_element(dof) && constraints.is_constrained(dof))
-        own.push_back({dof, *constraints.get_constraint_entries(dof), 0.});
+      if (dof_handler.locally_owned_dofs().is_element(dof) && hanging_nodes.is_constrained(dof))
+        own.push_back({dof, *hanging_nodes.get_constraint_entries(dof), 0.});
   std::vector<ConstraintLine> lines;
   for (const auto& of_rank :
        dealii::Utilities::MPI::all_gather(dof_handler.get_communicator(), own))
@@ -95,12 +100,10 @@ std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_han
   return lines;
 }
 
-template <int dim>
-dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<dim>& dof_handler,
-                                                   const dealii::IndexSet& ghosts,
-                                                   const std::vector<ConstraintLine>& lines) {
-  dealii::AffineConstraints<double> constraints(ghosts);
-  dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+dealii::AffineConstraints<double> make_constraints(
+    const dealii::AffineConstraints<double>& hanging_nodes,
+    const std::vector<ConstraintLine>& lines) {
+  dealii::AffineConstraints<double> constraints(hanging_nodes);
   for (const ConstraintLine& line : lines) {
     if (constraints.is_constrained(line.dof)) continue;
     constraints.add_line(line.dof);
@@ -116,20 +119,20 @@ template std::vector<ConstraintLine> support_lines(const Boundary<2>&,
                                                    const std::vector<std::string>&);
 template TieLines tie_lines(const Boundary<2>&, const RigidTie<2>&,
                             const std::vector<std::string>&);
-template dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<2>&,
-                                                            const dealii::IndexSet&,
-                                                            const std::vector<ConstraintLine>&);
+template dealii::AffineConstraints<double> hanging_nodes(const dealii::DoFHandler<2>&,
+                                                         const dealii::IndexSet&);
 template std::vector<ConstraintLine> support_lines(const Boundary<3>&,
                                                    const std::vector<Support<3>>&,
                                                    const std::vector<std::string>&);
 template TieLines tie_lines(const Boundary<3>&, const RigidTie<3>&,
                             const std::vector<std::string>&);
-template dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<3>&,
-                                                            const dealii::IndexSet&,
-                                                            const std::vector<ConstraintLine>&);
+template dealii::AffineConstraints<double> hanging_nodes(const dealii::DoFHandler<3>&,
+                                                         const dealii::IndexSet&);
 template std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<2>&,
+                                                   const dealii::AffineConstraints<double>&,
                                                    const Boundary<2>&);
 template std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<3>&,
+                                                   const dealii::AffineConstraints<double>&,
                                                    const Boundary<3>&);
 
 }  // namespace geneva::fem

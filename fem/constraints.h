@@ -50,18 +50,25 @@ TieLines tie_lines(const Boundary<dim>& boundary, const RigidTie<dim>& tie,
 /// checked before)
 unsigned int index_of(const std::vector<std::string>& names, const std::string& name);
 
-/// The hanging-node lines of all boundary dofs, the same on all ranks: contact lines refer to dofs
-/// of bodies that a rank knows nothing else of. In the plane there are none.
-template <int dim>
-std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_handler,
-                                          const Boundary<dim>& boundary);
-
-/// Hanging-node lines of this rank and the given lines, closed.
+/// This rank's hanging nodes, open for more lines.
 /// @param ghosts the dofs whose lines this rank may need: locally relevant dofs and all boundary
 /// dofs
 template <int dim>
-dealii::AffineConstraints<double> make_constraints(const dealii::DoFHandler<dim>& dof_handler,
-                                                   const dealii::IndexSet& ghosts,
-                                                   const std::vector<ConstraintLine>& lines);
+dealii::AffineConstraints<double> hanging_nodes(const dealii::DoFHandler<dim>& dof_handler,
+                                                const dealii::IndexSet& ghosts);
+
+/// The hanging-node lines of all boundary dofs, the same on all ranks: contact lines refer to dofs
+/// of bodies that a rank knows nothing else of. In the plane there are none.
+/// @param hanging_nodes of this rank
+template <int dim>
+std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_handler,
+                                          const dealii::AffineConstraints<double>& hanging_nodes,
+                                          const Boundary<dim>& boundary);
+
+/// This rank's hanging nodes and the given lines, closed.
+/// @param hanging_nodes open
+dealii::AffineConstraints<double> make_constraints(
+    const dealii::AffineConstraints<double>& hanging_nodes,
+    const std::vector<ConstraintLine>& lines);
 
 }  // namespace geneva::fem

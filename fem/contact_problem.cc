@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "fem/active_set_iteration.h"
 #include "fem/constraints.h"
@@ -76,10 +77,10 @@ class NestedIteration {
     guess_.reinit(level_.owned, communicator_);
   }
 
-  void make_level() {
+  void make_level(StiffnessStore<dim> stored = {}) {
     moved_vertices_ = close_gaps(*solution_.triangulation);
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
-                             solution_.scales, origins_);
+                             solution_.scales, origins_, std::move(stored));
     for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
       level_.interfaces[i].active = inherited_set(i);
   }
@@ -364,6 +365,7 @@ class NestedIteration {
   void refine_flagged(Vector displacement) {
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
+    StiffnessStore<dim> stored = stored_stiffness(dof_handler, std::move(level_.cells));
     put_back(triangulation, moved_vertices_);
     triangulation.prepare_coarsening_and_refinement();
     distribute_for_refinement(triangulation, dof_handler, displacement);
@@ -373,7 +375,7 @@ class NestedIteration {
     dof_handler.distribute_dofs(*solution_.element);
     guess_.reinit(dof_handler.locally_owned_dofs(), communicator_);
     transfer.interpolate(guess_);
-    make_level();
+    make_level(std::move(stored));
   }
 
   void keep_result() {

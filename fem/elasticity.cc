@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace geneva::fem {
 
@@ -105,6 +106,8 @@ std::vector<double> densities(const dealii::DoFHandler<dim>& dof_handler,
 template <int dim>
 class CellIntegrator {
  public:
+  using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
   CellIntegrator(const dealii::DoFHandler<dim>& dof_handler, const Problem<dim>& problem,
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
@@ -112,6 +115,9 @@ class CellIntegrator {
         cell_values_(dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
                          dealii::update_quadrature_points),
+        force_values_(
+            dof_handler.get_fe(), cell_values_.get_quadrature(),
+            dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points),
         face_values_(dof_handler.get_fe(), dealii::QGauss<dim - 1>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_JxW_values |
                          dealii::update_normal_vectors | dealii::update_quadrature_points),
@@ -124,18 +130,14 @@ class CellIntegrator {
         if (surfaces[id] == load.surface) surface_loads_.emplace(id, load);
   }
 
-  CellSystem integrate(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
+  CellSystem integrate(const Cell& cell, StiffnessStore<dim>& stored) {
     const unsigned int n_dofs = cell->get_fe().n_dofs_per_cell();
-    CellSystem system{dealii::FullMatrix<double>(n_dofs), dealii::Vector<double>(n_dofs), {}};
-    system.dofs.resize(n_dofs);
+    auto stiffness = stored.take(cell);
+    CellSystem system{stiffness ? std::move(*stiffness) : stiffness_of(cell),
+                      dealii::Vector<double>(n_dofs),
+                      std::vector<dealii::types::global_dof_index>(n_dofs)};
     cell->get_dof_indices(system.dofs);
-    cell_values_.reinit(cell);
-    add_stiffness(cell->material_id(), system.stiffness);
-    if constexpr (dim == 3) {
-      centre_values_.reinit(cell);
-      add_incompatible_modes(cell->material_id(), system.stiffness);
-    }
-    add_body_force(cell->material_id(), system.load);
+    if (has_force(cell->material_id())) add_body_force(cell, system.load);
     if (cell->at_boundary())
       for (const auto& face : cell->face_iterators())
         if (face->at_boundary()) add_surface_loads(cell, face, system.load);
@@ -143,6 +145,17 @@ class CellIntegrator {
   }
 
  private:
+  dealii::FullMatrix<double> stiffness_of(const Cell& cell) {
+    dealii::FullMatrix<double> stiffness(cell->get_fe().n_dofs_per_cell());
+    cell_values_.reinit(cell);
+    add_stiffness(cell->material_id(), stiffness);
+    if constexpr (dim == 3) {
+      centre_values_.reinit(cell);
+      add_incompatible_modes(cell->material_id(), stiffness);
+    }
+    return stiffness;
+  }
+
   void add_stiffness(const unsigned int body, dealii::FullMatrix<double>& stiffness) const {
     const auto& element = cell_values_.get_fe();
     const bool axisymmetric = problem_.plane == PlaneKind::axisymmetric;
@@ -209,19 +222,25 @@ class CellIntegrator {
       for (unsigned int j = 0; j < stiffness.n(); ++j) stiffness(i, j) -= condensed(i, j);
   }
 
-  void add_body_force(const unsigned int body, dealii::Vector<double>& load) const {
-    const BodyForce<dim>& force = problem_.bodies[body].force;
-    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const Point<dim>& x = cell_values_.quadrature_point(q);
-      const Tensor<1, dim> density = body_force_at(force, densities_[body], x);
-      const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
-      for (const unsigned int i : cell_values_.dof_indices())
-        load[i] += weight * density[cell_values_.get_fe().system_to_component_index(i).first] *
-                   cell_values_.shape_value(i, q);
+  [[nodiscard]] bool has_force(const unsigned int body) const {
+    return densities_[body] != 0. || problem_.bodies[body].force.uniform != Components<dim>{};
+  }
+
+  void add_body_force(const Cell& cell, dealii::Vector<double>& load) {
+    const unsigned int body = cell->material_id();
+    force_values_.reinit(cell);
+    for (const unsigned int q : force_values_.quadrature_point_indices()) {
+      const Point<dim>& x = force_values_.quadrature_point(q);
+      const Tensor<1, dim> density =
+          body_force_at(problem_.bodies[body].force, densities_[body], x);
+      const double weight = force_values_.JxW(q) * out_of_plane_measure(problem_, x);
+      for (const unsigned int i : force_values_.dof_indices())
+        load[i] += weight * density[force_values_.get_fe().system_to_component_index(i).first] *
+                   force_values_.shape_value(i, q);
     }
   }
 
-  template <typename Cell, typename Face>
+  template <typename Face>
   void add_surface_loads(const Cell& cell, const Face& face, dealii::Vector<double>& load) {
     const auto [begin, end] = surface_loads_.equal_range(face->boundary_id());
     if (begin == end) return;
@@ -244,6 +263,7 @@ class CellIntegrator {
   const Problem<dim>& problem_;
   std::vector<double> densities_;  ///< by body
   dealii::FEValues<dim> cell_values_;
+  dealii::FEValues<dim> force_values_;
   dealii::FEFaceValues<dim> face_values_;
   dealii::FEValues<dim> centre_values_;
   std::vector<Lame> lame_;
@@ -255,20 +275,33 @@ class CellIntegrator {
 template <int dim>
 std::vector<CellSystem> cell_systems(const dealii::DoFHandler<dim>& dof_handler,
                                      const Problem<dim>& problem,
-                                     const std::vector<std::string>& surfaces) {
+                                     const std::vector<std::string>& surfaces,
+                                     StiffnessStore<dim> stored) {
   CellIntegrator<dim> integrator(dof_handler, problem, surfaces);
   std::vector<CellSystem> systems;
   systems.reserve(dof_handler.get_triangulation().n_active_cells());
   for (const auto& cell : dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell));
+    if (cell->is_locally_owned()) systems.push_back(integrator.integrate(cell, stored));
   return systems;
+}
+
+template <int dim>
+StiffnessStore<dim> stored_stiffness(const dealii::DoFHandler<dim>& dof_handler,
+                                     std::vector<CellSystem> systems) {
+  StiffnessStore<dim> stored;
+  auto system = systems.begin();
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned()) stored.keep(cell, std::move((system++)->stiffness));
+  return stored;
 }
 
 template double out_of_plane_measure(const Problem<2>&, const Point<2>&);
 template std::vector<CellSystem> cell_systems(const dealii::DoFHandler<2>&, const Problem<2>&,
-                                              const std::vector<std::string>&);
+                                              const std::vector<std::string>&, StiffnessStore<2>);
+template StiffnessStore<2> stored_stiffness(const dealii::DoFHandler<2>&, std::vector<CellSystem>);
 template double out_of_plane_measure(const Problem<3>&, const Point<3>&);
 template std::vector<CellSystem> cell_systems(const dealii::DoFHandler<3>&, const Problem<3>&,
-                                              const std::vector<std::string>&);
+                                              const std::vector<std::string>&, StiffnessStore<3>);
+template StiffnessStore<3> stored_stiffness(const dealii::DoFHandler<3>&, std::vector<CellSystem>);
 
 }  // namespace geneva::fem

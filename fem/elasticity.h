@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/problem.h"
+#include "fem/stiffness_store.h"
 
 namespace geneva::fem {
 
@@ -50,9 +51,16 @@ struct CellSystem {
 /// the principle of virtual work, with body forces and surface loads.
 /// @param problem in the units of the triangulation
 /// @param surfaces boundary names by boundary id
+/// @param stored matrices of an earlier mesh of the same problem, used for the cells that it had
 template <int dim>
 std::vector<CellSystem> cell_systems(const dealii::DoFHandler<dim>& dof_handler,
                                      const Problem<dim>& problem,
-                                     const std::vector<std::string>& surfaces);
+                                     const std::vector<std::string>& surfaces,
+                                     StiffnessStore<dim> stored = {});
+
+/// The stiffness matrices out of this rank's systems, for the next mesh.
+template <int dim>
+StiffnessStore<dim> stored_stiffness(const dealii::DoFHandler<dim>& dof_handler,
+                                     std::vector<CellSystem> systems);
 
 }  // namespace geneva::fem

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "fem/constraints.h"
 #include "fem/contact/surface_in_space.h"
@@ -143,7 +144,7 @@ void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
 template <int dim>
 Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
                       const Problem<dim>& scaled_problem, const Scales& scales,
-                      std::optional<SurfaceOrigins<dim>>& origins) {
+                      std::optional<SurfaceOrigins<dim>>& origins, StiffnessStore<dim> stored) {
   Level<dim> level;
   level.owned = dof_handler.locally_owned_dofs();
   level.boundary = gather_boundary(dof_handler, mesh.circles, scales.length);
@@ -152,10 +153,11 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins,
                                      dof_handler.get_communicator());
   const dealii::Timer timer;
-  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
+  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces, std::move(stored));
   level.cell_seconds = timer.wall_time();
-  level.hanging_lines = hanging_lines(dof_handler, level.boundary);
-  level.hanging = make_constraints(dof_handler, level.ghosts, level.hanging_lines);
+  level.hanging_nodes = hanging_nodes(dof_handler, level.ghosts);
+  level.hanging_lines = hanging_lines(dof_handler, level.hanging_nodes, level.boundary);
+  level.hanging = make_constraints(level.hanging_nodes, level.hanging_lines);
   add_held_lines(level, mesh, scaled_problem);
   level.forced = forced_unknowns(forced_dofs(level), level.cells, level.hanging);
   return level;
@@ -174,9 +176,11 @@ std::vector<ConstraintLine> constraint_lines(const Level<dim>& level) {
 }
 
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
-                             const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
+                             const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&,
+                             StiffnessStore<2>);
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
-                             const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
+                             const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&,
+                             StiffnessStore<3>);
 template std::vector<ConstraintLine> constraint_lines(const Level<2>&);
 template std::vector<ConstraintLine> constraint_lines(const Level<3>&);
 

@@ -32,17 +32,19 @@ struct Level {
   std::vector<ConstraintLine> held_lines;     ///< supports and ties
   std::set<global_dof_index> held;            ///< dofs of those lines
   std::vector<NodalForce> tie_forces;
-  dealii::AffineConstraints<double> hanging;
-  ForcedUnknowns forced;     ///< of contact, supports and ties
-  double cell_seconds = 0.;  ///< time to integrate the cells
+  dealii::AffineConstraints<double> hanging_nodes;  ///< of this rank, open for more lines
+  dealii::AffineConstraints<double> hanging;        ///< closed, with all boundary dofs
+  ForcedUnknowns forced;                            ///< of contact, supports and ties
+  double cell_seconds = 0.;  ///< time to integrate the cells that were not stored
 };
 
 /// Builds the level on the dof handler's mesh.
 /// @param origins chosen on the first mesh if empty, kept on the others
+/// @param stored stiffness matrices of the mesh before
 template <int dim>
 Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
                       const Problem<dim>& scaled_problem, const Scales& scales,
-                      std::optional<SurfaceOrigins<dim>>& origins);
+                      std::optional<SurfaceOrigins<dim>>& origins, StiffnessStore<dim> stored = {});
 
 /// All constraints with the level's active sets: hanging boundary nodes, supports, ties, contact.
 template <int dim>

@@ -15,14 +15,10 @@ using dealii::Tensor;
 
 namespace {
 
-/// Faces can touch only if their outward normals are opposed by more than this cosine.
-constexpr double opposed = -0.1;
 /// Overlaps smaller than this share of the source face are round-off.
 constexpr double least_share = 1e-12;
 
 using Polygon = std::vector<Point<2>>;
-
-double cross(const Tensor<1, 2>& a, const Tensor<1, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 double area(const Polygon& polygon) {
   double sum = 0.;

@@ -11,11 +11,6 @@ using dealii::Tensor;
 
 namespace {
 
-/// An edge and a node can touch only if their outward normals are opposed by more than this cosine.
-constexpr double opposed = -0.1;
-
-double cross(const Tensor<1, 2>& a, const Tensor<1, 2>& b) { return a[0] * b[1] - a[1] * b[0]; }
-
 /// Where the normal of a target node meets the line through a source edge that it looks at:
 /// parameter along the edge, and the gap.
 struct NodeProjection {

@@ -29,12 +29,13 @@ class TiedBlock {
     const Boundary<3> boundary = gather_boundary(*grid_.dof_handler, mesh_.circles, 1.);
     for (const BoundaryNode<3>& node : boundary.nodes)
       ghosts_.add_indices(node.dofs.begin(), node.dofs.end());
-    auto lines = hanging_lines(*grid_.dof_handler, boundary);
+    auto lines =
+        hanging_lines(*grid_.dof_handler, hanging_nodes(*grid_.dof_handler, ghosts_), boundary);
     const auto supports = support_lines<3>(boundary, {{"bottom", {0., 0.1, 0.}}}, mesh_.surfaces);
     lines.insert(lines.end(), supports.begin(), supports.end());
     const auto ties = tie_lines<3>(boundary, {"top", {0.6, 0.8, 0.}, 0.}, mesh_.surfaces);
     lines.insert(lines.end(), ties.lines.begin(), ties.lines.end());
-    constraints_ = make_constraints(*grid_.dof_handler, ghosts_, lines);
+    constraints_ = make_constraints(hanging_nodes(*grid_.dof_handler, ghosts_), lines);
     Problem<3> problem;
     problem.bodies.push_back({"block", {2., 0.3}, {}});
     problem.loads.push_back({"side", 0., {0.1, 0.2, 0.3}});

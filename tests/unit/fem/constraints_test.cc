@@ -120,7 +120,7 @@ TEST(Constraints, HangingNodesAreTheMeansOfTheirNeighbours) {
   grid.dof_handler->distribute_dofs(grid.element);
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(*grid.dof_handler, relevant);
-  const auto constraints = make_constraints(*grid.dof_handler, relevant, {});
+  const auto constraints = make_constraints(hanging_nodes(*grid.dof_handler, relevant), {});
   unsigned int hanging = 0;
   for (const auto dof : grid.dof_handler->locally_owned_dofs())
     if (constraints.is_constrained(dof)) {
@@ -140,7 +140,7 @@ TEST(Constraints, LinesMayReferToOtherConstrainedUnknowns) {
                                     {nodes[1].dofs[0], {{nodes[2].dofs[0], 3.}}, 5.}};
   dealii::IndexSet all(square.grid.dof_handler->n_dofs());
   all.add_range(0, square.grid.dof_handler->n_dofs());
-  const auto constraints = make_constraints(*square.grid.dof_handler, all, lines);
+  const auto constraints = make_constraints(hanging_nodes(*square.grid.dof_handler, all), lines);
   EXPECT_EQ(constraints.get_inhomogeneity(nodes[0].dofs[0]), 2. * 5. + 1.);
   const auto* entries = constraints.get_constraint_entries(nodes[0].dofs[0]);
   ASSERT_NE(entries, nullptr);

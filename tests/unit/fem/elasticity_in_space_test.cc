@@ -179,7 +179,7 @@ double tip_deflection(const double length, const unsigned int refinements) {
   for (const BoundaryNode<3>& node : boundary.nodes)
     ghosts.add_indices(node.dofs.begin(), node.dofs.end());
   LinearSystem<3> system(
-      *grid.dof_handler, ghosts, make_constraints(*grid.dof_handler, ghosts, lines),
+      *grid.dof_handler, ghosts, make_constraints(hanging_nodes(*grid.dof_handler, ghosts), lines),
       cell_systems(*grid.dof_handler, problem, mesh.surfaces), {{tie.master, tie.master_force}});
   system.set_up_multigrid(*grid.dof_handler);
   dealii::TrilinosWrappers::MPI::Vector displacement(grid.dof_handler->locally_owned_dofs(),

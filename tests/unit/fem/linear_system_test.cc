@@ -48,7 +48,7 @@ class TiedSector {
   [[nodiscard]] dealii::AffineConstraints<double> constraints(const Lines& ties) const {
     Lines lines = supports_;
     lines.insert(lines.end(), ties.begin(), ties.end());
-    return make_constraints(*grid_.dof_handler, ghosts_, lines);
+    return make_constraints(hanging_nodes(*grid_.dof_handler, ghosts_), lines);
   }
 
   [[nodiscard]] LinearSystem<3> system(const Lines& ties) const {

@@ -41,7 +41,7 @@ class Block {
       ghosts_.add_indices(node.dofs.begin(), node.dofs.end());
     const std::vector<Support<3>> supports{{"bottom", {0., 0., 0.}},
                                            {"lower", {std::nullopt, std::nullopt, 0.}}};
-    constraints_ = make_constraints(*grid_.dof_handler, ghosts_,
+    constraints_ = make_constraints(hanging_nodes(*grid_.dof_handler, ghosts_),
                                     support_lines<3>(boundary, supports, mesh_.surfaces));
     matrix_ = std::make_unique<NodeMatrix<3>>(assembled());
   }
