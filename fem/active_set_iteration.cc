@@ -88,10 +88,10 @@ class SystemOfSets {
     const Sets sets = active_sets(level);
     is_smoothing_ = n_smoothing_steps_ < most_smoothing_steps &&
                     n_active(sets) >= fewest_for_smoothing &&
-                    (!system_ || changed_share(last_sets_, sets) > small_change);
+                    (!system_ || changed_share(last_sets_, sets) > few_for_smoothing);
     if (is_smoothing_) ++n_smoothing_steps_;
     const auto constraints = make_constraints(level.hanging_nodes, constraint_lines(level));
-    if (system_ && (is_smoothing_ || changed_share(assembled_sets_, sets) <= small_change)) {
+    if (system_ && (is_smoothing_ || changed_share(assembled_sets_, sets) <= few_for_change)) {
       system_->change(constraints, level.cells);
     } else {
       assemble(level, constraints);
@@ -112,7 +112,9 @@ class SystemOfSets {
  private:
   /// Share of the active nodes by which the sets may change before assembling anew, with a
   /// multigrid of its own, costs less than the iterations that it spares.
-  static constexpr double small_change = 0.05;
+  static constexpr double few_for_change = 0.15;
+  /// Share by which they change no more when local errors are small.
+  static constexpr double few_for_smoothing = 0.05;
   static constexpr unsigned int most_smoothing_steps = 2;
   /// With fewer nodes the sets may change wholly from one mesh to the next.
   static constexpr std::size_t fewest_for_smoothing = 100;

@@ -33,23 +33,6 @@ std::vector<CellSystem> differences(const std::vector<CellSystem>& cells,
   return result;
 }
 
-/// A matrix that is the sum of the one of the first constraints and a correction.
-template <int dim>
-class CorrectedMatrix {
- public:
-  CorrectedMatrix(const NodeMatrix<dim>& matrix, const std::optional<NodeMatrix<dim>>& correction)
-      : matrix_(matrix), correction_(correction) {}
-
-  void vmult(Vector& result, const Vector& vector) const {
-    matrix_.vmult(result, vector);
-    if (correction_) correction_->vmult_add(result, vector);
-  }
-
- private:
-  const NodeMatrix<dim>& matrix_;
-  const std::optional<NodeMatrix<dim>>& correction_;
-};
-
 /// Division by the diagonal.
 class Jacobi {
  public:
@@ -131,8 +114,9 @@ void LinearSystem<dim>::change(const dealii::AffineConstraints<double>& constrai
   load_ = first_load_;
   dealii::AffineConstraints<double> none;
   none.close();
-  correction_.emplace(assemble<dim>(changes_from_first(cells), none, owned_, communicator_, load_));
+  matrix_.correct(assemble<dim>(changes_from_first(cells), none, owned_, communicator_, load_));
   load_.compress(dealii::VectorOperation::add);
+  if (multigrid_) multigrid_->renew_smoother();
 }
 
 /// A constrained unknown stands alone in the matrix, with a diagonal of its own: it goes where the
@@ -142,7 +126,7 @@ std::vector<CellSystem> LinearSystem<dim>::changes_from_first(
     const std::vector<CellSystem>& cells) const {
   const auto changed = changed_unknowns(first_constraints_, constraints_);
   auto changes = differences(cells, changed, first_constraints_, constraints_);
-  const std::vector<double> diagonal = matrix_.diagonal();
+  const std::vector<double> diagonal = matrix_.uncorrected().diagonal();
   for (const auto dof : changed) {
     if (!owned_.is_element(dof)) continue;
     const bool was_free = !first_constraints_.is_constrained(dof);
@@ -177,8 +161,7 @@ double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
   Vector load(displacement);
   load = load_;
   Vector residual(displacement);
-  CorrectedMatrix<dim>(matrix_, correction_).vmult(residual, free);
-  residual -= load;
+  matrix_.residual(residual, free, load);
   return residual.l2_norm();
 }
 
@@ -190,7 +173,7 @@ unsigned int LinearSystem<dim>::iterate(Vector& displacement, const Precondition
   load = load_;
   constraints_.set_zero(displacement);
   dealii::SolverCG<Vector> solver(control);
-  solver.solve(CorrectedMatrix<dim>(matrix_, correction_), displacement, load,
+  solver.solve(matrix_, displacement, load,
                OnFreeUnknowns<Preconditioner>(preconditioner, constraints_, owned_));
   distribute(displacement);
   return control.last_step();

@@ -7,12 +7,11 @@
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "fem/elasticity.h"
+#include "fem/multigrid/corrected_matrix.h"
 #include "fem/multigrid/multigrid.h"
-#include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
 
@@ -35,7 +34,8 @@ class LinearSystem {
                const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
 
   /// Goes over to constraints that differ in a few unknowns from those that the system was
-  /// assembled with: only the cells at these unknowns are summed up anew, and the multigrid stays.
+  /// assembled with: only the cells at these unknowns are summed up anew, and the multigrid keeps
+  /// its coarse levels.
   /// @param cells those that the system was assembled from
   void change(const dealii::AffineConstraints<double>& constraints,
               const std::vector<CellSystem>& cells);
@@ -74,10 +74,8 @@ class LinearSystem {
   dealii::AffineConstraints<double> constraints_;
   Vector first_load_;
   Vector load_;
-  NodeMatrix<dim> matrix_;  ///< condensed by the first constraints
-  std::optional<NodeMatrix<dim>>
-      correction_;           ///< to the constraints of now; none if they are the first
-  Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
+  CorrectedMatrix<dim> matrix_;  ///< condensed by the first constraints, corrected to those of now
+  Vector zero_with_ghosts_;      ///< copies of it need no communication, new vectors do
   std::unique_ptr<Multigrid<dim>> multigrid_;
 };
 

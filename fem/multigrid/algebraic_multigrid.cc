@@ -123,7 +123,8 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MP
                          std::move(coarse.own_centres), std::move(aggregates.bodies)},
       communicator);
   coarse_zero_.reinit(dealii::IndexSet(coarse.unknowns), communicator);
-  smoother_ = std::make_unique<Chebyshev<n>>(matrix_, largest / ratio, margin * largest);
+  smoother_ =
+      std::make_unique<Chebyshev<NodeMatrix<n>>>(matrix_, largest / ratio, margin * largest);
 }
 
 template <int dim>

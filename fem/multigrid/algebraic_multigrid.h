@@ -38,7 +38,7 @@ class AlgebraicMultigrid {
 
   NodeMatrix<n> matrix_;
   std::unique_ptr<DirectSolver<n>> direct_;  ///< of the coarsest level, which has nothing else
-  std::unique_ptr<Chebyshev<n>> smoother_;
+  std::unique_ptr<Chebyshev<NodeMatrix<n>>> smoother_;
   std::optional<NodeMatrix<n>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid> coarse_;
   Vector coarse_zero_;  ///< as v_cycle() takes it

@@ -8,8 +8,8 @@ namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-template <int n>
-std::vector<double> inverse_diagonal(const NodeMatrix<n>& matrix) {
+template <typename Matrix>
+std::vector<double> inverse_diagonal(const Matrix& matrix) {
   std::vector<double> result = matrix.diagonal();
   for (double& entry : result) entry = 1. / entry;
   return result;
@@ -24,23 +24,23 @@ void scale(Vector& vector, const std::vector<double>& inverse_diagonal, const do
 
 }  // namespace
 
-template <int n>
-Chebyshev<n>::Chebyshev(const NodeMatrix<n>& matrix, const double lowest, const double highest)
+template <typename Matrix>
+Chebyshev<Matrix>::Chebyshev(const Matrix& matrix, const double lowest, const double highest)
     : matrix_(matrix),
       inverse_diagonal_(inverse_diagonal(matrix)),
       centre_((highest + lowest) / 2.),
       half_width_((highest - lowest) / 2.) {}
 
-template <int n>
-void Chebyshev<n>::solve(Vector& solution, const Vector& right_hand_side) const {
+template <typename Matrix>
+void Chebyshev<Matrix>::solve(Vector& solution, const Vector& right_hand_side) const {
   Vector step(right_hand_side);
   scale(step, inverse_diagonal_, 1. / centre_);
   solution = step;
   take_second_step(solution, step, right_hand_side);
 }
 
-template <int n>
-void Chebyshev<n>::improve(Vector& solution, const Vector& right_hand_side) const {
+template <typename Matrix>
+void Chebyshev<Matrix>::improve(Vector& solution, const Vector& right_hand_side) const {
   Vector step(right_hand_side);
   matrix_.residual(step, solution, right_hand_side);
   scale(step, inverse_diagonal_, 1. / centre_);
@@ -48,9 +48,9 @@ void Chebyshev<n>::improve(Vector& solution, const Vector& right_hand_side) cons
   take_second_step(solution, step, right_hand_side);
 }
 
-template <int n>
-void Chebyshev<n>::take_second_step(Vector& solution, Vector& step,
-                                    const Vector& right_hand_side) const {
+template <typename Matrix>
+void Chebyshev<Matrix>::take_second_step(Vector& solution, Vector& step,
+                                         const Vector& right_hand_side) const {
   const double first_rho = half_width_ / centre_;
   const double rho = 1. / (2. / first_rho - first_rho);
   Vector residual(right_hand_side);
@@ -78,9 +78,11 @@ double largest_eigenvalue(const NodeMatrix<n>& matrix, const MPI_Comm communicat
   return vector.l2_norm();
 }
 
-template class Chebyshev<2>;
-template class Chebyshev<3>;
-template class Chebyshev<6>;
+template class Chebyshev<CorrectedMatrix<2>>;
+template class Chebyshev<CorrectedMatrix<3>>;
+template class Chebyshev<NodeMatrix<2>>;
+template class Chebyshev<NodeMatrix<3>>;
+template class Chebyshev<NodeMatrix<6>>;
 template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<3>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<6>&, MPI_Comm);

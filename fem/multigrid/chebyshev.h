@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "fem/multigrid/corrected_matrix.h"
 #include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
@@ -11,14 +12,15 @@ namespace geneva::fem {
 /// Chebyshev's iteration of degree two for the system scaled by its diagonal (Saad 2003, Iterative
 /// methods for sparse linear systems, algorithm 12.1): reduces the errors at the upper end of the
 /// spectrum.
-template <int n>
+/// @tparam Matrix NodeMatrix or CorrectedMatrix
+template <typename Matrix>
 class Chebyshev {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   /// @param matrix symmetric and positive definite; must outlive this
   /// @param lowest, highest eigenvalues of the scaled matrix that are reduced, positive
-  Chebyshev(const NodeMatrix<n>& matrix, double lowest, double highest);
+  Chebyshev(const Matrix& matrix, double lowest, double highest);
 
   /// An approximate solution for a right-hand side, from zero.
   void solve(Vector& solution, const Vector& right_hand_side) const;
@@ -28,7 +30,7 @@ class Chebyshev {
  private:
   void take_second_step(Vector& solution, Vector& step, const Vector& right_hand_side) const;
 
-  const NodeMatrix<n>& matrix_;
+  const Matrix& matrix_;
   std::vector<double> inverse_diagonal_;
   double centre_;      ///< theta
   double half_width_;  ///< delta

@@ -8,26 +8,39 @@
 
 namespace geneva::fem {
 
+namespace {
+
+/// The power method comes from below, and Chebyshev's polynomial grows fast beyond its range.
+constexpr double margin = 1.1;
+
+}  // namespace
+
 template <int dim>
-Multigrid<dim>::Multigrid(const NodeMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler,
+Multigrid<dim>::Multigrid(const CorrectedMatrix<dim>& matrix,
+                          const dealii::DoFHandler<dim>& dof_handler,
                           const dealii::AffineConstraints<double>& constraints)
-    : matrix_(matrix) {
-  // The power method comes from below, and Chebyshev's polynomial grows fast beyond its range.
-  constexpr double margin = 1.1;
-  // Of the eigenvalues that are smoothed; 6 and 20 take an iteration more.
-  constexpr double ratio = 10.;
+    : matrix_(matrix),
+      largest_eigenvalue_(
+          margin * largest_eigenvalue(matrix.uncorrected(), dof_handler.get_communicator())) {
   const MPI_Comm communicator = dof_handler.get_communicator();
-  const double largest = margin * largest_eigenvalue(matrix, communicator);
   Prolongation<dim> prolonged =
-      prolongation(CoupledNodes<dim>(matrix, dof_handler), dof_handler.locally_owned_dofs(),
-                   constraints, largest);
+      prolongation(CoupledNodes<dim>(matrix.uncorrected(), dof_handler),
+                   dof_handler.locally_owned_dofs(), constraints, largest_eigenvalue_);
   prolongation_.emplace(std::move(prolonged.matrix));
   coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
-      CoarseProblem<dim>{coarse_matrix(matrix, *prolongation_, communicator),
+      CoarseProblem<dim>{coarse_matrix(matrix.uncorrected(), *prolongation_, communicator),
                          std::move(prolonged.positions), std::move(prolonged.bodies)},
       communicator);
   coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator);
-  smoother_ = std::make_unique<Chebyshev<dim>>(matrix, largest / ratio, margin * largest);
+  renew_smoother();
+}
+
+template <int dim>
+void Multigrid<dim>::renew_smoother() {
+  // Of the eigenvalues that are smoothed; 6 and 20 take an iteration more.
+  constexpr double ratio = 10.;
+  smoother_ = std::make_unique<Chebyshev<CorrectedMatrix<dim>>>(
+      matrix_, largest_eigenvalue_ / ratio, margin * largest_eigenvalue_);
 }
 
 template <int dim>

@@ -13,8 +13,8 @@ namespace geneva::fem {
 /// @param coarse_zero zeros at the coarse unknowns: copies of it need no communication, new vectors
 /// do
 /// @param correction out
-template <int n, int m, typename Coarse>
-void v_cycle(const NodeMatrix<n>& matrix, const Chebyshev<n>& smoother,
+template <typename Matrix, int n, int m, typename Coarse>
+void v_cycle(const Matrix& matrix, const Chebyshev<Matrix>& smoother,
              const NodeMatrix<n, m>& prolongation, const Coarse& coarse,
              const dealii::TrilinosWrappers::MPI::Vector& coarse_zero,
              dealii::TrilinosWrappers::MPI::Vector& correction,

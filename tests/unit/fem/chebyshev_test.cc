@@ -41,7 +41,7 @@ double factor(const double eigenvalue, const double lowest, const double highest
 
 TEST(Chebyshev, MultipliesErrorsByItsPolynomial) {
   const NodeMatrix<2> matrix = pairs();
-  const Chebyshev<2> iteration(matrix, 0.3, 1.6);
+  const Chebyshev<NodeMatrix<2>> iteration(matrix, 0.3, 1.6);
   for (const double eigenvalue : {0.5, 1.5}) {
     const Vector solution = eigenvector(matrix, eigenvalue);
     Vector load(solution);

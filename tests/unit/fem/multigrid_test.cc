@@ -43,7 +43,7 @@ class Block {
                                            {"lower", {std::nullopt, std::nullopt, 0.}}};
     constraints_ = make_constraints(hanging_nodes(*grid_.dof_handler, ghosts_),
                                     support_lines<3>(boundary, supports, mesh_.surfaces));
-    matrix_ = std::make_unique<NodeMatrix<3>>(assembled());
+    matrix_ = std::make_unique<CorrectedMatrix<3>>(assembled());
   }
 
   [[nodiscard]] const dealii::DoFHandler<3>& dof_handler() const { return *grid_.dof_handler; }
@@ -53,8 +53,10 @@ class Block {
   [[nodiscard]] const dealii::AffineConstraints<double>& constraints() const {
     return constraints_;
   }
-  [[nodiscard]] const NodeMatrix<3>& matrix() const { return *matrix_; }
-  [[nodiscard]] CoupledNodes<3> nodes() const { return {*matrix_, *grid_.dof_handler}; }
+  [[nodiscard]] const CorrectedMatrix<3>& matrix() const { return *matrix_; }
+  [[nodiscard]] CoupledNodes<3> nodes() const {
+    return {matrix_->uncorrected(), *grid_.dof_handler};
+  }
   [[nodiscard]] Prolongation<3> prolonged() const {
     return prolongation(nodes(), unknowns(), constraints_, 4.);
   }
@@ -87,7 +89,7 @@ class Block {
   Discretisation<3> grid_;
   dealii::IndexSet ghosts_;
   dealii::AffineConstraints<double> constraints_;
-  std::unique_ptr<NodeMatrix<3>> matrix_;
+  std::unique_ptr<CorrectedMatrix<3>> matrix_;
 };
 
 /// Values that look random and are the same on any number of ranks.
@@ -156,7 +158,7 @@ TEST(Prolongation, CoarsensWithinTheLayersOfLongCells) {
 TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   const Block block(8., 0, true);
   const Prolongation<3> prolonged = block.prolonged();
-  const auto coarse = coarse_matrix(block.matrix(), prolonged.matrix, MPI_COMM_WORLD);
+  const auto coarse = coarse_matrix(block.matrix().uncorrected(), prolonged.matrix, MPI_COMM_WORLD);
   const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
   const auto fine = [&](const Vector& vector) {
     Vector result(block.unknowns(), MPI_COMM_WORLD);
