@@ -7,6 +7,7 @@
 
 #include "fem/assembly.h"
 #include "fem/condensation.h"
+#include "fem/marked_unknowns.h"
 
 namespace geneva::fem {
 
@@ -20,10 +21,11 @@ std::vector<CellSystem> differences(const std::vector<CellSystem>& cells,
                                     const std::set<dealii::types::global_dof_index>& changed,
                                     const dealii::AffineConstraints<double>& before,
                                     const dealii::AffineConstraints<double>& after) {
+  const MarkedUnknowns marked(changed);
   std::vector<CellSystem> result;
   for (const CellSystem& cell : cells) {
     if (std::none_of(cell.dofs.begin(), cell.dofs.end(),
-                     [&](const auto dof) { return changed.count(dof) > 0; }))
+                     [&](const auto dof) { return marked.have(dof); }))
       continue;
     result.push_back(condensed(cell, after));
     result.push_back(condensed(cell, before));

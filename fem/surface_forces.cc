@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fem/marked_unknowns.h"
+
 namespace geneva::fem {
 
 namespace {
@@ -31,15 +33,13 @@ std::optional<std::size_t> place_in(const std::vector<Dof>& dofs, const Dof dof)
   return static_cast<std::size_t>(found - dofs.begin());
 }
 
-/// K_e u_e - f_e
-dealii::Vector<double> forces_of_cell(const CellSystem& cell,
-                                      const dealii::TrilinosWrappers::MPI::Vector& displacement) {
-  dealii::Vector<double> of_nodes(cell.load.size());
-  for (unsigned int i = 0; i < of_nodes.size(); ++i) of_nodes[i] = displacement(cell.dofs[i]);
-  dealii::Vector<double> forces(cell.load.size());
-  cell.stiffness.vmult(forces, of_nodes);
-  forces -= cell.load;
-  return forces;
+/// K_e u_e - f_e at one of the cell's unknowns.
+double force_of_cell(const CellSystem& cell, const unsigned int at,
+                     const std::vector<double>& displacements) {
+  double force = -cell.load[at];
+  for (unsigned int j = 0; j < displacements.size(); ++j)
+    force += cell.stiffness(at, j) * displacements[j];
+  return force;
 }
 
 }  // namespace
@@ -47,16 +47,14 @@ dealii::Vector<double> forces_of_cell(const CellSystem& cell,
 ForcedUnknowns forced_unknowns(const std::set<Dof>& dofs, const std::vector<CellSystem>& cells,
                                const dealii::AffineConstraints<double>& hanging) {
   ForcedUnknowns result{{dofs.begin(), dofs.end()}, {}};
-  if (dofs.empty()) return result;
-  std::vector<bool> is_forced(*dofs.rbegin() + 1, false);  // a search for every cell takes longer
-  for (const Dof dof : dofs) is_forced[dof] = true;
+  const MarkedUnknowns forced(dofs);
   for (std::size_t index = 0; index < cells.size(); ++index) {
-    bool has_share = false;
-    for (const Dof dof : cells[index].dofs)
-      visit_carriers(hanging, dof, [&](const Dof carrier, double) {
-        has_share = has_share || (carrier < is_forced.size() && is_forced[carrier]);
+    std::vector<ForcedUnknowns::Share> shares;
+    for (unsigned int i = 0; i < cells[index].dofs.size(); ++i)
+      visit_carriers(hanging, cells[index].dofs[i], [&](const Dof carrier, const double share) {
+        if (forced.have(carrier)) shares.push_back({i, *place_in(result.dofs, carrier), share});
       });
-    if (has_share) result.cells.push_back(index);
+    if (!shares.empty()) result.cells.push_back({index, std::move(shares)});
   }
   return result;
 }
@@ -73,17 +71,15 @@ double SurfaceForces::operator()(const Dof dof) const {
 }
 
 SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const std::vector<CellSystem>& cells,
-                             const dealii::AffineConstraints<double>& hanging,
                              const dealii::TrilinosWrappers::MPI::Vector& displacement) {
   std::vector<double> shares(unknowns.dofs.size(), 0.);
-  for (const std::size_t index : unknowns.cells) {
-    const CellSystem& cell = cells[index];
-    const dealii::Vector<double> forces = forces_of_cell(cell, displacement);
-    for (unsigned int i = 0; i < forces.size(); ++i)
-      visit_carriers(hanging, cell.dofs[i], [&](const Dof carrier, const double share) {
-        if (const auto place = place_in(unknowns.dofs, carrier))
-          shares[*place] += share * forces[i];
-      });
+  std::vector<double> displacements;
+  for (const ForcedUnknowns::Cell& forced : unknowns.cells) {
+    const CellSystem& cell = cells[forced.index];
+    displacements.resize(cell.dofs.size());
+    displacement.extract_subvector_to(cell.dofs, displacements);
+    for (const auto& [of, in, share] : forced.shares)
+      shares[in] += share * force_of_cell(cell, of, displacements);
   }
   std::vector<double> sums(shares.size());
   dealii::Utilities::MPI::sum(shares, displacement.get_mpi_communicator(), sums);

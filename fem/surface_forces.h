@@ -12,8 +12,19 @@ namespace geneva::fem {
 
 /// Unknowns at which contact, supports and ties can exert forces.
 struct ForcedUnknowns {
+  /// What the force of a cell at one of its unknowns adds to a force.
+  struct Share {
+    unsigned int of;  ///< the cell's unknown
+    std::size_t in;   ///< place in dofs
+    double share;     ///< 1, or less where the unknown hangs on others
+  };
+  struct Cell {
+    std::size_t index;
+    std::vector<Share> shares;
+  };
+
   std::vector<dealii::types::global_dof_index> dofs;  ///< ascending, the same on all ranks
-  std::vector<std::size_t> cells;  ///< of this rank that have shares in those forces
+  std::vector<Cell> cells;                            ///< of this rank that have shares
 };
 
 /// @param dofs the same on all ranks
@@ -41,10 +52,9 @@ class SurfaceForces {
 };
 
 /// K u - f, the hanging nodes' shares given to the nodes that they hang on.
-/// @param unknowns made with the same cells and hanging nodes
+/// @param cells those that the unknowns were made with
 /// @param displacement u, with ghosts
 SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const std::vector<CellSystem>& cells,
-                             const dealii::AffineConstraints<double>& hanging,
                              const dealii::TrilinosWrappers::MPI::Vector& displacement);
 
 }  // namespace geneva::fem

@@ -28,7 +28,14 @@ TEST(ForcedUnknowns, HaveSharesInTheCellsOfNodesThatHangOnThem) {
   cells[3].dofs = {6, 7};
   const ForcedUnknowns forced = forced_unknowns({0, 1}, cells, hanging);
   EXPECT_EQ(forced.dofs, (std::vector<dealii::types::global_dof_index>{0, 1}));
-  EXPECT_EQ(forced.cells, (std::vector<std::size_t>{0, 2}));
+  ASSERT_EQ(forced.cells.size(), 2U);
+  EXPECT_EQ(forced.cells[0].index, 0U);
+  EXPECT_EQ(forced.cells[0].shares.size(), 2U);
+  EXPECT_EQ(forced.cells[1].index, 2U);
+  ASSERT_EQ(forced.cells[1].shares.size(), 1U);
+  EXPECT_EQ(forced.cells[1].shares[0].of, 1U);
+  EXPECT_EQ(forced.cells[1].shares[0].in, 0U);
+  EXPECT_EQ(forced.cells[1].shares[0].share, 0.5);
   EXPECT_TRUE(forced_unknowns({}, cells, hanging).cells.empty());
 }
 
