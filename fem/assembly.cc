@@ -20,15 +20,21 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 class CondensedSystems {
  public:
   CondensedSystems(const std::vector<CellSystem>& cells, const Constraints& constraints)
-      : cells_(cells), constraints_(constraints), is_constrained_(cells.size(), false) {
+      : cells_(cells),
+        constraints_(constraints),
+        is_constrained_(cells.size(), false),
+        free_unknowns_(cells.size()) {
     std::map<Dof, double> diagonal;
-    for (std::size_t index = 0; index < cells.size(); ++index)
+    for (std::size_t index = 0; index < cells.size(); ++index) {
       for (unsigned int i = 0; i < cells[index].dofs.size(); ++i) {
         const Dof dof = cells[index].dofs[i];
         if (!constraints.is_constrained(dof)) continue;
         is_constrained_[index] = true;
         diagonal[dof] += cells[index].stiffness(i, i);
       }
+      if (is_constrained_[index])
+        free_unknowns_[index] = free_unknowns(cells[index].dofs, constraints);
+    }
     for (const auto& [dof, stiffness] : diagonal) {
       alone_.push_back({dealii::FullMatrix<double>(1), dealii::Vector<double>(1), {dof}});
       alone_.back().stiffness(0, 0) = stiffness;
@@ -38,11 +44,7 @@ class CondensedSystems {
   /// Calls visit(unknowns) for each system.
   template <typename Visit>
   void visit_unknowns(const Visit& visit) const {
-    for (std::size_t index = 0; index < cells_.size(); ++index)
-      if (is_constrained_[index])
-        visit(free_unknowns(cells_[index].dofs, constraints_));
-      else
-        visit(cells_[index].dofs);
+    for (std::size_t index = 0; index < cells_.size(); ++index) visit(unknowns(index));
     for (const CellSystem& system : alone_) visit(system.dofs);
   }
 
@@ -51,21 +53,25 @@ class CondensedSystems {
   template <typename IsVisited, typename IsWanted, typename Visit>
   void visit(const IsVisited& is_visited, const IsWanted& is_wanted, const Visit& visit) const {
     for (std::size_t index = 0; index < cells_.size(); ++index) {
-      const CellSystem& cell = cells_[index];
-      if (!is_constrained_[index]) {
-        if (is_visited(cell.dofs)) visit(cell);
-      } else if (is_visited(free_unknowns(cell.dofs, constraints_))) {
-        visit(condensed(cell, constraints_, is_wanted));
-      }
+      if (!is_visited(unknowns(index))) continue;
+      if (is_constrained_[index])
+        visit(condensed(cells_[index], constraints_, is_wanted));
+      else
+        visit(cells_[index]);
     }
     for (const CellSystem& system : alone_)
       if (is_visited(system.dofs)) visit(system);
   }
 
  private:
+  [[nodiscard]] const std::vector<Dof>& unknowns(const std::size_t index) const {
+    return is_constrained_[index] ? free_unknowns_[index] : cells_[index].dofs;
+  }
+
   const std::vector<CellSystem>& cells_;
   const Constraints& constraints_;
   std::vector<bool> is_constrained_;
+  std::vector<std::vector<Dof>> free_unknowns_;  ///< of cells with constraints
   std::vector<CellSystem> alone_;
 };
 
