@@ -15,7 +15,7 @@ namespace geneva::fem {
 /// Faces can touch only if their outward normals are opposed by more than this cosine.
 constexpr double opposed = -0.1;
 
-/// What the vector product of two vectors in the plane has out of it.
+/// z component of the vector product of two vectors in the plane.
 inline double cross(const dealii::Tensor<1, 2>& a, const dealii::Tensor<1, 2>& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
