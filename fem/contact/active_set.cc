@@ -53,17 +53,25 @@ ConstraintLine contact_line(const ContactInterface<dim>& interface, const Mortar
   return line;
 }
 
+/// Of a surface's nodes.
 template <int dim>
-double gap_of(const ContactInterface<dim>& interface, const MortarRow<dim>& row,
-              const dealii::TrilinosWrappers::MPI::Vector& displacement) {
-  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
-  double gap = row.initial_gap;
-  for (unsigned int component = 0; component < dim; ++component) {
-    gap += row.weight * row.normal[component] * displacement(node.dofs[component]);
-    for (const auto& [target_node, coupling] : row.coupling)
-      gap -=
-          coupling[component] * displacement(interface.target.nodes[target_node].dofs[component]);
-  }
+using Displacements = std::vector<dealii::Tensor<1, dim>>;
+
+template <int dim>
+Displacements<dim> displacements_of(const Surface<dim>& surface,
+                                    const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+  Displacements<dim> result(surface.nodes.size());
+  for (std::size_t node = 0; node < result.size(); ++node)
+    for (unsigned int component = 0; component < dim; ++component)
+      result[node][component] = displacement(surface.nodes[node].dofs[component]);
+  return result;
+}
+
+template <int dim>
+double gap_of(const MortarRow<dim>& row, const Displacements<dim>& source,
+              const Displacements<dim>& target) {
+  double gap = row.initial_gap + row.weight * (row.normal * source[row.node]);
+  for (const auto& [node, coupling] : row.coupling) gap -= coupling * target[node];
   return gap / row.weight;
 }
 
@@ -185,9 +193,11 @@ template <int dim>
 ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
                       const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+  const auto source = displacements_of(interface.source, displacement);
+  const auto target = displacements_of(interface.target, displacement);
   ContactState state;
   for (const MortarRow<dim>& row : interface.rows) {
-    state.gap.push_back(gap_of(interface, row, displacement));
+    state.gap.push_back(gap_of(row, source, target));
     state.approach = std::max(state.approach, std::abs(state.gap.back() - initial_gap(row)));
     state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, forces, held));
   }
