@@ -3,7 +3,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <memory>
+#include <optional>
 #include <set>
 
 #include "fem/constraints.h"
@@ -90,13 +90,8 @@ class SystemOfSets {
                     n_active(sets) >= fewest_for_smoothing &&
                     (!system_ || changed_share(last_sets_, sets) > few_for_smoothing);
     if (is_smoothing_) ++n_smoothing_steps_;
-    const auto constraints = make_constraints(level.hanging_nodes, constraint_lines(level));
-    if (system_ && (is_smoothing_ || changed_share(assembled_sets_, sets) <= few_for_change)) {
-      system_->change(constraints, level.cells);
-    } else {
-      assemble(level, constraints);
-      assembled_sets_ = sets;
-    }
+    if (!system_) assemble(level);
+    system_->constrain(constraints(level));
     if (!is_smoothing_ && !has_multigrid_) set_up_multigrid();
     last_sets_ = sets;
   }
@@ -106,25 +101,20 @@ class SystemOfSets {
 
   [[nodiscard]] const LinearSystem<dim>& now() const { return *system_; }
 
-  /// Time of the last assembly, with its multigrid.
+  /// Time of the assembly and the multigrid.
   [[nodiscard]] double assembly_seconds() const { return assembly_seconds_; }
 
  private:
-  /// Share of the active nodes by which the sets may change before assembling anew, with a
-  /// multigrid of its own, costs less than the iterations that it spares.
-  static constexpr double few_for_change = 0.15;
-  /// Share by which they change no more when local errors are small.
+  /// Share of the active nodes by which the sets change no more when local errors are small.
   static constexpr double few_for_smoothing = 0.05;
   static constexpr unsigned int most_smoothing_steps = 2;
   /// With fewer nodes the sets may change wholly from one mesh to the next.
   static constexpr std::size_t fewest_for_smoothing = 100;
 
-  void assemble(const Level<dim>& level, const dealii::AffineConstraints<double>& constraints) {
+  void assemble(const Level<dim>& level) {
     const dealii::Timer timer;
-    system_.reset();  // two at a time would need twice the memory
-    system_ = std::make_unique<LinearSystem<dim>>(dof_handler_, level.ghosts, constraints,
-                                                  level.cells, level.tie_forces);
-    has_multigrid_ = false;
+    system_.emplace(dof_handler_, level.ghosts, lasting_constraints(level), level.cells,
+                    level.tie_forces);
     assembly_seconds_ = timer.wall_time();
   }
 
@@ -136,8 +126,7 @@ class SystemOfSets {
   }
 
   const dealii::DoFHandler<dim>& dof_handler_;
-  std::unique_ptr<LinearSystem<dim>> system_;
-  Sets assembled_sets_;
+  std::optional<LinearSystem<dim>> system_;
   Sets last_sets_;
   unsigned int n_smoothing_steps_ = 0;
   bool is_smoothing_ = false;

@@ -49,13 +49,6 @@ dealii::FullMatrix<double> triple_product(const dealii::FullMatrix<double>& stif
   return result;
 }
 
-/// Whether the constraint of an unknown is the same in both; it is constrained in the first.
-bool is_same(const Constraints::ConstraintLine& line, const Constraints& other) {
-  const auto* entries = other.get_constraint_entries(line.index);
-  return entries != nullptr && *entries == line.entries &&
-         other.get_inhomogeneity(line.index) == line.inhomogeneity;
-}
-
 }  // namespace
 
 std::vector<global_dof_index> free_unknowns(const std::vector<global_dof_index>& unknowns,
@@ -88,15 +81,6 @@ CellSystem condensed(const CellSystem& cell, const Constraints& constraints,
   for (unsigned int i = 0; i < load.size(); ++i)
     for (const auto& [place, weight] : shares[i]) result.load[place] += weight * load[i];
   return result;
-}
-
-std::set<global_dof_index> changed_unknowns(const Constraints& before, const Constraints& after) {
-  std::set<global_dof_index> changed;
-  for (const auto& line : before.get_lines())
-    if (!is_same(line, after)) changed.insert(line.index);
-  for (const auto& line : after.get_lines())
-    if (!is_same(line, before)) changed.insert(line.index);
-  return changed;
 }
 
 }  // namespace geneva::fem

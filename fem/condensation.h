@@ -3,7 +3,6 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <functional>
-#include <set>
 #include <vector>
 
 #include "fem/elasticity.h"
@@ -26,11 +25,5 @@ CellSystem condensed(
     const std::function<bool(dealii::types::global_dof_index)>& is_wanted = [](const auto) {
       return true;
     });
-
-/// The unknowns whose constraints are not the same in both.
-/// @param before, after closed
-std::set<dealii::types::global_dof_index> changed_unknowns(
-    const dealii::AffineConstraints<double>& before,
-    const dealii::AffineConstraints<double>& after);
 
 }  // namespace geneva::fem

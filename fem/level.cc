@@ -139,6 +139,13 @@ void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
   for (const ConstraintLine& line : level.held_lines) level.held.insert(line.dof);
 }
 
+template <int dim>
+std::vector<ConstraintLine> lasting_lines(const Level<dim>& level) {
+  std::vector<ConstraintLine> lines = level.hanging_lines;
+  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
+  return lines;
+}
+
 }  // namespace
 
 template <int dim>
@@ -164,15 +171,19 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
 }
 
 template <int dim>
-std::vector<ConstraintLine> constraint_lines(const Level<dim>& level) {
-  std::vector<ConstraintLine> lines = level.hanging_lines;
-  lines.insert(lines.end(), level.held_lines.begin(), level.held_lines.end());
+dealii::AffineConstraints<double> lasting_constraints(const Level<dim>& level) {
+  return make_constraints(level.hanging_nodes, lasting_lines(level));
+}
+
+template <int dim>
+dealii::AffineConstraints<double> constraints(const Level<dim>& level) {
+  std::vector<ConstraintLine> lines = lasting_lines(level);
   std::set<global_dof_index> held = level.held;
   for (const ContactInterface<dim>& interface : level.interfaces) {
     const auto contact = contact_lines(interface, held);
     lines.insert(lines.end(), contact.begin(), contact.end());
   }
-  return lines;
+  return make_constraints(level.hanging_nodes, lines);
 }
 
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
@@ -181,7 +192,9 @@ template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
                              const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&,
                              StiffnessStore<3>);
-template std::vector<ConstraintLine> constraint_lines(const Level<2>&);
-template std::vector<ConstraintLine> constraint_lines(const Level<3>&);
+template dealii::AffineConstraints<double> lasting_constraints(const Level<2>&);
+template dealii::AffineConstraints<double> lasting_constraints(const Level<3>&);
+template dealii::AffineConstraints<double> constraints(const Level<2>&);
+template dealii::AffineConstraints<double> constraints(const Level<3>&);
 
 }  // namespace geneva::fem

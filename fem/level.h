@@ -46,8 +46,12 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
                       const Problem<dim>& scaled_problem, const Scales& scales,
                       std::optional<SurfaceOrigins<dim>>& origins, StiffnessStore<dim> stored = {});
 
-/// All constraints with the level's active sets: hanging boundary nodes, supports, ties, contact.
+/// The constraints that hold for all active sets: hanging nodes, supports, ties.
 template <int dim>
-std::vector<ConstraintLine> constraint_lines(const Level<dim>& level);
+dealii::AffineConstraints<double> lasting_constraints(const Level<dim>& level);
+
+/// Those, and contact with the level's active sets.
+template <int dim>
+dealii::AffineConstraints<double> constraints(const Level<dim>& level);
 
 }  // namespace geneva::fem

@@ -3,37 +3,15 @@
 #include <deal.II/lac/solver_cg.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "fem/assembly.h"
-#include "fem/condensation.h"
-#include "fem/marked_unknowns.h"
 
 namespace geneva::fem {
 
 namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
-/// What the cells at some unknowns contribute to the system with one set of constraints less what
-/// they contribute with another.
-std::vector<CellSystem> differences(const std::vector<CellSystem>& cells,
-                                    const std::set<dealii::types::global_dof_index>& changed,
-                                    const dealii::AffineConstraints<double>& before,
-                                    const dealii::AffineConstraints<double>& after) {
-  const MarkedUnknowns marked(changed);
-  std::vector<CellSystem> result;
-  for (const CellSystem& cell : cells) {
-    if (std::none_of(cell.dofs.begin(), cell.dofs.end(),
-                     [&](const auto dof) { return marked.have(dof); }))
-      continue;
-    result.push_back(condensed(cell, after));
-    result.push_back(condensed(cell, before));
-    result.back().stiffness *= -1.;
-    result.back().load *= -1.;
-  }
-  return result;
-}
 
 /// Division by the diagonal.
 class Jacobi {
@@ -50,30 +28,15 @@ class Jacobi {
   std::vector<double> diagonal_;
 };
 
-/// A preconditioner whose corrections vanish where constraints give the values: made for a system
-/// with other constraints, it would correct unknowns that are none now.
-template <typename Preconditioner>
-class OnFreeUnknowns {
- public:
-  OnFreeUnknowns(const Preconditioner& preconditioner,
-                 const dealii::AffineConstraints<double>& constraints,
-                 const dealii::IndexSet& owned)
-      : preconditioner_(preconditioner) {
-    for (const auto& line : constraints.get_lines())
-      if (owned.is_element(line.index))
-        given_.push_back(static_cast<int>(owned.index_within_set(line.index)));
-  }
-
-  void vmult(Vector& correction, const Vector& residual) const {
-    preconditioner_.vmult(correction, residual);
-    double* const values = correction.trilinos_vector()[0];
-    for (const int unknown : given_) values[unknown] = 0.;
-  }
-
- private:
-  const Preconditioner& preconditioner_;
-  std::vector<int> given_;  ///< among this rank's unknowns
-};
+/// The lines of constraints that others have not.
+std::map<int, Shares> lines_beyond(const dealii::AffineConstraints<double>& others,
+                                   const dealii::AffineConstraints<double>& constraints) {
+  std::map<int, Shares> lines;
+  for (const auto& line : constraints.get_lines())
+    if (!others.is_constrained(line.index))
+      lines[static_cast<int>(line.index)].assign(line.entries.begin(), line.entries.end());
+  return lines;
+}
 
 /// Loads that this rank may write to.
 Vector writable(const dealii::IndexSet& owned, const dealii::IndexSet& ghosts,
@@ -93,50 +56,38 @@ LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
                                 const std::vector<NodalForce>& nodal_forces)
     : owned_(dof_handler.locally_owned_dofs()),
       communicator_(dof_handler.get_communicator()),
-      first_constraints_(constraints),
+      lasting_constraints_(constraints),
       constraints_(constraints),
-      load_(writable(owned_, ghosts, communicator_)),
-      matrix_(assemble<dim>(cells, constraints, owned_, communicator_, load_)) {
+      whole_load_(writable(owned_, ghosts, communicator_)),
+      matrix_(assemble<dim>(cells, constraints, owned_, communicator_, whole_load_)),
+      load_(owned_, communicator_) {
   for (const NodalForce& force : nodal_forces)
-    if (owned_.is_element(force.dof)) load_(force.dof) += force.value;
-  load_.compress(dealii::VectorOperation::add);
-  first_load_ = load_;
+    if (owned_.is_element(force.dof)) whole_load_(force.dof) += force.value;
+  whole_load_.compress(dealii::VectorOperation::add);
+  load_ = whole_load_;
   zero_with_ghosts_.reinit(owned_, ghosts, communicator_);
+}
+
+/// With u = E v + g the load is E^T (f - A g).
+template <int dim>
+void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& constraints) {
+  constraints_.copy_from(constraints);
+  matrix_.eliminate(lines_beyond(lasting_constraints_, constraints_));
+  Vector whole_load(load_);
+  whole_load = whole_load_;
+  Vector prescribed(load_);
+  prescribed = 0.;
+  for (const auto& line : matrix_.elimination().own())
+    prescribed.trilinos_vector()[0][line.unknown] = constraints_.get_inhomogeneity(
+        owned_.nth_index_in_set(static_cast<unsigned int>(line.unknown)));
+  matrix_.whole().residual(load_, prescribed, whole_load);
+  matrix_.elimination().collect(load_);
+  if (multigrid_) multigrid_->renew_smoother();
 }
 
 template <int dim>
 void LinearSystem<dim>::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
-  multigrid_ = std::make_unique<Multigrid<dim>>(matrix_, dof_handler, first_constraints_);
-}
-
-template <int dim>
-void LinearSystem<dim>::change(const dealii::AffineConstraints<double>& constraints,
-                               const std::vector<CellSystem>& cells) {
-  constraints_.copy_from(constraints);
-  load_ = first_load_;
-  dealii::AffineConstraints<double> none;
-  none.close();
-  matrix_.correct(assemble<dim>(changes_from_first(cells), none, owned_, communicator_, load_));
-  load_.compress(dealii::VectorOperation::add);
-  if (multigrid_) multigrid_->renew_smoother();
-}
-
-/// A constrained unknown stands alone in the matrix, with a diagonal of its own: it goes where the
-/// unknown has become free, and comes where it was.
-template <int dim>
-std::vector<CellSystem> LinearSystem<dim>::changes_from_first(
-    const std::vector<CellSystem>& cells) const {
-  const auto changed = changed_unknowns(first_constraints_, constraints_);
-  auto changes = differences(cells, changed, first_constraints_, constraints_);
-  const std::vector<double> diagonal = matrix_.uncorrected().diagonal();
-  for (const auto dof : changed) {
-    if (!owned_.is_element(dof)) continue;
-    const bool was_free = !first_constraints_.is_constrained(dof);
-    if (was_free != constraints_.is_constrained(dof)) continue;
-    changes.push_back({dealii::FullMatrix<double>(1), dealii::Vector<double>(1), {dof}});
-    changes.back().stiffness(0, 0) = (was_free ? 1. : -1.) * diagonal[owned_.index_within_set(dof)];
-  }
-  return changes;
+  multigrid_ = std::make_unique<Multigrid<dim>>(matrix_, dof_handler, lasting_constraints_);
 }
 
 template <int dim>
@@ -160,10 +111,8 @@ template <int dim>
 double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
   Vector free(displacement);
   constraints_.set_zero(free);
-  Vector load(displacement);
-  load = load_;
   Vector residual(displacement);
-  matrix_.residual(residual, free, load);
+  matrix_.residual(residual, free, load_);
   return residual.l2_norm();
 }
 
@@ -171,12 +120,8 @@ template <int dim>
 template <typename Preconditioner>
 unsigned int LinearSystem<dim>::iterate(Vector& displacement, const Preconditioner& preconditioner,
                                         dealii::SolverControl& control) const {
-  Vector load(displacement);
-  load = load_;
   constraints_.set_zero(displacement);
-  dealii::SolverCG<Vector> solver(control);
-  solver.solve(matrix_, displacement, load,
-               OnFreeUnknowns<Preconditioner>(preconditioner, constraints_, owned_));
+  dealii::SolverCG<Vector>(control).solve(matrix_, displacement, load_, preconditioner);
   distribute(displacement);
   return control.last_step();
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fem/elasticity.h"
-#include "fem/multigrid/corrected_matrix.h"
+#include "fem/multigrid/condensed_matrix.h"
 #include "fem/multigrid/multigrid.h"
 
 namespace geneva::fem {
@@ -21,8 +21,8 @@ struct NodalForce {
   double value;
 };
 
-/// Condensed stiffness system K u = f on one mesh with one set of constraints: symmetric and
-/// positive definite.
+/// Condensed stiffness system K u = f on one mesh: symmetric and positive definite. It is assembled
+/// with the constraints that hold for all active sets; those of one active set are eliminated.
 template <int dim>
 class LinearSystem {
  public:
@@ -33,14 +33,12 @@ class LinearSystem {
                const dealii::AffineConstraints<double>& constraints,
                const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
 
-  /// Goes over to constraints that differ in a few unknowns from those that the system was
-  /// assembled with: only the cells at these unknowns are summed up anew, and the multigrid keeps
-  /// its coarse levels.
-  /// @param cells those that the system was assembled from
-  void change(const dealii::AffineConstraints<double>& constraints,
-              const std::vector<CellSystem>& cells);
+  /// Goes over to other constraints. A multigrid keeps its coarse levels.
+  /// @param constraints closed: those that the system was assembled with, and more of unknowns that
+  /// they leave free
+  void constrain(const dealii::AffineConstraints<double>& constraints);
 
-  /// Sets up algebraic multigrid for the constraints that the system was assembled with.
+  /// Sets up algebraic multigrid for the constraints of now.
   void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler);
 
   /// Reduces local errors by a few conjugate gradients without multigrid.
@@ -60,8 +58,6 @@ class LinearSystem {
  private:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  [[nodiscard]] std::vector<CellSystem> changes_from_first(
-      const std::vector<CellSystem>& cells) const;
   void distribute(Vector& displacement) const;
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
   template <typename Preconditioner>
@@ -70,12 +66,12 @@ class LinearSystem {
 
   dealii::IndexSet owned_;
   MPI_Comm communicator_;
-  dealii::AffineConstraints<double> first_constraints_;
+  dealii::AffineConstraints<double> lasting_constraints_;  ///< those of all active sets
   dealii::AffineConstraints<double> constraints_;
-  Vector first_load_;
+  Vector whole_load_;  ///< before unknowns are eliminated
+  CondensedMatrix<dim> matrix_;
   Vector load_;
-  CorrectedMatrix<dim> matrix_;  ///< condensed by the first constraints, corrected to those of now
-  Vector zero_with_ghosts_;      ///< copies of it need no communication, new vectors do
+  Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
   std::unique_ptr<Multigrid<dim>> multigrid_;
 };
 

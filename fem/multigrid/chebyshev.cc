@@ -60,11 +60,11 @@ void Chebyshev<Matrix>::take_second_step(Vector& solution, Vector& step,
   solution += step;
 }
 
-template <int n>
-double largest_eigenvalue(const NodeMatrix<n>& matrix, const MPI_Comm communicator) {
+template <typename Matrix>
+double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator) {
   constexpr int n_steps = 12;
   const std::vector<double> inverse = inverse_diagonal(matrix);
-  Vector vector(dealii::IndexSet(matrix.pattern().unknowns()), communicator);
+  Vector vector(dealii::IndexSet(matrix.unknowns()), communicator);
   for (const auto row : vector.locally_owned_elements())
     vector(row) = std::sin(static_cast<double>(row * row % 7919));
   vector.compress(dealii::VectorOperation::insert);
@@ -78,11 +78,13 @@ double largest_eigenvalue(const NodeMatrix<n>& matrix, const MPI_Comm communicat
   return vector.l2_norm();
 }
 
-template class Chebyshev<CorrectedMatrix<2>>;
-template class Chebyshev<CorrectedMatrix<3>>;
+template class Chebyshev<CondensedMatrix<2>>;
+template class Chebyshev<CondensedMatrix<3>>;
 template class Chebyshev<NodeMatrix<2>>;
 template class Chebyshev<NodeMatrix<3>>;
 template class Chebyshev<NodeMatrix<6>>;
+template double largest_eigenvalue(const CondensedMatrix<2>&, MPI_Comm);
+template double largest_eigenvalue(const CondensedMatrix<3>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<3>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<6>&, MPI_Comm);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fem/multigrid/corrected_matrix.h"
+#include "fem/multigrid/condensed_matrix.h"
 #include "fem/multigrid/node_matrix.h"
 
 namespace geneva::fem {
@@ -12,7 +12,7 @@ namespace geneva::fem {
 /// Chebyshev's iteration of degree two for the system scaled by its diagonal (Saad 2003, Iterative
 /// methods for sparse linear systems, algorithm 12.1): reduces the errors at the upper end of the
 /// spectrum.
-/// @tparam Matrix NodeMatrix or CorrectedMatrix
+/// @tparam Matrix NodeMatrix or CondensedMatrix
 template <typename Matrix>
 class Chebyshev {
  public:
@@ -38,7 +38,7 @@ class Chebyshev {
 
 /// The largest eigenvalue of a matrix scaled by its diagonal, from below: by the power method from
 /// a vector that is the same in every run.
-template <int n>
-double largest_eigenvalue(const NodeMatrix<n>& matrix, MPI_Comm communicator);
+template <typename Matrix>
+double largest_eigenvalue(const Matrix& matrix, MPI_Comm communicator);
 
 }  // namespace geneva::fem

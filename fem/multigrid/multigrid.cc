@@ -16,19 +16,19 @@ constexpr double margin = 1.1;
 }  // namespace
 
 template <int dim>
-Multigrid<dim>::Multigrid(const CorrectedMatrix<dim>& matrix,
+Multigrid<dim>::Multigrid(const CondensedMatrix<dim>& matrix,
                           const dealii::DoFHandler<dim>& dof_handler,
                           const dealii::AffineConstraints<double>& constraints)
     : matrix_(matrix),
-      largest_eigenvalue_(
-          margin * largest_eigenvalue(matrix.uncorrected(), dof_handler.get_communicator())) {
+      largest_eigenvalue_(margin * largest_eigenvalue(matrix, dof_handler.get_communicator())) {
   const MPI_Comm communicator = dof_handler.get_communicator();
   Prolongation<dim> prolonged =
-      prolongation(CoupledNodes<dim>(matrix.uncorrected(), dof_handler),
-                   dof_handler.locally_owned_dofs(), constraints, largest_eigenvalue_);
+      prolongation(CoupledNodes<dim>(matrix.whole(), dof_handler),
+                   {constraints, matrix.elimination(), dof_handler.locally_owned_dofs()},
+                   largest_eigenvalue_, communicator);
   prolongation_.emplace(std::move(prolonged.matrix));
   coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
-      CoarseProblem<dim>{coarse_matrix(matrix.uncorrected(), *prolongation_, communicator),
+      CoarseProblem<dim>{coarse_matrix(matrix.whole(), *prolongation_, communicator),
                          std::move(prolonged.positions), std::move(prolonged.bodies)},
       communicator);
   coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator);
@@ -39,7 +39,7 @@ template <int dim>
 void Multigrid<dim>::renew_smoother() {
   // Of the eigenvalues that are smoothed; 6 and 20 take an iteration more.
   constexpr double ratio = 10.;
-  smoother_ = std::make_unique<Chebyshev<CorrectedMatrix<dim>>>(
+  smoother_ = std::make_unique<Chebyshev<CondensedMatrix<dim>>>(
       matrix_, largest_eigenvalue_ / ratio, margin * largest_eigenvalue_);
 }
 

@@ -66,6 +66,11 @@ std::vector<double> NodePattern::on_all_nodes(const std::vector<double>& of_own_
 void NodePattern::sum(Epetra_MultiVector& of_own,
                       const std::function<void(double*, double*)>& add) const {
   of_own.PutScalar(0.);
+  this->add(of_own, add);
+}
+
+void NodePattern::add(Epetra_MultiVector& of_own,
+                      const std::function<void(double*, double*)>& add) const {
   if (!import_) return add(of_own[0], nullptr);
   others_->PutScalar(0.);
   add(of_own[0], (*others_)[0]);

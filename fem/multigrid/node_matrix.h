@@ -51,6 +51,10 @@ class NodePattern {
   /// @param add adds to the values at own unknowns and to those at others, zero before
   void sum(Epetra_MultiVector& of_own,
            const std::function<void(double* own, double* others)>& add) const;
+  /// Adds to values at the own unknowns what the ranks have at all their places.
+  /// @param add adds to the values at own unknowns and to those at others, these zero before
+  void add(Epetra_MultiVector& of_own,
+           const std::function<void(double* own, double* others)>& add) const;
 
  private:
   Epetra_Map unknowns_;
@@ -76,6 +80,8 @@ class NodeMatrix {
       : pattern_(std::move(pattern)), blocks_(pattern_.n_blocks(), Block::Zero()) {}
 
   [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
+  /// Of the columns.
+  [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
   [[nodiscard]] const Block& block(const std::size_t index) const { return blocks_[index]; }
   Block& block(const std::size_t index) { return blocks_[index]; }
   /// Of the own row of a square matrix.

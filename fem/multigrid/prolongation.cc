@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "fem/multigrid/aggregation.h"
-#include "fem/multigrid/block_row.h"
+#include "fem/multigrid/block_rows.h"
 #include "fem/multigrid/coarse_nodes.h"
 
 namespace geneva::fem {
@@ -125,36 +125,72 @@ std::vector<NodeRow<dim>> smoothed_rows(const Lists& near, const CoupledNodes<di
   return rows;
 }
 
-/// Gives constrained unknowns no displacement.
+/// Gives an unknown no displacement.
+/// @param unknown place among this rank's
 template <int dim>
-void constrain(std::vector<NodeRow<dim>>& rows, const dealii::IndexSet& unknowns,
-               const dealii::AffineConstraints<double>& constraints) {
-  for (const auto& line : constraints.get_lines()) {
-    if (!unknowns.is_element(line.index)) continue;
-    const auto unknown = static_cast<std::size_t>(unknowns.index_within_set(line.index));
-    for (auto& block : rows[unknown / dim].blocks())
-      block.row(static_cast<Eigen::Index>(unknown % dim)).setZero();
+void hold(std::vector<NodeRow<dim>>& rows, const std::size_t unknown) {
+  for (auto& block : rows[unknown / dim].blocks())
+    block.row(static_cast<Eigen::Index>(unknown % dim)).setZero();
+}
+
+template <int dim>
+void hold_constrained(std::vector<NodeRow<dim>>& rows, const Dependence& dependence) {
+  for (const auto& line : dependence.constraints.get_lines())
+    if (dependence.unknowns.is_element(line.index))
+      hold<dim>(rows, static_cast<std::size_t>(dependence.unknowns.index_within_set(line.index)));
+}
+
+/// Rows of the nodes of other ranks that this rank's unknowns follow, by their numbers.
+template <int dim>
+BlockRows<RigidDisplacement<dim>> rows_followed(const std::vector<NodeRow<dim>>& rows,
+                                                const Elimination& elimination,
+                                                const Epetra_Map& unknowns,
+                                                const MPI_Comm communicator) {
+  std::vector<int> nodes;
+  for (const int unknown : elimination.others())
+    if (nodes.empty() || nodes.back() != unknown / dim) nodes.push_back(unknown / dim);
+  BlockRows<RigidDisplacement<dim>> result;
+  auto received = rows_of_others(rows, nodes, unknowns, dim, communicator);
+  for (std::size_t i = 0; i < nodes.size(); ++i) result[nodes[i]] = std::move(received[i]);
+  return result;
+}
+
+/// Lets eliminated unknowns follow others.
+template <int dim>
+void distribute(std::vector<NodeRow<dim>>& rows, const Elimination& elimination,
+                const Epetra_Map& unknowns, const MPI_Comm communicator) {
+  const OwnNodes own(unknowns, dim);
+  const auto others = rows_followed<dim>(rows, elimination, unknowns, communicator);
+  for (const auto& [unknown, shares] : elimination.own()) {
+    hold<dim>(rows, unknown);
+    NodeRow<dim>& row = rows[unknown / dim];
+    for (const auto& [carrier, share] : shares) {
+      const int node = carrier / dim;
+      const NodeRow<dim>& followed =
+          own.have(node) ? rows[static_cast<std::size_t>(node - own.first)] : others.at(node);
+      for (std::size_t i = 0; i < followed.size(); ++i)
+        row.at(followed.number(i)).row(static_cast<Eigen::Index>(unknown % dim)) +=
+            share * followed.block(i).row(carrier % dim);
+    }
   }
 }
 
 }  // namespace
 
 template <int dim>
-Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
-                               const dealii::AffineConstraints<double>& constraints,
-                               const double largest_eigenvalue) {
+Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const Dependence& dependence,
+                               const double largest_eigenvalue, const MPI_Comm communicator) {
   const Lists near = near_neighbours(nodes);
   Aggregates aggregates = aggregates_of(nodes, near);
   CoarseNodes<dim> coarse = coarse_nodes(aggregates, nodes.positions(), nodes.matrix().pattern());
   auto rows = smoothed_rows(near, nodes, coarse, largest_eigenvalue);
-  constrain<dim>(rows, unknowns, constraints);
+  hold_constrained<dim>(rows, dependence);
+  distribute<dim>(rows, dependence.elimination, nodes.matrix().unknowns(), communicator);
   return {matrix_of(rows, coarse.unknowns), std::move(aggregates.bodies),
           std::move(coarse.own_centres)};
 }
 
-template Prolongation<2> prolongation(const CoupledNodes<2>&, const dealii::IndexSet&,
-                                      const dealii::AffineConstraints<double>&, double);
-template Prolongation<3> prolongation(const CoupledNodes<3>&, const dealii::IndexSet&,
-                                      const dealii::AffineConstraints<double>&, double);
+template Prolongation<2> prolongation(const CoupledNodes<2>&, const Dependence&, double, MPI_Comm);
+template Prolongation<3> prolongation(const CoupledNodes<3>&, const Dependence&, double, MPI_Comm);
 
 }  // namespace geneva::fem

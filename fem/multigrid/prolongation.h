@@ -5,10 +5,18 @@
 #include <vector>
 
 #include "fem/multigrid/coupled_nodes.h"
+#include "fem/multigrid/elimination.h"
 #include "fem/multigrid/node_matrix.h"
 #include "fem/multigrid/rigid_displacement.h"
 
 namespace geneva::fem {
+
+/// How the unknowns of a mesh depend on each other.
+struct Dependence {
+  const dealii::AffineConstraints<double>& constraints;  ///< by which the matrix was assembled
+  const Elimination& elimination;                        ///< of unknowns that follow others
+  const dealii::IndexSet& unknowns;                      ///< of this rank
+};
 
 /// The first coarsening: coarse nodes move rigidly, each with three or six unknowns, its
 /// displacement and its rotation.
@@ -24,13 +32,11 @@ struct Prolongation {
 /// it must not be coarsened. One step of Jacobi's method smooths the rigid motions of the
 /// aggregates; it is kept to the aggregates next to a node along short sides, and what rigid
 /// motions of the whole then lack is given back (Olson, Schroder and Tuminaro 2011).
-/// @param nodes of the matrix
-/// @param unknowns of this rank
-/// @param constraints by which the matrix is condensed; given unknowns get zero rows
+/// @param nodes of the matrix before unknowns were eliminated
+/// @param dependence constrained unknowns get zero rows, eliminated ones what they follow
 /// @param largest_eigenvalue of the matrix scaled by its diagonal, positive
 template <int dim>
-Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const dealii::IndexSet& unknowns,
-                               const dealii::AffineConstraints<double>& constraints,
-                               double largest_eigenvalue);
+Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const Dependence& dependence,
+                               double largest_eigenvalue, MPI_Comm communicator);
 
 }  // namespace geneva::fem

@@ -51,10 +51,9 @@ PlainSolve plain_solve(const fem::Solution<3>& solution) {
   const dealii::Timer timer;
   const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
                                        solution.mesh.surfaces);
-  fem::LinearSystem<3> system(dof_handler, level.ghosts,
-                              fem::make_constraints(fem::hanging_nodes(dof_handler, level.ghosts),
-                                                    fem::constraint_lines(level)),
-                              cells, level.tie_forces);
+  fem::LinearSystem<3> system(dof_handler, level.ghosts, fem::lasting_constraints(level), cells,
+                              level.tie_forces);
+  system.constrain(fem::constraints(level));
   system.set_up_multigrid(dof_handler);
   dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
   const unsigned int iterations = system.solve(displacement, 1e-8, 0.);

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 
 #include "fem/assembly.h"
@@ -43,7 +44,7 @@ class Block {
                                            {"lower", {std::nullopt, std::nullopt, 0.}}};
     constraints_ = make_constraints(hanging_nodes(*grid_.dof_handler, ghosts_),
                                     support_lines<3>(boundary, supports, mesh_.surfaces));
-    matrix_ = std::make_unique<CorrectedMatrix<3>>(assembled());
+    matrix_ = std::make_unique<CondensedMatrix<3>>(assembled());
   }
 
   [[nodiscard]] const dealii::DoFHandler<3>& dof_handler() const { return *grid_.dof_handler; }
@@ -53,12 +54,11 @@ class Block {
   [[nodiscard]] const dealii::AffineConstraints<double>& constraints() const {
     return constraints_;
   }
-  [[nodiscard]] const CorrectedMatrix<3>& matrix() const { return *matrix_; }
-  [[nodiscard]] CoupledNodes<3> nodes() const {
-    return {matrix_->uncorrected(), *grid_.dof_handler};
-  }
+  [[nodiscard]] const CondensedMatrix<3>& matrix() const { return *matrix_; }
+  [[nodiscard]] CoupledNodes<3> nodes() const { return {matrix_->whole(), *grid_.dof_handler}; }
   [[nodiscard]] Prolongation<3> prolonged() const {
-    return prolongation(nodes(), unknowns(), constraints_, 4.);
+    return prolongation<3>(nodes(), {constraints_, matrix_->elimination(), unknowns()}, 4.,
+                           MPI_COMM_WORLD);
   }
 
  private:
@@ -89,7 +89,7 @@ class Block {
   Discretisation<3> grid_;
   dealii::IndexSet ghosts_;
   dealii::AffineConstraints<double> constraints_;
-  std::unique_ptr<CorrectedMatrix<3>> matrix_;
+  std::unique_ptr<CondensedMatrix<3>> matrix_;
 };
 
 /// Values that look random and are the same on any number of ranks.
@@ -122,6 +122,34 @@ TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
         EXPECT_NEAR(fine(unknown), is_given ? 0. : rigid, 1e-11) << length << " " << mode;
       }
     }
+  }
+}
+
+/// Also those of other ranks.
+TEST(Prolongation, LetsEliminatedUnknownsFollow) {
+  const Block block(1.);
+  const Epetra_Map& unknowns = block.matrix().unknowns();
+  const int n_unknowns = unknowns.NumGlobalElements();
+  std::map<int, Shares> lines;
+  for (const auto index : block.unknowns()) {
+    const auto unknown = static_cast<int>(index);
+    if (unknown % 50 != 1 || block.constraints().is_constrained(index)) continue;
+    const int far = (unknown + n_unknowns / 100 * 50 + 1) % n_unknowns;
+    lines[unknown] = {{std::min(unknown + 2, far), 0.4}, {std::max(unknown + 2, far), -0.3}};
+  }
+  EXPECT_GT(lines.size(), 0U);
+  const Elimination elimination(unknowns, lines);
+  const Prolongation<3> prolonged = prolongation<3>(
+      block.nodes(), {block.constraints(), elimination, block.unknowns()}, 4., MPI_COMM_WORLD);
+  Vector fine(block.unknowns(), MPI_COMM_WORLD);
+  prolonged.matrix.vmult(fine,
+                         some_vector(dealii::IndexSet(prolonged.matrix.pattern().unknowns()), 0.7));
+  const dealii::Vector<double> of_all(fine);
+  for (const auto& [unknown, shares] : lines) {
+    double expected = 0.;
+    for (const auto& [carrier, share] : shares)
+      expected += share * of_all(static_cast<unsigned int>(carrier));
+    EXPECT_NEAR(of_all(static_cast<unsigned int>(unknown)), expected, 1e-12);
   }
 }
 
@@ -158,7 +186,7 @@ TEST(Prolongation, CoarsensWithinTheLayersOfLongCells) {
 TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   const Block block(8., 0, true);
   const Prolongation<3> prolonged = block.prolonged();
-  const auto coarse = coarse_matrix(block.matrix().uncorrected(), prolonged.matrix, MPI_COMM_WORLD);
+  const auto coarse = coarse_matrix(block.matrix().whole(), prolonged.matrix, MPI_COMM_WORLD);
   const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
   const auto fine = [&](const Vector& vector) {
     Vector result(block.unknowns(), MPI_COMM_WORLD);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/multigrid/corrected_matrix.h"
 #include "fem/multigrid/direct_solver.h"
 
 namespace geneva::fem::test {
@@ -53,39 +52,6 @@ TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
   matrix.Tvmult(transposed, of_rows);
   EXPECT_NEAR(product * of_rows, transposed * of_columns, 1e-12);
   EXPECT_GT(product.linfty_norm(), 0.1);
-}
-
-/// On a ring, with blocks that follow from a seed.
-NodeMatrix<3> some_matrix(const Epetra_Map& map, const double seed) {
-  NodeMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
-  for (std::size_t i = 0; i < matrix.pattern().n_blocks(); ++i)
-    for (int entry = 0; entry < 9; ++entry)
-      matrix.block(i).data()[entry] = std::cos(seed * (1. + static_cast<double>(9 * i) + entry));
-  return matrix;
-}
-
-TEST(CorrectedMatrix, IsTheSumOfTheMatrixAndItsLastCorrection) {
-  const Epetra_Map map = unknowns(3);
-  CorrectedMatrix<3> corrected(some_matrix(map, 0.7));
-  corrected.correct(some_matrix(map, 1.1));
-  corrected.correct(some_matrix(map, 1.9));
-  NodeMatrix<3> sum = some_matrix(map, 0.7);
-  const NodeMatrix<3> correction = some_matrix(map, 1.9);
-  for (std::size_t i = 0; i < sum.pattern().n_blocks(); ++i) sum.block(i) += correction.block(i);
-  const Vector vector = some_vector(map, 0.3);
-  const Vector load = some_vector(map, 2.3);
-  Vector expected(load);
-  Vector found(load);
-  sum.vmult(expected, vector);
-  corrected.vmult(found, vector);
-  found -= expected;
-  EXPECT_LT(found.linfty_norm(), 1e-14);
-  sum.residual(expected, vector, load);
-  corrected.residual(found, vector, load);
-  found -= expected;
-  EXPECT_LT(found.linfty_norm(), 1e-14);
-  for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(corrected.diagonal()[i], sum.diagonal()[i], 1e-15);
 }
 
 TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
