@@ -98,39 +98,41 @@ NodeMatrix<n> smoothed_prolongation(const NodeMatrix<n>& matrix,
 }  // namespace
 
 template <int dim>
-AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const MPI_Comm communicator)
-    : matrix_(std::move(problem.matrix)) {
+AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem,
+                                            const MPI_Comm communicator) {
   // As on the mesh.
   constexpr double margin = 1.1;
   // Of the eigenvalues that are smoothed: aggregates of all neighbours are larger than those of a
   // layer, so that more is left to smooth. 10 and 20 take three and two iterations more, 60 one
   // less.
   constexpr double ratio = 40.;
-  const std::vector<bool> is_moved = complete(matrix_);
-  const NodePattern& pattern = matrix_.pattern();
+  NodeMatrix<n>& matrix = problem.matrix;
+  const std::vector<bool> is_moved = complete(matrix);
+  const NodePattern& pattern = matrix.pattern();
   if (pattern.unknowns().NumGlobalElements() <= most_for_factors) {
-    direct_ = std::make_unique<DirectSolver<n>>(matrix_, communicator);
+    direct_ = std::make_unique<DirectSolver<n>>(matrix, communicator);
     return;
   }
-  const double largest = margin * largest_eigenvalue(matrix_, communicator);
+  const double largest = margin * largest_eigenvalue(matrix, communicator);
   const auto positions = on_all_nodes(problem.positions, pattern);
   Aggregates aggregates = aggregates_of<n>(pattern, problem.bodies);
   CoarseNodes<dim> coarse = coarse_nodes(aggregates, positions, pattern);
-  prolongation_.emplace(smoothed_prolongation<dim>(matrix_, positions, coarse, is_moved,
+  prolongation_.emplace(smoothed_prolongation<dim>(matrix, positions, coarse, is_moved,
                                                    aggregation_damping / largest));
   coarse_ = std::make_unique<AlgebraicMultigrid>(
-      CoarseProblem<dim>{coarse_matrix(matrix_, *prolongation_, communicator),
+      CoarseProblem<dim>{coarse_matrix(matrix, *prolongation_, communicator),
                          std::move(coarse.own_centres), std::move(aggregates.bodies)},
       communicator);
   coarse_zero_.reinit(dealii::IndexSet(coarse.unknowns), communicator);
+  matrix_.emplace(std::move(matrix));
   smoother_ =
-      std::make_unique<Chebyshev<NodeMatrix<n>>>(matrix_, largest / ratio, margin * largest);
+      std::make_unique<Chebyshev<SymmetricMatrix<n>>>(*matrix_, largest / ratio, margin * largest);
 }
 
 template <int dim>
 void AlgebraicMultigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
   if (direct_) return direct_->vmult(correction, residual);
-  v_cycle(matrix_, *smoother_, *prolongation_, *coarse_, coarse_zero_, correction, residual);
+  v_cycle(*matrix_, *smoother_, *prolongation_, *coarse_, coarse_zero_, correction, residual);
 }
 
 template class AlgebraicMultigrid<2>;

@@ -36,9 +36,9 @@ class AlgebraicMultigrid {
  private:
   static constexpr int n = n_rigid_motions<dim>;
 
-  NodeMatrix<n> matrix_;
+  std::optional<SymmetricMatrix<n>> matrix_;
   std::unique_ptr<DirectSolver<n>> direct_;  ///< of the coarsest level, which has nothing else
-  std::unique_ptr<Chebyshev<NodeMatrix<n>>> smoother_;
+  std::unique_ptr<Chebyshev<SymmetricMatrix<n>>> smoother_;
   std::optional<NodeMatrix<n>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid> coarse_;
   Vector coarse_zero_;  ///< as v_cycle() takes it

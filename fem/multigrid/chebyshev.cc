@@ -81,8 +81,8 @@ double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator) {
 template class Chebyshev<CondensedMatrix<2>>;
 template class Chebyshev<CondensedMatrix<3>>;
 template class Chebyshev<NodeMatrix<2>>;
-template class Chebyshev<NodeMatrix<3>>;
-template class Chebyshev<NodeMatrix<6>>;
+template class Chebyshev<SymmetricMatrix<3>>;
+template class Chebyshev<SymmetricMatrix<6>>;
 template double largest_eigenvalue(const CondensedMatrix<2>&, MPI_Comm);
 template double largest_eigenvalue(const CondensedMatrix<3>&, MPI_Comm);
 template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);

@@ -6,13 +6,14 @@
 
 #include "fem/multigrid/condensed_matrix.h"
 #include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
 /// Chebyshev's iteration of degree two for the system scaled by its diagonal (Saad 2003, Iterative
 /// methods for sparse linear systems, algorithm 12.1): reduces the errors at the upper end of the
 /// spectrum.
-/// @tparam Matrix NodeMatrix or CondensedMatrix
+/// @tparam Matrix NodeMatrix, SymmetricMatrix or CondensedMatrix
 template <typename Matrix>
 class Chebyshev {
  public:

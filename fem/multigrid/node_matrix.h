@@ -79,7 +79,8 @@ class NodeMatrix {
   explicit NodeMatrix(NodePattern pattern)
       : pattern_(std::move(pattern)), blocks_(pattern_.n_blocks(), Block::Zero()) {}
 
-  [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
+  [[nodiscard]] const NodePattern& pattern() const& { return pattern_; }
+  [[nodiscard]] NodePattern pattern() && { return std::move(pattern_); }
   /// Of the columns.
   [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
   [[nodiscard]] const Block& block(const std::size_t index) const { return blocks_[index]; }

@@ -1,6 +1,5 @@
 #include "fem/multigrid/condensed_matrix.h"
 
-#include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,33 +7,10 @@
 #include <map>
 #include <vector>
 
+#include "tests/unit/fem/coupled_matrix.h"
+
 namespace geneva::fem::test {
 namespace {
-
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
-constexpr int n_own_nodes = 2;
-constexpr int n_own_unknowns = 3 * n_own_nodes;
-
-Epetra_Map unknowns() { return {-1, n_own_unknowns, 0, Epetra_MpiComm(MPI_COMM_WORLD)}; }
-
-/// Every node is coupled to all others; symmetric.
-NodeMatrix<3> whole() {
-  const Epetra_Map map = unknowns();
-  std::vector<int> all;
-  for (int node = 0; node < map.NumGlobalElements() / 3; ++node) all.push_back(node);
-  NodeMatrix<3> matrix(NodePattern(map, 3, {n_own_nodes, all}));
-  for (int row = 0; row < n_own_nodes; ++row)
-    for (const int node : all)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const auto place = matrix.pattern().place_of(node);
-          matrix.block(matrix.pattern().block(static_cast<std::size_t>(row), place))(i, j) =
-              std::cos(map.MinMyGID() + 3. * row + i) * std::cos(3. * node + j) +
-              (place == row && i == j ? 4. : 0.);
-        }
-  return matrix;
-}
 
 /// The first unknown of each rank follows the next one, its last but one and, if there are others,
 /// one of the next rank; its fourth one two of those.
@@ -57,13 +33,6 @@ CondensedMatrix<3> condensed() {
   return matrix;
 }
 
-Vector vector_of(const std::function<double(int)>& value) {
-  Vector result(dealii::IndexSet(unknowns()), MPI_COMM_WORLD);
-  for (const auto i : result.locally_owned_elements()) result(i) = value(static_cast<int>(i));
-  result.compress(dealii::VectorOperation::insert);
-  return result;
-}
-
 /// E v, from the values that all ranks know.
 Vector distributed(const std::function<double(int)>& value) {
   const auto all = lines();
@@ -75,9 +44,6 @@ Vector distributed(const std::function<double(int)>& value) {
     return sum;
   });
 }
-
-double some(const int i) { return std::sin(0.7 * (i + 1.)); }
-double other(const int i) { return std::sin(1.9 * (i + 1.)); }
 
 TEST(CondensedMatrix, DoesTheWorkOfTheWholeMatrixOnDistributedVectors) {
   const CondensedMatrix<3> matrix = condensed();

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <Epetra_MpiComm.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "fem/multigrid/node_matrix.h"
+
+// A small matrix on any number of ranks, and vectors for it.
+
+namespace geneva::fem::test {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+constexpr int n_own_nodes = 2;
+constexpr int n_own_unknowns = 3 * n_own_nodes;
+
+inline Epetra_Map unknowns() { return {-1, n_own_unknowns, 0, Epetra_MpiComm(MPI_COMM_WORLD)}; }
+
+/// Every node is coupled to all others; symmetric.
+inline NodeMatrix<3> whole() {
+  const Epetra_Map map = unknowns();
+  std::vector<int> all;
+  for (int node = 0; node < map.NumGlobalElements() / 3; ++node) all.push_back(node);
+  NodeMatrix<3> matrix(NodePattern(map, 3, {n_own_nodes, all}));
+  for (int row = 0; row < n_own_nodes; ++row)
+    for (const int node : all)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const auto place = matrix.pattern().place_of(node);
+          matrix.block(matrix.pattern().block(static_cast<std::size_t>(row), place))(i, j) =
+              std::cos(map.MinMyGID() + 3. * row + i) * std::cos(3. * node + j) +
+              (place == row && i == j ? 4. : 0.);
+        }
+  return matrix;
+}
+
+inline Vector vector_of(const std::function<double(int)>& value) {
+  Vector result(dealii::IndexSet(unknowns()), MPI_COMM_WORLD);
+  for (const auto i : result.locally_owned_elements()) result(i) = value(static_cast<int>(i));
+  result.compress(dealii::VectorOperation::insert);
+  return result;
+}
+
+inline double some(const int i) { return std::sin(0.7 * (i + 1.)); }
+inline double other(const int i) { return std::sin(1.9 * (i + 1.)); }
+
+}  // namespace geneva::fem::test
