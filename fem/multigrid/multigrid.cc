@@ -25,7 +25,7 @@ Multigrid<dim>::Multigrid(const CondensedMatrix<dim>& matrix,
   Prolongation<dim> prolonged =
       prolongation(CoupledNodes<dim>(matrix.whole(), dof_handler),
                    {constraints, matrix.elimination(), dof_handler.locally_owned_dofs()},
-                   largest_eigenvalue_, communicator);
+                   matrix.diagonal(), largest_eigenvalue_, communicator);
   prolongation_.emplace(std::move(prolonged.matrix));
   coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
       CoarseProblem<dim>{coarse_matrix(matrix.whole(), *prolongation_, communicator),

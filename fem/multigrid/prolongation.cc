@@ -65,17 +65,20 @@ Aggregates aggregates_of(const CoupledNodes<dim>& nodes, const Lists& near) {
   return aggregate(own, bodies, 2);
 }
 
-/// Adds -step D^-1 A T, where T are the rigid motions of the aggregates, to the row of a node for
+/// Of Jacobi's method, at the unknowns of a node.
+template <int dim>
+using Steps = Eigen::Matrix<double, dim, 1>;
+
+/// Adds -steps A T, where T are the rigid motions of the aggregates, to the row of a node for
 /// the coarse nodes that the row has: a step of Jacobi's method.
 template <int dim>
 void add_jacobi_step(NodeRow<dim>& row, const std::size_t node, const CoupledNodes<dim>& nodes,
-                     const CoarseNodes<dim>& coarse, const double step) {
-  const auto diagonal = nodes.matrix().diagonal_block(node).diagonal();
+                     const CoarseNodes<dim>& coarse, const Steps<dim>& steps) {
   nodes.visit_row(node, [&](const std::size_t other, const auto& entries) {
     auto* const block = row.find(coarse.of_nodes[other]);
     if (block == nullptr) return;
     const auto from_centre = nodes.position(other) - coarse.centres[other];
-    *block -= step * diagonal.asDiagonal().inverse() * (entries * rigid_displacement(from_centre));
+    *block -= steps.asDiagonal() * (entries * rigid_displacement(from_centre));
   });
 }
 
@@ -83,7 +86,7 @@ void add_jacobi_step(NodeRow<dim>& row, const std::size_t node, const CoupledNod
 template <int dim>
 NodeRow<dim> smoothed_row(const std::size_t node, const std::vector<std::size_t>& near,
                           const CoupledNodes<dim>& nodes, const CoarseNodes<dim>& coarse,
-                          const double step) {
+                          const Steps<dim>& steps) {
   NodeRow<dim> row;
   row.at(coarse.of_nodes[node]);
   std::vector<dealii::Tensor<1, dim>> offsets(1);  // of the row's coarse nodes from the own one
@@ -93,7 +96,7 @@ NodeRow<dim> smoothed_row(const std::size_t node, const std::vector<std::size_t>
     row.at(number);
     offsets.push_back(coarse.centres[other] - coarse.centres[node]);
   }
-  if (row.size() > 1) add_jacobi_step(row, node, nodes, coarse, step);
+  if (row.size() > 1) add_jacobi_step(row, node, nodes, coarse, steps);
   RigidDisplacement<dim> own = rigid_displacement(nodes.position(node) - coarse.centres[node]);
   for (std::size_t i = 0; i < row.size(); ++i) own -= row.block(i) * rigid_motion(offsets[i]);
   row.at(coarse.of_nodes[node]) += own;
@@ -114,14 +117,16 @@ bool is_in_layer(const std::size_t node, const std::vector<std::size_t>& near,
 template <int dim>
 std::vector<NodeRow<dim>> smoothed_rows(const Lists& near, const CoupledNodes<dim>& nodes,
                                         const CoarseNodes<dim>& coarse,
+                                        const std::vector<double>& diagonal,
                                         const double largest_eigenvalue) {
   std::vector<NodeRow<dim>> rows(nodes.n_own());
-  for (std::size_t node = 0; node < nodes.n_own(); ++node)
-    if (coarse.of_nodes[node] != no_aggregate)
-      rows[node] = smoothed_row(
-          node, near[node], nodes, coarse,
-          aggregation_damping /
-              (largest_eigenvalue * (is_in_layer(node, near[node], nodes) ? share_of_layer : 1.)));
+  for (std::size_t node = 0; node < nodes.n_own(); ++node) {
+    if (coarse.of_nodes[node] == no_aggregate) continue;
+    const double share = is_in_layer(node, near[node], nodes) ? share_of_layer : 1.;
+    const Steps<dim> steps = aggregation_damping / (largest_eigenvalue * share) *
+                             Eigen::Map<const Steps<dim>>(&diagonal[dim * node]).cwiseInverse();
+    rows[node] = smoothed_row<dim>(node, near[node], nodes, coarse, steps);
+  }
   return rows;
 }
 
@@ -179,18 +184,21 @@ void distribute(std::vector<NodeRow<dim>>& rows, const Elimination& elimination,
 
 template <int dim>
 Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const Dependence& dependence,
-                               const double largest_eigenvalue, const MPI_Comm communicator) {
+                               const std::vector<double>& diagonal, const double largest_eigenvalue,
+                               const MPI_Comm communicator) {
   const Lists near = near_neighbours(nodes);
   Aggregates aggregates = aggregates_of(nodes, near);
   CoarseNodes<dim> coarse = coarse_nodes(aggregates, nodes.positions(), nodes.matrix().pattern());
-  auto rows = smoothed_rows(near, nodes, coarse, largest_eigenvalue);
+  auto rows = smoothed_rows(near, nodes, coarse, diagonal, largest_eigenvalue);
   hold_constrained<dim>(rows, dependence);
   distribute<dim>(rows, dependence.elimination, nodes.matrix().unknowns(), communicator);
   return {matrix_of(rows, coarse.unknowns), std::move(aggregates.bodies),
           std::move(coarse.own_centres)};
 }
 
-template Prolongation<2> prolongation(const CoupledNodes<2>&, const Dependence&, double, MPI_Comm);
-template Prolongation<3> prolongation(const CoupledNodes<3>&, const Dependence&, double, MPI_Comm);
+template Prolongation<2> prolongation(const CoupledNodes<2>&, const Dependence&,
+                                      const std::vector<double>&, double, MPI_Comm);
+template Prolongation<3> prolongation(const CoupledNodes<3>&, const Dependence&,
+                                      const std::vector<double>&, double, MPI_Comm);
 
 }  // namespace geneva::fem

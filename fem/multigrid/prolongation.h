@@ -34,9 +34,11 @@ struct Prolongation {
 /// motions of the whole then lack is given back (Olson, Schroder and Tuminaro 2011).
 /// @param nodes of the matrix before unknowns were eliminated
 /// @param dependence constrained unknowns get zero rows, eliminated ones what they follow
+/// @param diagonal of the matrix after that, by this rank's unknowns
 /// @param largest_eigenvalue of the matrix scaled by its diagonal, positive
 template <int dim>
 Prolongation<dim> prolongation(const CoupledNodes<dim>& nodes, const Dependence& dependence,
-                               double largest_eigenvalue, MPI_Comm communicator);
+                               const std::vector<double>& diagonal, double largest_eigenvalue,
+                               MPI_Comm communicator);
 
 }  // namespace geneva::fem

@@ -9,8 +9,8 @@
 namespace geneva::fem {
 
 /// A symmetric matrix of n x n blocks by nodes whose rows need not be read any more: of two blocks
-/// that are each other's transpose a rank has one. Its products
-/// read little more than half as much, which counts when several ranks share the memory.
+/// that are each other's transpose a rank has one. Its products read little more than half as much,
+/// which counts when several ranks share the memory.
 template <int n>
 class SymmetricMatrix {
  public:

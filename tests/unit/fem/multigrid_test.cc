@@ -57,8 +57,8 @@ class Block {
   [[nodiscard]] const CondensedMatrix<3>& matrix() const { return *matrix_; }
   [[nodiscard]] CoupledNodes<3> nodes() const { return {matrix_->whole(), *grid_.dof_handler}; }
   [[nodiscard]] Prolongation<3> prolonged() const {
-    return prolongation<3>(nodes(), {constraints_, matrix_->elimination(), unknowns()}, 4.,
-                           MPI_COMM_WORLD);
+    return prolongation<3>(nodes(), {constraints_, matrix_->elimination(), unknowns()},
+                           matrix_->diagonal(), 4., MPI_COMM_WORLD);
   }
 
  private:
@@ -139,8 +139,9 @@ TEST(Prolongation, LetsEliminatedUnknownsFollow) {
   }
   EXPECT_GT(lines.size(), 0U);
   const Elimination elimination(unknowns, lines);
-  const Prolongation<3> prolonged = prolongation<3>(
-      block.nodes(), {block.constraints(), elimination, block.unknowns()}, 4., MPI_COMM_WORLD);
+  const Prolongation<3> prolonged =
+      prolongation<3>(block.nodes(), {block.constraints(), elimination, block.unknowns()},
+                      block.matrix().diagonal(), 4., MPI_COMM_WORLD);
   Vector fine(block.unknowns(), MPI_COMM_WORLD);
   prolonged.matrix.vmult(fine,
                          some_vector(dealii::IndexSet(prolonged.matrix.pattern().unknowns()), 0.7));
