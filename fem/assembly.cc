@@ -166,7 +166,7 @@ NodePattern pattern_of(const CondensedSystems& systems, const Rows<dim>& receive
 
 /// Adds a system to the rows of this rank's nodes.
 template <int dim>
-void add(const CellSystem& system, NodeMatrix<dim>& matrix) {
+void add(const CellSystem& system, SymmetricMatrix<dim>& matrix) {
   const NodePattern& pattern = matrix.pattern();
   const SystemNodes nodes = nodes_of<dim>(system.dofs);
   std::vector<int> places;
@@ -174,21 +174,22 @@ void add(const CellSystem& system, NodeMatrix<dim>& matrix) {
   for (std::size_t a = 0; a < places.size(); ++a) {
     if (!pattern.own().have(nodes.numbers[a])) continue;
     for (std::size_t b = 0; b < places.size(); ++b)
-      add_block<dim>(system, nodes, a, b,
-                     matrix.block(pattern.block(static_cast<std::size_t>(places[a]), places[b])));
+      if (places[b] >= places[a])
+        add_block<dim>(system, nodes, a, b,
+                       matrix.upper_block(static_cast<std::size_t>(places[a]), places[b]));
   }
 }
 
 }  // namespace
 
 template <int dim>
-NodeMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints& constraints,
-                         const dealii::IndexSet& unknowns, const MPI_Comm communicator,
-                         Vector& load) {
+SymmetricMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints& constraints,
+                              const dealii::IndexSet& unknowns, const MPI_Comm communicator,
+                              Vector& load) {
   const Epetra_Map map = unknowns.make_trilinos_map(communicator, false);
   const CondensedSystems systems(cells, constraints);
   const Rows<dim> received = received_rows<dim>(systems, map, communicator);
-  NodeMatrix<dim> matrix(pattern_of<dim>(systems, received, map));
+  SymmetricMatrix<dim> matrix(pattern_of<dim>(systems, received, map));
   systems.visit([](const std::vector<Dof>&) { return true; },
                 [&](const Dof unknown) { return unknowns.is_element(unknown); },
                 [&](const CellSystem& system) {
@@ -199,9 +200,9 @@ NodeMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints
   return matrix;
 }
 
-template NodeMatrix<2> assemble(const std::vector<CellSystem>&, const Constraints&,
-                                const dealii::IndexSet&, MPI_Comm, Vector&);
-template NodeMatrix<3> assemble(const std::vector<CellSystem>&, const Constraints&,
-                                const dealii::IndexSet&, MPI_Comm, Vector&);
+template SymmetricMatrix<2> assemble(const std::vector<CellSystem>&, const Constraints&,
+                                     const dealii::IndexSet&, MPI_Comm, Vector&);
+template SymmetricMatrix<3> assemble(const std::vector<CellSystem>&, const Constraints&,
+                                     const dealii::IndexSet&, MPI_Comm, Vector&);
 
 }  // namespace geneva::fem

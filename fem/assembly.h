@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fem/elasticity.h"
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
@@ -19,9 +19,9 @@ namespace geneva::fem {
 /// @param load in: made for writing to all unknowns of the condensed cells; out: with the cells'
 /// loads added, to be compressed
 template <int dim>
-NodeMatrix<dim> assemble(const std::vector<CellSystem>& cells,
-                         const dealii::AffineConstraints<double>& constraints,
-                         const dealii::IndexSet& unknowns, MPI_Comm communicator,
-                         dealii::TrilinosWrappers::MPI::Vector& load);
+SymmetricMatrix<dim> assemble(const std::vector<CellSystem>& cells,
+                              const dealii::AffineConstraints<double>& constraints,
+                              const dealii::IndexSet& unknowns, MPI_Comm communicator,
+                              dealii::TrilinosWrappers::MPI::Vector& load);
 
 }  // namespace geneva::fem

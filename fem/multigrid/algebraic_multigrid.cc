@@ -22,7 +22,7 @@ using MotionRow = BlockRow<Eigen::Matrix<double, n, n>>;
 /// a line do not turn about it, nor do nodes of a plane of symmetry leave it.
 /// @return whether each of this rank's unknowns moves
 template <int n>
-std::vector<bool> complete(NodeMatrix<n>& matrix) {
+std::vector<bool> complete(SymmetricMatrix<n>& matrix) {
   // Above the roundings, and far below what the iterations of the mesh could notice: what it
   // completes does not move the mesh.
   constexpr double shift = 1e-10;
@@ -56,42 +56,37 @@ Aggregates aggregates_of(const NodePattern& pattern, const std::vector<unsigned 
   return aggregate(neighbours, bodies, 1);
 }
 
-/// The row of a node in (1 - step D^-1 A) T, where T are the rigid motions of the aggregates.
+/// The rows of (1 - step D^-1 A) T, where T are the rigid motions of the aggregates.
 template <int dim, int n = n_rigid_motions<dim>>
-MotionRow<n> smoothed_row(const std::size_t node, const NodeMatrix<n>& matrix,
-                          const std::vector<dealii::Point<dim>>& positions,
-                          const CoarseNodes<dim>& coarse, const double step) {
-  MotionRow<n> row;
+std::vector<MotionRow<n>> smoothed_motions(const SymmetricMatrix<n>& matrix,
+                                           const std::vector<dealii::Point<dim>>& positions,
+                                           const CoarseNodes<dim>& coarse, const double step) {
   const auto motion = [&](const std::size_t place) {
     return rigid_motion<dim>(positions[place] - coarse.centres[place]);
   };
-  row.at(coarse.of_nodes[node]) = motion(node);
-  const NodePattern& pattern = matrix.pattern();
-  const Eigen::Matrix<double, n, 1> steps =
-      step * matrix.diagonal_block(node).diagonal().cwiseInverse();
-  for (std::size_t i = pattern.first_block(node); i < pattern.first_block(node + 1); ++i) {
-    const auto other = static_cast<std::size_t>(pattern.place(i));
-    if (coarse.of_nodes[other] == no_aggregate) continue;
-    row.at(coarse.of_nodes[other]).noalias() -=
-        steps.asDiagonal() * (matrix.block(i) * motion(other));
-  }
-  return row;
+  std::vector<MotionRow<n>> rows(matrix.pattern().n_rows());
+  for (std::size_t node = 0; node < rows.size(); ++node)
+    if (coarse.of_nodes[node] != no_aggregate) rows[node].at(coarse.of_nodes[node]) = motion(node);
+  matrix.visit_blocks([&](const std::size_t node, const std::size_t other, const auto& block) {
+    if (coarse.of_nodes[node] == no_aggregate || coarse.of_nodes[other] == no_aggregate) return;
+    const Eigen::Matrix<double, n, 1> steps =
+        step * matrix.diagonal_block(node).diagonal().cwiseInverse();
+    rows[node].at(coarse.of_nodes[other]).noalias() -= steps.asDiagonal() * (block * motion(other));
+  });
+  return rows;
 }
 
 /// @param is_moved of each of this rank's unknowns
 template <int dim, int n = n_rigid_motions<dim>>
-NodeMatrix<n> smoothed_prolongation(const NodeMatrix<n>& matrix,
-                                    const std::vector<dealii::Point<dim>>& positions,
-                                    const CoarseNodes<dim>& coarse,
-                                    const std::vector<bool>& is_moved, const double step) {
-  std::vector<MotionRow<n>> rows(matrix.pattern().n_rows());
-  for (std::size_t node = 0; node < rows.size(); ++node) {
-    if (coarse.of_nodes[node] == no_aggregate) continue;
-    rows[node] = smoothed_row<dim>(node, matrix, positions, coarse, step);
+NodeMatrix<n, n> smoothed_prolongation(const SymmetricMatrix<n>& matrix,
+                                       const std::vector<dealii::Point<dim>>& positions,
+                                       const CoarseNodes<dim>& coarse,
+                                       const std::vector<bool>& is_moved, const double step) {
+  auto rows = smoothed_motions<dim>(matrix, positions, coarse, step);
+  for (std::size_t node = 0; node < rows.size(); ++node)
     for (int component = 0; component < n; ++component)
       if (!is_moved[n * node + static_cast<std::size_t>(component)])
         for (auto& block : rows[node].blocks()) block.row(component).setZero();
-  }
   return matrix_of(rows, coarse.unknowns);
 }
 
@@ -106,7 +101,7 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem,
   // layer, so that more is left to smooth. 10 and 20 take three and two iterations more, 60 one
   // less.
   constexpr double ratio = 40.;
-  NodeMatrix<n>& matrix = problem.matrix;
+  SymmetricMatrix<n>& matrix = problem.matrix;
   const std::vector<bool> is_moved = complete(matrix);
   const NodePattern& pattern = matrix.pattern();
   if (pattern.unknowns().NumGlobalElements() <= most_for_factors) {

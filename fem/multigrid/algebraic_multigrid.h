@@ -17,9 +17,9 @@ namespace geneva::fem {
 /// What a coarse level of a multigrid is made from.
 template <int dim>
 struct CoarseProblem {
-  NodeMatrix<n_rigid_motions<dim>> matrix;    ///< symmetric and positive semi-definite
-  std::vector<dealii::Point<dim>> positions;  ///< of this rank's nodes
-  std::vector<unsigned int> bodies;           ///< of this rank's nodes
+  SymmetricMatrix<n_rigid_motions<dim>> matrix;  ///< positive semi-definite
+  std::vector<dealii::Point<dim>> positions;     ///< of this rank's nodes
+  std::vector<unsigned int> bodies;              ///< of this rank's nodes
 };
 
 /// V-cycles of smoothed aggregation (Vanek, Mandel and Brezina 1996) with the aggregates of
@@ -39,7 +39,7 @@ class AlgebraicMultigrid {
   std::optional<SymmetricMatrix<n>> matrix_;
   std::unique_ptr<DirectSolver<n>> direct_;  ///< of the coarsest level, which has nothing else
   std::unique_ptr<Chebyshev<SymmetricMatrix<n>>> smoother_;
-  std::optional<NodeMatrix<n>> prolongation_;
+  std::optional<NodeMatrix<n, n>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid> coarse_;
   Vector coarse_zero_;  ///< as v_cycle() takes it
 };

@@ -80,13 +80,11 @@ double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator) {
 
 template class Chebyshev<CondensedMatrix<2>>;
 template class Chebyshev<CondensedMatrix<3>>;
-template class Chebyshev<NodeMatrix<2>>;
 template class Chebyshev<SymmetricMatrix<3>>;
 template class Chebyshev<SymmetricMatrix<6>>;
 template double largest_eigenvalue(const CondensedMatrix<2>&, MPI_Comm);
 template double largest_eigenvalue(const CondensedMatrix<3>&, MPI_Comm);
-template double largest_eigenvalue(const NodeMatrix<2>&, MPI_Comm);
-template double largest_eigenvalue(const NodeMatrix<3>&, MPI_Comm);
-template double largest_eigenvalue(const NodeMatrix<6>&, MPI_Comm);
+template double largest_eigenvalue(const SymmetricMatrix<3>&, MPI_Comm);
+template double largest_eigenvalue(const SymmetricMatrix<6>&, MPI_Comm);
 
 }  // namespace geneva::fem

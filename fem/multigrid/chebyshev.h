@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fem/multigrid/condensed_matrix.h"
-#include "fem/multigrid/node_matrix.h"
 #include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
@@ -13,7 +12,7 @@ namespace geneva::fem {
 /// Chebyshev's iteration of degree two for the system scaled by its diagonal (Saad 2003, Iterative
 /// methods for sparse linear systems, algorithm 12.1): reduces the errors at the upper end of the
 /// spectrum.
-/// @tparam Matrix NodeMatrix, SymmetricMatrix or CondensedMatrix
+/// @tparam Matrix SymmetricMatrix or CondensedMatrix
 template <typename Matrix>
 class Chebyshev {
  public:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
@@ -9,7 +9,7 @@ namespace geneva::fem {
 /// @param prolongation P: rows of A's nodes, columns by coarse nodes
 /// @return rows and columns as P's columns, distributed as these
 template <int n, int m>
-NodeMatrix<m> coarse_matrix(const NodeMatrix<n>& matrix, const NodeMatrix<n, m>& prolongation,
-                            MPI_Comm communicator);
+SymmetricMatrix<m> coarse_matrix(const SymmetricMatrix<n>& matrix,
+                                 const NodeMatrix<n, m>& prolongation, MPI_Comm communicator);
 
 }  // namespace geneva::fem

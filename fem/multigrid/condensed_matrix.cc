@@ -18,7 +18,7 @@ double share_in(const Shares& shares, const int unknown) {
 }  // namespace
 
 template <int n>
-CondensedMatrix<n>::CondensedMatrix(NodeMatrix<n> whole)
+CondensedMatrix<n>::CondensedMatrix(SymmetricMatrix<n> whole)
     : whole_(std::move(whole)), elimination_(whole_.unknowns(), {}) {}
 
 template <int n>
@@ -58,11 +58,12 @@ std::map<int, double> CondensedMatrix<n>::contributions_to_diagonal() const {
   const NodePattern& pattern = whole_.pattern();
   for (const auto& [unknown, shares] : elimination_.own()) {
     const std::size_t row = unknown / n;
-    for (std::size_t i = pattern.first_block(row); i < pattern.first_block(row + 1); ++i)
+    for (std::size_t i = pattern.first_block(row); i < pattern.first_block(row + 1); ++i) {
+      const int place = pattern.place(i);
+      const auto block = whole_.block(row, place);
       for (int component = 0; component < n; ++component) {
-        const double stiffness = whole_.block(i)(static_cast<Eigen::Index>(unknown % n), component);
-        const int column =
-            n * pattern.number(static_cast<std::size_t>(pattern.place(i))) + component;
+        const double stiffness = block(static_cast<Eigen::Index>(unknown % n), component);
+        const int column = n * pattern.number(static_cast<std::size_t>(place)) + component;
         if (const Shares* const followed = elimination_.shares_of(column)) {
           for (const auto& [carrier, share] : *followed)
             if (const double own = share_in(shares, carrier); own != 0.)
@@ -71,6 +72,7 @@ std::map<int, double> CondensedMatrix<n>::contributions_to_diagonal() const {
           result[column] += 2. * own * stiffness;
         }
       }
+    }
   }
   return result;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem/multigrid/elimination.h"
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
@@ -19,14 +19,14 @@ class CondensedMatrix {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// @param whole A, symmetric; no unknown follows another yet
-  explicit CondensedMatrix(NodeMatrix<n> whole);
+  /// @param whole A; no unknown follows another yet
+  explicit CondensedMatrix(SymmetricMatrix<n> whole);
 
   /// Lets other unknowns follow others than before.
   /// @param lines of all unknowns in the rows and columns of this rank that follow others
   void eliminate(std::map<int, Shares> lines);
 
-  [[nodiscard]] const NodeMatrix<n>& whole() const { return whole_; }
+  [[nodiscard]] const SymmetricMatrix<n>& whole() const { return whole_; }
   [[nodiscard]] const Elimination& elimination() const { return elimination_; }
   [[nodiscard]] const Epetra_Map& unknowns() const { return whole_.unknowns(); }
 
@@ -42,7 +42,7 @@ class CondensedMatrix {
  private:
   [[nodiscard]] std::map<int, double> contributions_to_diagonal() const;
 
-  NodeMatrix<n> whole_;
+  SymmetricMatrix<n> whole_;
   Elimination elimination_;
 };
 

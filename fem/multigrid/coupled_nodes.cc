@@ -5,7 +5,7 @@
 namespace geneva::fem {
 
 template <int dim>
-CoupledNodes<dim>::CoupledNodes(const NodeMatrix<dim>& matrix,
+CoupledNodes<dim>::CoupledNodes(const SymmetricMatrix<dim>& matrix,
                                 const dealii::DoFHandler<dim>& dof_handler)
     : matrix_(matrix), neighbours_(matrix.pattern().own().size()) {
   const dealii::IndexSet& owned = dof_handler.locally_owned_dofs();
@@ -28,10 +28,9 @@ CoupledNodes<dim>::CoupledNodes(const NodeMatrix<dim>& matrix,
 
 template <int dim>
 void CoupledNodes<dim>::find_neighbours() {
-  for (std::size_t node = 0; node < n_own(); ++node)
-    visit_row(node, [&](const std::size_t other, const auto& block) {
-      if (other != node && !block.isZero(0.)) neighbours_[node].push_back(other);
-    });
+  matrix_.visit_blocks([&](const std::size_t node, const std::size_t other, const auto& block) {
+    if (other != node && !block.isZero(0.)) neighbours_[node].push_back(other);
+  });
 }
 
 template class CoupledNodes<2>;

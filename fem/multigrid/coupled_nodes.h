@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
@@ -15,7 +15,7 @@ template <int dim>
 class CoupledNodes {
  public:
   /// @param matrix of trilinear or bilinear displacements; must outlive this
-  CoupledNodes(const NodeMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler);
+  CoupledNodes(const SymmetricMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler);
 
   [[nodiscard]] std::size_t n_own() const { return neighbours_.size(); }
   [[nodiscard]] std::size_t n_all() const { return positions_.size(); }
@@ -29,15 +29,7 @@ class CoupledNodes {
     return neighbours_[own_node];
   }
 
-  [[nodiscard]] const NodeMatrix<dim>& matrix() const { return matrix_; }
-  /// Calls visit(node, block) for the blocks of a row.
-  template <typename Visit>
-  void visit_row(const std::size_t own_node, const Visit& visit) const {
-    const NodePattern& pattern = matrix_.pattern();
-    for (std::size_t i = pattern.first_block(own_node); i < pattern.first_block(own_node + 1); ++i)
-      visit(static_cast<std::size_t>(pattern.place(i)), matrix_.block(i));
-  }
-
+  [[nodiscard]] const SymmetricMatrix<dim>& matrix() const { return matrix_; }
   /// Values of all nodes from those of the ranks that own them.
   [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const {
     return matrix_.pattern().on_all_nodes(of_own_nodes);
@@ -46,7 +38,7 @@ class CoupledNodes {
  private:
   void find_neighbours();
 
-  const NodeMatrix<dim>& matrix_;
+  const SymmetricMatrix<dim>& matrix_;
   std::vector<dealii::Point<dim>> positions_;
   std::vector<unsigned int> bodies_;
   std::vector<std::vector<std::size_t>> neighbours_;

@@ -15,15 +15,13 @@ void sum(Dense& values, const MPI_Comm communicator) {
 }
 
 template <int n>
-Eigen::MatrixXd whole(const NodeMatrix<n>& matrix, const MPI_Comm communicator) {
+Eigen::MatrixXd whole(const SymmetricMatrix<n>& matrix, const MPI_Comm communicator) {
   const NodePattern& pattern = matrix.pattern();
   const Eigen::Index size = pattern.unknowns().NumGlobalElements();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t row = 0; row < pattern.n_rows(); ++row)
-    for (std::size_t i = pattern.first_block(row); i < pattern.first_block(row + 1); ++i)
-      result.template block<n, n>(n * pattern.number(row),
-                                  n * pattern.number(static_cast<std::size_t>(pattern.place(i)))) =
-          matrix.block(i);
+  matrix.visit_blocks([&](const std::size_t row, const std::size_t place, const auto& block) {
+    result.template block<n, n>(n * pattern.number(row), n * pattern.number(place)) = block;
+  });
   sum(result, communicator);
   return result;
 }
@@ -31,7 +29,7 @@ Eigen::MatrixXd whole(const NodeMatrix<n>& matrix, const MPI_Comm communicator) 
 }  // namespace
 
 template <int n>
-DirectSolver<n>::DirectSolver(const NodeMatrix<n>& matrix, const MPI_Comm communicator)
+DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const MPI_Comm communicator)
     : communicator_(communicator),
       first_(n * matrix.pattern().own().first),
       n_own_(matrix.pattern().unknowns().NumMyElements()),

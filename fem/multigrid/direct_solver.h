@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
@@ -14,8 +14,8 @@ class DirectSolver {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// @param matrix symmetric and positive definite
-  DirectSolver(const NodeMatrix<n>& matrix, MPI_Comm communicator);
+  /// @param matrix positive definite
+  DirectSolver(const SymmetricMatrix<n>& matrix, MPI_Comm communicator);
 
   void vmult(Vector& solution, const Vector& right_hand_side) const;
 

@@ -84,40 +84,20 @@ void NodeMatrix<n, m>::add(const std::size_t row, const BlockRow<Block>& values)
 }
 
 template <int n, int m>
-void NodeMatrix<n, m>::add(const BlockRows<Block>& rows) {
-  for (const auto& [number, row] : rows)
-    add(static_cast<std::size_t>(number - pattern_.own().first), row);
-}
-
-template <int n, int m>
-template <typename Use>
-void NodeMatrix<n, m>::multiply(const Vector& vector, const Use& use) const {
+void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
   using Part = Eigen::Matrix<double, m, 1>;
   const double* const own = vector.trilinos_vector()[0];
   const double* const others = pattern_.on_others(vector.trilinos_vector());
+  double* const to = result.trilinos_vector()[0];
   const auto n_own = static_cast<int>(pattern_.own().size());
   for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
-    Eigen::Matrix<double, n, 1> sum = Eigen::Matrix<double, n, 1>::Zero();
+    Eigen::Map<Eigen::Matrix<double, n, 1>> sum(to + n * row);
     for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
       const int place = pattern_.place(i);
       const double* const values = place < n_own ? own + m * place : others + m * (place - n_own);
       sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values);
     }
-    for (int component = 0; component < n; ++component)
-      use(n * row + static_cast<std::size_t>(component), sum[component]);
   }
-}
-
-template <int n, int m>
-void NodeMatrix<n, m>::vmult(Vector& result, const Vector& vector) const {
-  double* const to = result.trilinos_vector()[0];
-  multiply(vector, [&](const std::size_t unknown, const double value) { to[unknown] = value; });
-}
-
-template <int n, int m>
-void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
-  double* const to = result.trilinos_vector()[0];
-  multiply(vector, [&](const std::size_t unknown, const double value) { to[unknown] += value; });
 }
 
 template <int n, int m>
@@ -137,26 +117,6 @@ void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
 }
 
 template <int n, int m>
-void NodeMatrix<n, m>::residual(Vector& result, const Vector& vector,
-                                const Vector& right_hand_side) const {
-  double* const to = result.trilinos_vector()[0];
-  const double* const from = right_hand_side.trilinos_vector()[0];
-  multiply(vector, [&](const std::size_t unknown, const double value) {
-    to[unknown] = from[unknown] - value;
-  });
-}
-
-template <int n, int m>
-std::vector<double> NodeMatrix<n, m>::diagonal() const {
-  std::vector<double> result;
-  result.reserve(n * pattern_.n_rows());
-  for (std::size_t row = 0; row < pattern_.n_rows(); ++row)
-    for (int component = 0; component < n; ++component)
-      result.push_back(diagonal_block(row)(component, component));
-  return result;
-}
-
-template <int n, int m>
 NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
                            const Epetra_Map& unknowns) {
   std::vector<std::vector<int>> coupled;
@@ -166,33 +126,17 @@ NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m
   return matrix;
 }
 
-template <int n>
-NodeMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows, const Epetra_Map& unknowns,
-                          const MPI_Comm communicator) {
-  const OwnNodes own(unknowns, n);
-  send_to_owners(rows, own, unknowns, communicator);
-  std::vector<BlockRow<Eigen::Matrix<double, n, n>>> own_rows;
-  for (int node = own.first; node < own.end; ++node) {
-    own_rows.push_back(std::move(rows[node]));
-    own_rows.back().at(node);
-  }
-  return matrix_of(own_rows, unknowns);
-}
-
-template class NodeMatrix<2>;
-template class NodeMatrix<3>;
-template class NodeMatrix<6>;
 template class NodeMatrix<2, 3>;
+template class NodeMatrix<3, 3>;
 template class NodeMatrix<3, 6>;
-template NodeMatrix<3> matrix_of(const std::vector<BlockRow<Eigen::Matrix3d>>&, const Epetra_Map&);
-template NodeMatrix<6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&,
-                                 const Epetra_Map&);
+template class NodeMatrix<6, 6>;
 template NodeMatrix<2, 3> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>>&,
+                                    const Epetra_Map&);
+template NodeMatrix<3, 3> matrix_of(const std::vector<BlockRow<Eigen::Matrix3d>>&,
                                     const Epetra_Map&);
 template NodeMatrix<3, 6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>>&,
                                     const Epetra_Map&);
-template NodeMatrix<3> sum_of_rows(BlockRows<Eigen::Matrix3d>, const Epetra_Map&, MPI_Comm);
-template NodeMatrix<6> sum_of_rows(BlockRows<Eigen::Matrix<double, 6, 6>>, const Epetra_Map&,
-                                   MPI_Comm);
+template NodeMatrix<6, 6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&,
+                                    const Epetra_Map&);
 
 }  // namespace geneva::fem

@@ -69,7 +69,7 @@ class NodePattern {
 };
 
 /// A matrix of n x m blocks by nodes, distributed by rows.
-template <int n, int m = n>
+template <int n, int m>
 class NodeMatrix {
  public:
   using Block = Eigen::Matrix<double, n, m>;
@@ -79,41 +79,20 @@ class NodeMatrix {
   explicit NodeMatrix(NodePattern pattern)
       : pattern_(std::move(pattern)), blocks_(pattern_.n_blocks(), Block::Zero()) {}
 
-  [[nodiscard]] const NodePattern& pattern() const& { return pattern_; }
-  [[nodiscard]] NodePattern pattern() && { return std::move(pattern_); }
+  [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
   /// Of the columns.
   [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
   [[nodiscard]] const Block& block(const std::size_t index) const { return blocks_[index]; }
   Block& block(const std::size_t index) { return blocks_[index]; }
-  /// Of the own row of a square matrix.
-  [[nodiscard]] const Block& diagonal_block(const std::size_t row) const {
-    return blocks_[pattern_.block(row, static_cast<int>(row))];
-  }
-  Block& diagonal_block(const std::size_t row) {
-    return blocks_[pattern_.block(row, static_cast<int>(row))];
-  }
 
   void add(std::size_t row, const BlockRow<Block>& values);
-  /// Adds rows of this rank's nodes to a square matrix.
-  void add(const BlockRows<Block>& rows);
 
-  /// A v
-  void vmult(Vector& result, const Vector& vector) const;
   /// result + A v
   void vmult_add(Vector& result, const Vector& vector) const;
   /// A^T v
   void Tvmult(Vector& result, const Vector& vector) const;
-  /// b - A v
-  void residual(Vector& result, const Vector& vector, const Vector& right_hand_side) const;
-
-  /// The entries of a square matrix's diagonal, in the order of this rank's unknowns.
-  [[nodiscard]] std::vector<double> diagonal() const;
 
  private:
-  /// Calls use(unknown, value) for the entries of A v, by this rank's unknowns.
-  template <typename Use>
-  void multiply(const Vector& vector, const Use& use) const;
-
   NodePattern pattern_;
   std::vector<Block> blocks_;
 };
@@ -123,13 +102,5 @@ class NodeMatrix {
 template <int n, int m>
 NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
                            const Epetra_Map& unknowns);
-
-/// The square matrix that is the sum of what the ranks have of its rows.
-/// @param rows by nodes of any rank; those of others are sent to them
-/// @param unknowns of this rank's nodes, those of a node after each other
-/// @return with at least the diagonal blocks
-template <int n>
-NodeMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows, const Epetra_Map& unknowns,
-                          MPI_Comm communicator);
 
 }  // namespace geneva::fem

@@ -65,44 +65,6 @@ Aggregates aggregates_of(const CoupledNodes<dim>& nodes, const Lists& near) {
   return aggregate(own, bodies, 2);
 }
 
-/// Of Jacobi's method, at the unknowns of a node.
-template <int dim>
-using Steps = Eigen::Matrix<double, dim, 1>;
-
-/// Adds -steps A T, where T are the rigid motions of the aggregates, to the row of a node for
-/// the coarse nodes that the row has: a step of Jacobi's method.
-template <int dim>
-void add_jacobi_step(NodeRow<dim>& row, const std::size_t node, const CoupledNodes<dim>& nodes,
-                     const CoarseNodes<dim>& coarse, const Steps<dim>& steps) {
-  nodes.visit_row(node, [&](const std::size_t other, const auto& entries) {
-    auto* const block = row.find(coarse.of_nodes[other]);
-    if (block == nullptr) return;
-    const auto from_centre = nodes.position(other) - coarse.centres[other];
-    *block -= steps.asDiagonal() * (entries * rigid_displacement(from_centre));
-  });
-}
-
-/// @param near of the node
-template <int dim>
-NodeRow<dim> smoothed_row(const std::size_t node, const std::vector<std::size_t>& near,
-                          const CoupledNodes<dim>& nodes, const CoarseNodes<dim>& coarse,
-                          const Steps<dim>& steps) {
-  NodeRow<dim> row;
-  row.at(coarse.of_nodes[node]);
-  std::vector<dealii::Tensor<1, dim>> offsets(1);  // of the row's coarse nodes from the own one
-  for (const std::size_t other : near) {
-    const int number = coarse.of_nodes[other];
-    if (number == no_aggregate || row.find(number) != nullptr) continue;
-    row.at(number);
-    offsets.push_back(coarse.centres[other] - coarse.centres[node]);
-  }
-  if (row.size() > 1) add_jacobi_step(row, node, nodes, coarse, steps);
-  RigidDisplacement<dim> own = rigid_displacement(nodes.position(node) - coarse.centres[node]);
-  for (std::size_t i = 0; i < row.size(); ++i) own -= row.block(i) * rigid_motion(offsets[i]);
-  row.at(coarse.of_nodes[node]) += own;
-  return row;
-}
-
 /// Whether a node has neighbours in its body that are not near.
 template <int dim>
 bool is_in_layer(const std::size_t node, const std::vector<std::size_t>& near,
@@ -114,19 +76,87 @@ bool is_in_layer(const std::size_t node, const std::vector<std::size_t>& near,
   return static_cast<std::size_t>(in_body) > near.size();
 }
 
+/// Steps of Jacobi's method, at the unknowns of own nodes.
+template <int dim>
+std::vector<Eigen::Matrix<double, dim, 1>> jacobi_steps(const Lists& near,
+                                                        const CoupledNodes<dim>& nodes,
+                                                        const std::vector<double>& diagonal,
+                                                        const double largest_eigenvalue) {
+  using Steps = Eigen::Matrix<double, dim, 1>;
+  std::vector<Steps> result;
+  result.reserve(nodes.n_own());
+  for (std::size_t node = 0; node < nodes.n_own(); ++node) {
+    const double share = is_in_layer(node, near[node], nodes) ? share_of_layer : 1.;
+    result.push_back(aggregation_damping / (largest_eigenvalue * share) *
+                     Eigen::Map<const Steps>(&diagonal[dim * node]).cwiseInverse());
+  }
+  return result;
+}
+
+/// A node of each aggregate next to a node along short sides, the node itself first.
+/// @param near of the node
+template <int dim>
+std::vector<std::size_t> representatives(const std::size_t node,
+                                         const std::vector<std::size_t>& near,
+                                         const CoarseNodes<dim>& coarse) {
+  std::vector<std::size_t> result{node};
+  for (const std::size_t other : near) {
+    const int number = coarse.of_nodes[other];
+    if (number != no_aggregate && std::none_of(result.begin(), result.end(), [&](const auto place) {
+          return coarse.of_nodes[place] == number;
+        }))
+      result.push_back(other);
+  }
+  return result;
+}
+
+/// Rows that are zero yet, for the aggregates next to each node.
+template <int dim>
+std::vector<NodeRow<dim>> zero_rows(const Lists& near, const CoarseNodes<dim>& coarse) {
+  std::vector<NodeRow<dim>> rows(near.size());
+  for (std::size_t node = 0; node < rows.size(); ++node)
+    if (coarse.of_nodes[node] != no_aggregate)
+      for (const std::size_t other : representatives(node, near[node], coarse))
+        rows[node].at(coarse.of_nodes[other]);
+  return rows;
+}
+
+/// Adds -steps A T, where T are the rigid motions of the aggregates: a step of Jacobi's method.
+template <int dim>
+void add_jacobi_step(std::vector<NodeRow<dim>>& rows, const CoupledNodes<dim>& nodes,
+                     const CoarseNodes<dim>& coarse,
+                     const std::vector<Eigen::Matrix<double, dim, 1>>& steps) {
+  nodes.matrix().visit_blocks(
+      [&](const std::size_t node, const std::size_t other, const auto& entries) {
+        if (rows[node].size() < 2) return;
+        auto* const block = rows[node].find(coarse.of_nodes[other]);
+        if (block == nullptr) return;
+        const auto from_centre = nodes.position(other) - coarse.centres[other];
+        *block -= steps[node].asDiagonal() * (entries * rigid_displacement(from_centre));
+      });
+}
+
+/// Adds to a node's own aggregate what a row lacks of the whole's rigid motions.
+template <int dim>
+void restore_rigid_motions(NodeRow<dim>& row, const std::size_t node,
+                           const std::vector<std::size_t>& near, const CoupledNodes<dim>& nodes,
+                           const CoarseNodes<dim>& coarse) {
+  RigidDisplacement<dim> own = rigid_displacement(nodes.position(node) - coarse.centres[node]);
+  for (const std::size_t other : representatives(node, near, coarse))
+    own -= row.at(coarse.of_nodes[other]) *
+           rigid_motion<dim>(coarse.centres[other] - coarse.centres[node]);
+  row.at(coarse.of_nodes[node]) += own;
+}
+
 template <int dim>
 std::vector<NodeRow<dim>> smoothed_rows(const Lists& near, const CoupledNodes<dim>& nodes,
                                         const CoarseNodes<dim>& coarse,
                                         const std::vector<double>& diagonal,
                                         const double largest_eigenvalue) {
-  std::vector<NodeRow<dim>> rows(nodes.n_own());
-  for (std::size_t node = 0; node < nodes.n_own(); ++node) {
-    if (coarse.of_nodes[node] == no_aggregate) continue;
-    const double share = is_in_layer(node, near[node], nodes) ? share_of_layer : 1.;
-    const Steps<dim> steps = aggregation_damping / (largest_eigenvalue * share) *
-                             Eigen::Map<const Steps<dim>>(&diagonal[dim * node]).cwiseInverse();
-    rows[node] = smoothed_row<dim>(node, near[node], nodes, coarse, steps);
-  }
+  auto rows = zero_rows(near, coarse);
+  add_jacobi_step(rows, nodes, coarse, jacobi_steps(near, nodes, diagonal, largest_eigenvalue));
+  for (std::size_t node = 0; node < rows.size(); ++node)
+    if (rows[node].size() > 0) restore_rigid_motions(rows[node], node, near[node], nodes, coarse);
   return rows;
 }
 

@@ -1,35 +1,52 @@
 #include "fem/multigrid/symmetric_matrix.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace geneva::fem {
 
 namespace {
 
-/// The first block of a row that is kept: places ascend, and those of other ranks' nodes come last.
-std::size_t diagonal_block(const NodePattern& pattern, const std::size_t row) {
-  return pattern.block(row, static_cast<int>(row));
-}
-
-template <int n>
-std::vector<Eigen::Matrix<double, n, n>> kept_blocks(const NodeMatrix<n>& matrix) {
-  const NodePattern& pattern = matrix.pattern();
-  std::size_t n_kept = 0;
+/// Places ascend, and those of other ranks' nodes come last.
+std::vector<std::size_t> first_upper_blocks(const NodePattern& pattern) {
+  std::vector<std::size_t> result{0};
+  result.reserve(pattern.n_rows() + 1);
   for (std::size_t row = 0; row < pattern.n_rows(); ++row)
-    n_kept += pattern.first_block(row + 1) - diagonal_block(pattern, row);
-  std::vector<Eigen::Matrix<double, n, n>> blocks;
-  blocks.reserve(n_kept);
-  for (std::size_t row = 0; row < pattern.n_rows(); ++row)
-    for (std::size_t i = diagonal_block(pattern, row); i < pattern.first_block(row + 1); ++i)
-      blocks.push_back(matrix.block(i));
-  return blocks;
+    result.push_back(result.back() + pattern.first_block(row + 1) -
+                     pattern.block(row, static_cast<int>(row)));
+  return result;
 }
 
 }  // namespace
 
 template <int n>
-SymmetricMatrix<n>::SymmetricMatrix(NodeMatrix<n> matrix)
-    : blocks_(kept_blocks(matrix)), pattern_(std::move(matrix).pattern()) {}
+SymmetricMatrix<n>::SymmetricMatrix(NodePattern pattern)
+    : pattern_(std::move(pattern)),
+      first_blocks_(first_upper_blocks(pattern_)),
+      blocks_(first_blocks_.back(), Block::Zero()) {}
+
+template <int n>
+std::size_t SymmetricMatrix<n>::index(const std::size_t row, const int place) const {
+  return first_blocks_[row + 1] - (pattern_.first_block(row + 1) - pattern_.block(row, place));
+}
+
+template <int n>
+typename SymmetricMatrix<n>::Block SymmetricMatrix<n>::block(const std::size_t row,
+                                                             const int place) const {
+  const auto column = static_cast<std::size_t>(place);
+  if (column < row) return blocks_[index(column, static_cast<int>(row))].transpose();
+  return blocks_[index(row, place)];
+}
+
+template <int n>
+void SymmetricMatrix<n>::add(const BlockRows<Block>& rows) {
+  for (const auto& [number, values] : rows) {
+    const int row = number - pattern_.own().first;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (const int place = pattern_.place_of(values.number(i)); place >= row)
+        upper_block(static_cast<std::size_t>(row), place) += values.block(i);
+  }
+}
 
 template <int n>
 void SymmetricMatrix<n>::vmult(Vector& result, const Vector& vector) const {
@@ -52,19 +69,19 @@ void SymmetricMatrix<n>::add_product(Vector& result, const Vector& vector,
   const double* const others = pattern_.on_others(vector.trilinos_vector());
   double* const to = result.trilinos_vector()[0];
   const auto n_own = static_cast<int>(pattern_.own().size());
-  auto block = blocks_.begin();
   for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
     const Part of_row = factor * Eigen::Map<const Part>(own + n * row);
-    Part sum = *block++ * of_row;
-    const std::size_t end = pattern_.first_block(row + 1);
-    for (std::size_t i = diagonal_block(pattern_, row) + 1; i < end; ++i, ++block) {
-      const int place = pattern_.place(i);
+    Part sum = diagonal_block(row) * of_row;
+    std::size_t in_pattern = first_of_pattern(row) + 1;
+    for (std::size_t i = first_blocks_[row] + 1; i < first_blocks_[row + 1]; ++i, ++in_pattern) {
+      const int place = pattern_.place(in_pattern);
       if (place >= n_own) {
-        sum.noalias() += factor * (*block * Eigen::Map<const Part>(others + n * (place - n_own)));
+        const Eigen::Map<const Part> of_column(others + n * (place - n_own));
+        sum.noalias() += factor * (blocks_[i] * of_column);
         continue;
       }
-      sum.noalias() += factor * (*block * Eigen::Map<const Part>(own + n * place));
-      Eigen::Map<Part>(to + n * place).noalias() += block->transpose() * of_row;
+      sum.noalias() += factor * (blocks_[i] * Eigen::Map<const Part>(own + n * place));
+      Eigen::Map<Part>(to + n * place).noalias() += blocks_[i].transpose() * of_row;
     }
     Eigen::Map<Part>(to + n * row) += sum;
   }
@@ -74,17 +91,38 @@ template <int n>
 std::vector<double> SymmetricMatrix<n>::diagonal() const {
   std::vector<double> result;
   result.reserve(n * pattern_.n_rows());
-  auto block = blocks_.begin();
-  for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
+  for (std::size_t row = 0; row < pattern_.n_rows(); ++row)
     for (int component = 0; component < n; ++component)
-      result.push_back((*block)(component, component));
-    block +=
-        static_cast<std::ptrdiff_t>(pattern_.first_block(row + 1) - diagonal_block(pattern_, row));
-  }
+      result.push_back(diagonal_block(row)(component, component));
   return result;
 }
 
+template <int n>
+SymmetricMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows,
+                               const Epetra_Map& unknowns, const MPI_Comm communicator) {
+  const OwnNodes own(unknowns, n);
+  send_to_owners(rows, own, unknowns, communicator);
+  std::vector<std::vector<int>> coupled(own.size());
+  const auto list_of = [&](const int node) -> std::vector<int>& {
+    return coupled[static_cast<std::size_t>(node - own.first)];
+  };
+  for (int node = own.first; node < own.end; ++node) rows[node].at(node);
+  for (const auto& [node, row] : rows)
+    for (const int other : row.numbers()) {
+      if (own.have(other) && other < node) continue;
+      list_of(node).push_back(other);
+      if (own.have(other) && other != node) list_of(other).push_back(node);
+    }
+  SymmetricMatrix<n> matrix(NodePattern(unknowns, n, std::move(coupled)));
+  matrix.add(rows);
+  return matrix;
+}
+
+template class SymmetricMatrix<2>;
 template class SymmetricMatrix<3>;
 template class SymmetricMatrix<6>;
+template SymmetricMatrix<3> sum_of_rows(BlockRows<Eigen::Matrix3d>, const Epetra_Map&, MPI_Comm);
+template SymmetricMatrix<6> sum_of_rows(BlockRows<Eigen::Matrix<double, 6, 6>>, const Epetra_Map&,
+                                        MPI_Comm);
 
 }  // namespace geneva::fem

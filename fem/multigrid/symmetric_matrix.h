@@ -8,19 +8,42 @@
 
 namespace geneva::fem {
 
-/// A symmetric matrix of n x n blocks by nodes whose rows need not be read any more: of two blocks
-/// that are each other's transpose a rank has one. Its products read little more than half as much,
-/// which counts when several ranks share the memory.
+/// A symmetric matrix of n x n blocks by nodes, distributed by rows. Of two blocks of its own nodes
+/// that are each other's transpose a rank has one, that above the diagonal: this takes little more
+/// than half the memory, and of the time where the memory is what takes time.
 template <int n>
 class SymmetricMatrix {
  public:
   using Block = Eigen::Matrix<double, n, n>;
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// @param matrix symmetric, with all diagonal blocks
-  explicit SymmetricMatrix(NodeMatrix<n> matrix);
+  /// Zero.
+  /// @param pattern symmetric, with all diagonal blocks
+  explicit SymmetricMatrix(NodePattern pattern);
 
+  [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
   [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
+
+  /// A block of the pattern.
+  /// @param place of the column's node
+  [[nodiscard]] Block block(std::size_t row, int place) const;
+  /// A block on or above the diagonal, and with it the transposed one.
+  /// @param place of the column's node, not before the row
+  Block& upper_block(const std::size_t row, const int place) { return blocks_[index(row, place)]; }
+  [[nodiscard]] const Block& diagonal_block(const std::size_t row) const {
+    return blocks_[first_blocks_[row]];
+  }
+  Block& diagonal_block(const std::size_t row) { return blocks_[first_blocks_[row]]; }
+  /// Calls visit(place, block) for the blocks of a row from the diagonal on.
+  template <typename Visit>
+  void visit_upper(std::size_t row, const Visit& visit) const;
+  /// Calls visit(row, place, block) for all blocks of this rank's rows, those of a row in the order
+  /// of their places.
+  template <typename Visit>
+  void visit_blocks(const Visit& visit) const;
+
+  /// Adds rows of this rank's nodes; what is below the diagonal is not read.
+  void add(const BlockRows<Block>& rows);
 
   /// A v
   void vmult(Vector& result, const Vector& vector) const;
@@ -31,10 +54,45 @@ class SymmetricMatrix {
   [[nodiscard]] std::vector<double> diagonal() const;
 
  private:
+  /// Of the blocks above the diagonal.
+  [[nodiscard]] std::size_t index(std::size_t row, int place) const;
+  /// The first block of a row in the pattern that this matrix has.
+  [[nodiscard]] std::size_t first_of_pattern(const std::size_t row) const {
+    return pattern_.first_block(row + 1) - (first_blocks_[row + 1] - first_blocks_[row]);
+  }
   void add_product(Vector& result, const Vector& vector, double factor) const;
 
-  std::vector<Block> blocks_;  ///< from the diagonal on, row by row
-  NodePattern pattern_;        ///< of all blocks
+  NodePattern pattern_;                    ///< of all blocks
+  std::vector<std::size_t> first_blocks_;  ///< of each row, the diagonal ones, and the end
+  std::vector<Block> blocks_;              ///< from the diagonal on, row by row
 };
+
+/// The symmetric matrix that is the sum of what the ranks have of its rows.
+/// @param rows by nodes of any rank, those of others are sent to them; of two blocks of one rank's
+/// nodes that are each other's transpose that above the diagonal is enough
+/// @param unknowns of this rank's nodes, those of a node after each other
+/// @return with at least the diagonal blocks
+template <int n>
+SymmetricMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows,
+                               const Epetra_Map& unknowns, MPI_Comm communicator);
+
+template <int n>
+template <typename Visit>
+void SymmetricMatrix<n>::visit_upper(const std::size_t row, const Visit& visit) const {
+  std::size_t in_pattern = first_of_pattern(row);
+  for (std::size_t i = first_blocks_[row]; i < first_blocks_[row + 1]; ++i, ++in_pattern)
+    visit(static_cast<std::size_t>(pattern_.place(in_pattern)), blocks_[i]);
+}
+
+template <int n>
+template <typename Visit>
+void SymmetricMatrix<n>::visit_blocks(const Visit& visit) const {
+  const std::size_t n_own = pattern_.n_rows();
+  for (std::size_t row = 0; row < n_own; ++row)
+    visit_upper(row, [&](const std::size_t place, const Block& block) {
+      visit(row, place, block);
+      if (place != row && place < n_own) visit(place, row, Block(block.transpose()));
+    });
+}
 
 }  // namespace geneva::fem

@@ -43,9 +43,9 @@ class TiedBlock {
   }
 
   /// @param load out
-  [[nodiscard]] NodeMatrix<3> assembled(Vector& load) const {
+  [[nodiscard]] SymmetricMatrix<3> assembled(Vector& load) const {
     load = zero();
-    NodeMatrix<3> matrix = assemble<3>(cells_, constraints_, owned(), MPI_COMM_WORLD, load);
+    SymmetricMatrix<3> matrix = assemble<3>(cells_, constraints_, owned(), MPI_COMM_WORLD, load);
     load.compress(dealii::VectorOperation::add);
     return matrix;
   }
@@ -115,7 +115,7 @@ TEST(Assembly, IsTheLibrarysAtFreeUnknowns) {
   const TiedBlock block;
   Vector unused;
   const auto expected = block.expected(unused);
-  const NodeMatrix<3> assembled = block.assembled(unused);
+  const SymmetricMatrix<3> assembled = block.assembled(unused);
   Vector product(block.owned(), MPI_COMM_WORLD);
   Vector difference(product);
   for (const double seed : {1., 2., 3.}) {
@@ -145,7 +145,7 @@ TEST(Assembly, LoadsFreeUnknownsAsTheLibraryDoes) {
 TEST(Assembly, LeavesConstrainedUnknownsAloneWithAStiffness) {
   const TiedBlock block;
   Vector unused;
-  const NodeMatrix<3> matrix = block.assembled(unused);
+  const SymmetricMatrix<3> matrix = block.assembled(unused);
   Vector unit(block.owned(), MPI_COMM_WORLD);
   for (const auto unknown : block.owned())
     unit(unknown) = block.constraints().is_constrained(unknown) ? 1. : 0.;

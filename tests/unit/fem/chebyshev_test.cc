@@ -11,21 +11,22 @@ namespace {
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// Two nodes on each rank, each with the same stiffness and coupled to no other: scaled by its
-/// diagonal, the matrix has the eigenvalues 1/2 and 3/2.
-NodeMatrix<2> pairs() {
+/// diagonal, the matrix has the eigenvalues 1/2, 3/2 and 1.
+SymmetricMatrix<3> pairs() {
   const Epetra_MpiComm communicator(MPI_COMM_WORLD);
-  const Epetra_Map unknowns(-1, 4, 0, communicator);
-  const int first = unknowns.MinMyGID() / 2;
-  NodeMatrix<2> matrix(NodePattern(unknowns, 2, {{first}, {first + 1}}));
-  for (std::size_t node = 0; node < 2; ++node) matrix.block(node) << 4., 2., 2., 4.;
+  const Epetra_Map unknowns(-1, 6, 0, communicator);
+  const int first = unknowns.MinMyGID() / 3;
+  SymmetricMatrix<3> matrix(NodePattern(unknowns, 3, {{first}, {first + 1}}));
+  for (std::size_t node = 0; node < 2; ++node)
+    matrix.diagonal_block(node) << 4., 2., 0., 2., 4., 0., 0., 0., 4.;
   return matrix;
 }
 
 /// The eigenvector of an eigenvalue.
-Vector eigenvector(const NodeMatrix<2>& matrix, const double eigenvalue) {
+Vector eigenvector(const SymmetricMatrix<3>& matrix, const double eigenvalue) {
   Vector result(dealii::IndexSet(matrix.pattern().unknowns()), MPI_COMM_WORLD);
   for (const auto i : result.locally_owned_elements())
-    result(i) = i % 2 == 0 || eigenvalue > 1. ? 1. : -1.;
+    result(i) = i % 3 == 2 ? 0. : i % 3 == 0 || eigenvalue > 1. ? 1. : -1.;
   result.compress(dealii::VectorOperation::insert);
   return result;
 }
@@ -40,8 +41,8 @@ double factor(const double eigenvalue, const double lowest, const double highest
 }
 
 TEST(Chebyshev, MultipliesErrorsByItsPolynomial) {
-  const NodeMatrix<2> matrix = pairs();
-  const Chebyshev<NodeMatrix<2>> iteration(matrix, 0.3, 1.6);
+  const SymmetricMatrix<3> matrix = pairs();
+  const Chebyshev<SymmetricMatrix<3>> iteration(matrix, 0.3, 1.6);
   for (const double eigenvalue : {0.5, 1.5}) {
     const Vector solution = eigenvector(matrix, eigenvalue);
     Vector load(solution);

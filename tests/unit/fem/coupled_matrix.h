@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/symmetric_matrix.h"
 
 // A small matrix on any number of ranks, and vectors for it.
 
@@ -21,21 +21,20 @@ constexpr int n_own_unknowns = 3 * n_own_nodes;
 
 inline Epetra_Map unknowns() { return {-1, n_own_unknowns, 0, Epetra_MpiComm(MPI_COMM_WORLD)}; }
 
-/// Every node is coupled to all others; symmetric.
-inline NodeMatrix<3> whole() {
+/// Every unknown is coupled to all others: cos i cos j, with 4 more on the diagonal.
+inline SymmetricMatrix<3> whole() {
   const Epetra_Map map = unknowns();
   std::vector<int> all;
   for (int node = 0; node < map.NumGlobalElements() / 3; ++node) all.push_back(node);
-  NodeMatrix<3> matrix(NodePattern(map, 3, {n_own_nodes, all}));
+  SymmetricMatrix<3> matrix(NodePattern(map, 3, {n_own_nodes, all}));
   for (int row = 0; row < n_own_nodes; ++row)
     for (const int node : all)
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-          const auto place = matrix.pattern().place_of(node);
-          matrix.block(matrix.pattern().block(static_cast<std::size_t>(row), place))(i, j) =
-              std::cos(map.MinMyGID() + 3. * row + i) * std::cos(3. * node + j) +
-              (place == row && i == j ? 4. : 0.);
-        }
+      if (const int place = matrix.pattern().place_of(node); place >= row)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            matrix.upper_block(static_cast<std::size_t>(row), place)(i, j) =
+                std::cos(map.MinMyGID() + 3. * row + i) * std::cos(3. * node + j) +
+                (place == row && i == j ? 4. : 0.);
   return matrix;
 }
 

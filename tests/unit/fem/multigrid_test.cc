@@ -76,7 +76,7 @@ class Block {
     grid_.dof_handler->distribute_dofs(grid_.element);
   }
 
-  [[nodiscard]] NodeMatrix<3> assembled() const {
+  [[nodiscard]] SymmetricMatrix<3> assembled() const {
     Problem<3> problem;
     problem.bodies.push_back({"block", {2., 0.3}, {}});
     Vector load;
@@ -114,7 +114,7 @@ TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
             rigid_motion<3>(prolonged.positions[i / 6])(i % 6, mode);
       coarse.compress(dealii::VectorOperation::insert);
       Vector fine(unknowns, MPI_COMM_WORLD);
-      prolonged.matrix.vmult(fine, coarse);
+      prolonged.matrix.vmult_add(fine, coarse);
       for (unsigned int i = 0; i < unknowns.n_elements(); ++i) {
         const auto unknown = unknowns.nth_index_in_set(i);
         const bool is_given = block.constraints().is_constrained(unknown);
@@ -143,8 +143,8 @@ TEST(Prolongation, LetsEliminatedUnknownsFollow) {
       prolongation<3>(block.nodes(), {block.constraints(), elimination, block.unknowns()},
                       block.matrix().diagonal(), 4., MPI_COMM_WORLD);
   Vector fine(block.unknowns(), MPI_COMM_WORLD);
-  prolonged.matrix.vmult(fine,
-                         some_vector(dealii::IndexSet(prolonged.matrix.pattern().unknowns()), 0.7));
+  prolonged.matrix.vmult_add(
+      fine, some_vector(dealii::IndexSet(prolonged.matrix.pattern().unknowns()), 0.7));
   const dealii::Vector<double> of_all(fine);
   for (const auto& [unknown, shares] : lines) {
     double expected = 0.;
@@ -191,7 +191,7 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
   const auto fine = [&](const Vector& vector) {
     Vector result(block.unknowns(), MPI_COMM_WORLD);
-    prolonged.matrix.vmult(result, vector);
+    prolonged.matrix.vmult_add(result, vector);
     return result;
   };
   const Vector one = some_vector(range, 0.7);

@@ -47,8 +47,9 @@ TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
   const Vector of_columns = some_vector(columns, 0.7);
   const Vector of_rows = some_vector(unknowns(3), 1.9);
   Vector product(of_rows);
+  product = 0.;
   Vector transposed(of_columns);
-  matrix.vmult(product, of_columns);
+  matrix.vmult_add(product, of_columns);
   matrix.Tvmult(transposed, of_rows);
   EXPECT_NEAR(product * of_rows, transposed * of_columns, 1e-12);
   EXPECT_GT(product.linfty_norm(), 0.1);
@@ -56,9 +57,12 @@ TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
 
 TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
   const Epetra_Map map = unknowns(3);
-  NodeMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
-  for (std::size_t i = 0; i < matrix.pattern().n_blocks(); ++i)
-    matrix.block(i) << 1., 0.2, 0.1, 0.2, 1., 0.3, 0.1, 0.3, 1.;
+  const NodePattern pattern(map, 3, ring(map, 3));
+  SymmetricMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
+  for (std::size_t row = 0; row < 2; ++row)
+    for (std::size_t i = pattern.block(row, static_cast<int>(row));
+         i < pattern.first_block(row + 1); ++i)
+      matrix.upper_block(row, pattern.place(i)) << 1., 0.2, 0.1, 0.2, 1., 0.3, 0.1, 0.3, 1.;
   for (std::size_t row = 0; row < 2; ++row) matrix.diagonal_block(row) *= 8.;
   const Vector solution = some_vector(map, 0.7);
   Vector load(solution);
