@@ -136,10 +136,6 @@ Rows<dim> received_rows(const CondensedSystems& systems, const Epetra_Map& map,
   return rows;
 }
 
-void add_once(std::vector<int>& list, const int number) {
-  if (std::find(list.begin(), list.end(), number) == list.end()) list.push_back(number);
-}
-
 /// Of the systems and of what was received; each node is coupled to itself at least.
 template <int dim>
 NodePattern pattern_of(const CondensedSystems& systems, const Rows<dim>& received,

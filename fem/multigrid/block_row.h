@@ -19,6 +19,11 @@ class BlockRow {
 
   std::vector<Block>& blocks() { return blocks_; }
 
+  void clear() {
+    numbers_.clear();
+    blocks_.clear();
+  }
+
   /// The block of a node, zero if it is new.
   Block& at(const int number) {
     if (Block* const found = find(number)) return *found;
@@ -38,6 +43,11 @@ class BlockRow {
   std::vector<int> numbers_;  ///< among the nodes of all ranks
   std::vector<Block> blocks_;
 };
+
+/// Adds a number to a short list that lacks it.
+inline void add_once(std::vector<int>& list, const int number) {
+  if (std::find(list.begin(), list.end(), number) == list.end()) list.push_back(number);
+}
 
 /// Displacement of a node by the unknowns of the coarse nodes that move it.
 template <int dim>

@@ -10,6 +10,11 @@ namespace geneva::fem {
 
 namespace {
 
+template <typename Block>
+std::size_t packed_size(const BlockRow<Block>& row) {
+  return 2 + row.size() * (1 + Block::SizeAtCompileTime);
+}
+
 /// A row as numbers: its node, the number of its blocks, and each with its node.
 template <typename Block>
 void pack(const int number, const BlockRow<Block>& row, std::vector<double>& packed) {
@@ -40,6 +45,21 @@ void add_packed(const std::vector<double>& packed, BlockRows<Block>& rows) {
 OwnNodes::OwnNodes(const Epetra_Map& unknowns, const int of_each)
     : first(unknowns.NumMyElements() == 0 ? 0 : unknowns.MinMyGID() / of_each),
       end(first + unknowns.NumMyElements() / of_each) {}
+
+NodeRanges::NodeRanges(const Epetra_Map& unknowns, const int of_each)
+    : ends_(static_cast<std::size_t>(unknowns.Comm().NumProc())) {
+  int n_own = unknowns.NumMyElements() / of_each;
+  unknowns.Comm().GatherAll(&n_own, ends_.data(), 1);
+  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+}
+
+bool NodeRanges::are_of_one_rank(const int node, const int other) const {
+  return rank_of(node) == rank_of(other);
+}
+
+std::ptrdiff_t NodeRanges::rank_of(const int node) const {
+  return std::upper_bound(ends_.begin(), ends_.end(), node) - ends_.begin();
+}
 
 ColumnNodes::ColumnNodes(const OwnNodes& own, std::vector<int> others)
     : own_(own), others_(std::move(others)) {
@@ -109,7 +129,11 @@ void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Ma
   for (const auto& row : rows)
     if (!own.have(row.first)) of_others.push_back(row.first);
   const std::vector<int> owners = owners_of(of_others, unknowns, Block::ColsAtCompileTime);
+  std::map<unsigned int, std::size_t> sizes;
+  for (std::size_t i = 0; i < of_others.size(); ++i)
+    sizes[static_cast<unsigned int>(owners[i])] += packed_size(rows.at(of_others[i]));
   std::map<unsigned int, std::vector<double>> sent;
+  for (const auto& [rank, size] : sizes) sent[rank].reserve(size);
   for (std::size_t i = 0; i < of_others.size(); ++i) {
     const auto row = rows.find(of_others[i]);
     pack(row->first, row->second, sent[static_cast<unsigned int>(owners[i])]);

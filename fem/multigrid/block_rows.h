@@ -3,6 +3,7 @@
 #include <Epetra_Map.h>
 #include <mpi.h>
 
+#include <cstddef>
 #include <map>
 #include <vector>
 
@@ -24,6 +25,20 @@ struct OwnNodes {
 
   int first;
   int end;
+};
+
+/// Which rank each node belongs to, for nodes that are numbered rank by rank.
+class NodeRanges {
+ public:
+  /// @param unknowns of this rank, those of a node after each other
+  NodeRanges(const Epetra_Map& unknowns, int of_each);
+
+  [[nodiscard]] bool are_of_one_rank(int node, int other) const;
+
+ private:
+  [[nodiscard]] std::ptrdiff_t rank_of(int node) const;
+
+  std::vector<int> ends_;  ///< of each rank's nodes, ascending
 };
 
 /// Places of the nodes that a rank's part of a matrix has in its columns: its own ones, then

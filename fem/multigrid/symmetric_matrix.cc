@@ -1,6 +1,5 @@
 #include "fem/multigrid/symmetric_matrix.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace geneva::fem {
@@ -97,32 +96,8 @@ std::vector<double> SymmetricMatrix<n>::diagonal() const {
   return result;
 }
 
-template <int n>
-SymmetricMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows,
-                               const Epetra_Map& unknowns, const MPI_Comm communicator) {
-  const OwnNodes own(unknowns, n);
-  send_to_owners(rows, own, unknowns, communicator);
-  std::vector<std::vector<int>> coupled(own.size());
-  const auto list_of = [&](const int node) -> std::vector<int>& {
-    return coupled[static_cast<std::size_t>(node - own.first)];
-  };
-  for (int node = own.first; node < own.end; ++node) rows[node].at(node);
-  for (const auto& [node, row] : rows)
-    for (const int other : row.numbers()) {
-      if (own.have(other) && other < node) continue;
-      list_of(node).push_back(other);
-      if (own.have(other) && other != node) list_of(other).push_back(node);
-    }
-  SymmetricMatrix<n> matrix(NodePattern(unknowns, n, std::move(coupled)));
-  matrix.add(rows);
-  return matrix;
-}
-
 template class SymmetricMatrix<2>;
 template class SymmetricMatrix<3>;
 template class SymmetricMatrix<6>;
-template SymmetricMatrix<3> sum_of_rows(BlockRows<Eigen::Matrix3d>, const Epetra_Map&, MPI_Comm);
-template SymmetricMatrix<6> sum_of_rows(BlockRows<Eigen::Matrix<double, 6, 6>>, const Epetra_Map&,
-                                        MPI_Comm);
 
 }  // namespace geneva::fem

@@ -67,15 +67,6 @@ class SymmetricMatrix {
   std::vector<Block> blocks_;              ///< from the diagonal on, row by row
 };
 
-/// The symmetric matrix that is the sum of what the ranks have of its rows.
-/// @param rows by nodes of any rank, those of others are sent to them; of two blocks of one rank's
-/// nodes that are each other's transpose that above the diagonal is enough
-/// @param unknowns of this rank's nodes, those of a node after each other
-/// @return with at least the diagonal blocks
-template <int n>
-SymmetricMatrix<n> sum_of_rows(BlockRows<Eigen::Matrix<double, n, n>> rows,
-                               const Epetra_Map& unknowns, MPI_Comm communicator);
-
 template <int n>
 template <typename Visit>
 void SymmetricMatrix<n>::visit_upper(const std::size_t row, const Visit& visit) const {

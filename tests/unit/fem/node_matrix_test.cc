@@ -55,6 +55,20 @@ TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
   EXPECT_GT(product.linfty_norm(), 0.1);
 }
 
+/// As many nodes on each rank as ranks before it, so that the first has none.
+TEST(NodeRanges, TellWhetherNodesAreOfOneRank) {
+  const Epetra_MpiComm communicator(MPI_COMM_WORLD);
+  const Epetra_Map map(-1, 3 * communicator.MyPID(), 0, communicator);
+  const NodeRanges ranges(map, 3);
+  std::vector<int> ranks;
+  for (int rank = 0; rank < communicator.NumProc(); ++rank)
+    ranks.insert(ranks.end(), static_cast<std::size_t>(rank), rank);
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+    for (std::size_t j = 0; j < ranks.size(); ++j)
+      EXPECT_EQ(ranges.are_of_one_rank(static_cast<int>(i), static_cast<int>(j)),
+                ranks[i] == ranks[j]);
+}
+
 TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
   const Epetra_Map map = unknowns(3);
   const NodePattern pattern(map, 3, ring(map, 3));

@@ -71,23 +71,19 @@ TEST(SymmetricMatrix, KnowsItsDiagonal) {
     EXPECT_NEAR(diagonal[static_cast<std::size_t>(i)], entry(first + i, first + i), 1e-15);
 }
 
-/// Each rank gives the whole of a matrix: 1 + |i - j| in the blocks of nodes i and j.
-TEST(SymmetricMatrix, SumsTheRowsOfAllRanks) {
-  const Epetra_Map map = unknowns();
-  const int n_nodes = map.NumGlobalElements() / 3;
+TEST(SymmetricMatrix, TakesOfAddedRowsWhatIsAboveTheDiagonal) {
   BlockRows<Eigen::Matrix3d> rows;
-  for (int i = 0; i < n_nodes; ++i)
-    for (int j = 0; j < n_nodes; ++j)
-      rows[i].at(j) = Eigen::Matrix3d::Constant(1. + std::abs(i - j));
-  const SymmetricMatrix<3> matrix = sum_of_rows<3>(std::move(rows), map, MPI_COMM_WORLD);
-  const double n_ranks = n_nodes / n_own_nodes;
-  std::size_t n_blocks = 0;
-  matrix.visit_blocks([&](const std::size_t row, const std::size_t place, const auto& block) {
-    const int distance = std::abs(matrix.pattern().number(row) - matrix.pattern().number(place));
-    EXPECT_EQ(block, Eigen::Matrix3d::Constant(n_ranks * (1. + distance)).eval());
-    ++n_blocks;
-  });
-  EXPECT_EQ(n_blocks, static_cast<std::size_t>(n_own_nodes * n_nodes));
+  const int first = unknowns().MinMyGID() / 3;
+  rows[first].at(first) = 7. * Eigen::Matrix3d::Identity();
+  rows[first].at(first + 1) << 1., 2., 3., 4., 5., 6., 7., 8., 9.;
+  rows[first + 1].at(first) = rows[first].at(first + 1).transpose();
+  SymmetricMatrix<3> matrix = whole();
+  matrix.add(rows);
+  const SymmetricMatrix<3> before = whole();
+  EXPECT_EQ(matrix.block(0, 0), before.block(0, 0) + 7. * Eigen::Matrix3d::Identity());
+  EXPECT_EQ(matrix.block(0, 1), before.block(0, 1) + rows[first].at(first + 1));
+  EXPECT_EQ(matrix.block(1, 0), before.block(1, 0) + rows[first + 1].at(first));
+  EXPECT_EQ(matrix.block(1, 1), before.block(1, 1));
 }
 
 }  // namespace
