@@ -33,8 +33,6 @@ std::vector<Row<n, m>> rows_of(const NodeMatrix<n, m>& prolongation, const NodeP
 template <int n, int m>
 class Factors {
  public:
-  using Block = Eigen::Matrix<double, m, m>;
-
   Factors(const SymmetricMatrix<n>& matrix, const NodeMatrix<n, m>& prolongation,
           const MPI_Comm communicator)
       : matrix_(matrix), rows_(rows_of(prolongation, matrix.pattern(), communicator)) {}
