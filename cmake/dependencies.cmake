@@ -33,6 +33,11 @@ add_library(geneva_gmsh INTERFACE)
 target_include_directories(geneva_gmsh SYSTEM INTERFACE ${GENEVA_GMSH_INCLUDE})
 target_link_libraries(geneva_gmsh INTERFACE ${GENEVA_GMSH_LIBRARY})
 
+# Its header is where deal.II's are.
+find_library(GENEVA_CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(geneva_cholmod INTERFACE)
+target_link_libraries(geneva_cholmod INTERFACE ${GENEVA_CHOLMOD_LIBRARY})
+
 find_path(GENEVA_UDUNITS_INCLUDE udunits2.h REQUIRED)
 find_library(GENEVA_UDUNITS_LIBRARY udunits2 REQUIRED)
 add_library(geneva_udunits INTERFACE)

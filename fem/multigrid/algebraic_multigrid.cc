@@ -12,8 +12,9 @@ namespace geneva::fem {
 
 namespace {
 
-/// Levels with fewer unknowns are factorised.
-constexpr int most_for_factors = 2000;
+/// Levels with fewer unknowns are factorised. Their nodes are coupled to so many that aggregates of
+/// neighbours would be too coarse.
+constexpr int most_for_factors = 5000;
 
 template <int n>
 using MotionRow = BlockRow<Eigen::Matrix<double, n, n>>;

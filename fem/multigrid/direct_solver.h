@@ -2,13 +2,14 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/CholmodSupport>
 
 #include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
 
-/// Cholesky's factorisation of a small matrix, whole on every rank, so that none waits for another.
+/// Cholesky's factorisation of a sparse matrix, whole on every rank, so that none waits for
+/// another.
 template <int n>
 class DirectSolver {
  public:
@@ -23,7 +24,7 @@ class DirectSolver {
   MPI_Comm communicator_;
   Eigen::Index first_;  ///< of this rank's unknowns
   Eigen::Index n_own_;
-  Eigen::LLT<Eigen::MatrixXd> factors_;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> factors_;
 };
 
 }  // namespace geneva::fem
