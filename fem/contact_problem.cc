@@ -19,6 +19,7 @@
 #include "fem/distribution.h"
 #include "fem/error_estimate.h"
 #include "fem/hanging_vertices.h"
+#include "fem/numbering.h"
 #include "fem/problem_check.h"
 #include "fem/refinement.h"
 #include "fem/resultants.h"
@@ -73,6 +74,7 @@ class NestedIteration {
  private:
   void set_up_first_mesh() {
     solution_.dof_handler->distribute_dofs(*solution_.element);
+    number_by_neighbours(*solution_.dof_handler);
     make_level();
     guess_.reinit(level_.owned, communicator_);
   }
@@ -373,6 +375,7 @@ class NestedIteration {
     transfer.prepare_for_coarsening_and_refinement(displacement);
     triangulation.execute_coarsening_and_refinement();
     dof_handler.distribute_dofs(*solution_.element);
+    number_by_neighbours(dof_handler);
     guess_.reinit(dof_handler.locally_owned_dofs(), communicator_);
     transfer.interpolate(guess_);
     make_level(std::move(stored));
