@@ -113,8 +113,9 @@ class CellIntegrator {
       : problem_(problem),
         densities_(densities(dof_handler, problem)),
         cell_values_(dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
-                     dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
-                         dealii::update_quadrature_points),
+                     dealii::update_gradients | dealii::update_JxW_values |
+                         (dim == 3 ? dealii::update_default
+                                   : dealii::update_values | dealii::update_quadrature_points)),
         force_values_(
             dof_handler.get_fe(), cell_values_.get_quadrature(),
             dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points),
@@ -145,81 +146,119 @@ class CellIntegrator {
   }
 
  private:
+  static constexpr int n_nodes = dealii::GeometryInfo<dim>::vertices_per_cell;
+  static constexpr int n_points = 1 << dim;  // Gauss
+  using Weights = Eigen::Matrix<double, n_points, 1>;
+  /// Gradients of scalar functions at the points, those of a function after each other.
+  template <int n_functions>
+  using Gradients = Eigen::Matrix<double, dim * n_functions, n_points>;
+  template <int n_functions>
+  using Stiffness = Eigen::Matrix<double, dim * n_functions, dim * n_functions>;
+
   dealii::FullMatrix<double> stiffness_of(const Cell& cell) {
-    dealii::FullMatrix<double> stiffness(cell->get_fe().n_dofs_per_cell());
     cell_values_.reinit(cell);
-    add_stiffness(cell->material_id(), stiffness);
+    const Lame& constants = lame_[cell->material_id()];
+    Stiffness<n_nodes> stiffness;
     if constexpr (dim == 3) {
       centre_values_.reinit(cell);
-      add_incompatible_modes(cell->material_id(), stiffness);
+      stiffness = with_incompatible_modes(constants);
+    } else {
+      stiffness =
+          hooke<n_nodes>(constants.lambda_plane, constants.mu, shape_gradients(), weights());
+      if (problem_.plane == PlaneKind::axisymmetric) add_hoop_stiffness(constants, stiffness);
     }
-    return stiffness;
+    dealii::FullMatrix<double> result(dim * n_nodes);
+    for (unsigned int i = 0; i < result.m(); ++i)
+      for (unsigned int j = 0; j < result.n(); ++j)
+        result(i, j) = stiffness(std::max(i, j), std::min(i, j));
+    return result;
   }
 
-  void add_stiffness(const unsigned int body, dealii::FullMatrix<double>& stiffness) const {
-    const auto& element = cell_values_.get_fe();
-    const bool axisymmetric = problem_.plane == PlaneKind::axisymmetric;
-    const Lame& constants = lame_[body];
-    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const Point<dim>& x = cell_values_.quadrature_point(q);
-      const double weight = cell_values_.JxW(q) * out_of_plane_measure(problem_, x);
-      for (const unsigned int i : cell_values_.dof_indices()) {
-        const unsigned int c = element.system_to_component_index(i).first;
-        const Tensor<1, dim> grad_i = cell_values_.shape_grad(i, q);
-        const double hoop_i = axisymmetric && c == 0 ? cell_values_.shape_value(i, q) / x[0] : 0.;
-        const double dilatation_i = grad_i[c] + hoop_i;
-        for (unsigned int j = 0; j <= i; ++j) {
-          const unsigned int d = element.system_to_component_index(j).first;
-          const Tensor<1, dim> grad_j = cell_values_.shape_grad(j, q);
-          const double hoop_j = axisymmetric && d == 0 ? cell_values_.shape_value(j, q) / x[0] : 0.;
-          const double shear = grad_i[d] * grad_j[c] + (c == d ? grad_i * grad_j : 0.);
-          stiffness(i, j) +=
-              weight * (constants.lambda_plane * dilatation_i * (grad_j[d] + hoop_j) +
-                        constants.mu * (shear + 2. * hoop_i * hoop_j));
-        }
+  [[nodiscard]] Weights weights() const {
+    Weights result;
+    for (const unsigned int q : cell_values_.quadrature_point_indices())
+      result[q] =
+          cell_values_.JxW(q) *
+          (dim == 3 ? 1. : out_of_plane_measure(problem_, cell_values_.quadrature_point(q)));
+    return result;
+  }
+
+  [[nodiscard]] Gradients<n_nodes> shape_gradients() const {
+    Gradients<n_nodes> result;
+    for (const unsigned int q : cell_values_.quadrature_point_indices())
+      for (unsigned int node = 0; node < n_nodes; ++node) {
+        const Tensor<1, dim> gradient = cell_values_.shape_grad(dim * node, q);
+        for (unsigned int axis = 0; axis < dim; ++axis)
+          result(dim * node + axis, q) = gradient[axis];
       }
-    }
-    for (unsigned int i = 0; i < stiffness.m(); ++i)
-      for (unsigned int j = 0; j < i; ++j) stiffness(j, i) = stiffness(i, j);
+    return result;
+  }
+
+  /// Stiffness of displacements by functions in each direction: where G is the integral of
+  /// grad a grad b^T, that of a and b is lambda G + mu (G^T + tr G).
+  template <int n_functions>
+  static Stiffness<n_functions> hooke(const double lambda, const double mu,
+                                      const Gradients<n_functions>& gradients,
+                                      const Weights& weights) {
+    using Block = Eigen::Matrix<double, dim, dim>;
+    const Stiffness<n_functions> products =
+        gradients * (weights.asDiagonal() * gradients.transpose());
+    Stiffness<n_functions> result = lambda * products;
+    for (int a = 0; a < n_functions; ++a)
+      for (int b = 0; b < n_functions; ++b) {
+        const Block block = products.template block<dim, dim>(dim * a, dim * b);
+        result.template block<dim, dim>(dim * a, dim * b) +=
+            mu * (block.transpose() + block.trace() * Block::Identity());
+      }
+    return result;
+  }
+
+  /// What the hoop strain u_r/r adds.
+  void add_hoop_stiffness(const Lame& constants, Stiffness<n_nodes>& stiffness) const {
+    Gradients<n_nodes> hoop_strains = Gradients<n_nodes>::Zero();
+    for (const unsigned int q : cell_values_.quadrature_point_indices())
+      for (unsigned int node = 0; node < n_nodes; ++node)
+        hoop_strains(dim * node, q) =
+            cell_values_.shape_value(dim * node, q) / cell_values_.quadrature_point(q)[0];
+    const Eigen::Matrix<double, n_points, dim* n_nodes> weighted =
+        weights().asDiagonal() * hoop_strains.transpose();
+    const Stiffness<n_nodes> mixed = shape_gradients() * weighted;
+    stiffness += constants.lambda_plane * (mixed + mixed.transpose()) +
+                 (constants.lambda_plane + 2. * constants.mu) * (hoop_strains * weighted);
   }
 
   /// Incompatible modes (Taylor, Beresford and Wilson 1976), condensed in the cell: trilinear cells
-  /// that are long along a bent pin would be far too stiff without them. Their gradients
-  /// (1 - 2 xi_k) det J0/det J grad0 xi_k, J0 being the Jacobian in the cell's middle, have no
-  /// mean, so that uniform stress stays exact.
-  void add_incompatible_modes(const unsigned int body,
-                              dealii::FullMatrix<double>& stiffness) const {
+  /// that are long along a bent pin would be far too stiff without them.
+  [[nodiscard]] Stiffness<n_nodes> with_incompatible_modes(const Lame& constants) const {
+    constexpr int n_own = dim * n_nodes;
     constexpr int n_modes = dim * dim;
-    const auto& element = cell_values_.get_fe();
-    const auto n_dofs = static_cast<Eigen::Index>(stiffness.m());
+    Gradients<n_nodes + dim> gradients;
+    gradients << shape_gradients(), mode_gradients();
+    const Stiffness<n_nodes + dim> whole =
+        hooke<n_nodes + dim>(constants.lambda, constants.mu, gradients, weights());
+    const Eigen::Matrix<double, n_modes, n_own> mixed =
+        whole.template bottomLeftCorner<n_modes, n_own>();
+    const Eigen::Matrix<double, n_modes, n_modes> modes =
+        whole.template bottomRightCorner<n_modes, n_modes>();
+    return whole.template topLeftCorner<n_own, n_own>() -
+           mixed.transpose() * modes.llt().solve(mixed);
+  }
+
+  /// (1 - 2 xi_k) det J0/det J grad0 xi_k for each k, J0 being the Jacobian in the cell's middle:
+  /// these have no mean, so that uniform stress stays exact.
+  [[nodiscard]] Gradients<dim> mode_gradients() const {
     const double determinant = centre_values_.jacobian(0).determinant();
-    const auto inner = [&](const unsigned int c, const Tensor<1, dim>& one, const unsigned int d,
-                           const Tensor<1, dim>& other) {
-      return lame_[body].lambda * one[c] * other[d] +
-             lame_[body].mu * (one[d] * other[c] + (c == d ? one * other : 0.));
-    };
-    Eigen::Matrix<double, n_modes, n_modes> own = Eigen::Matrix<double, n_modes, n_modes>::Zero();
-    Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(n_dofs, n_modes);
+    Gradients<dim> result;
     for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const double weight = cell_values_.JxW(q);
-      const double ratio = determinant * cell_values_.get_quadrature().weight(q) / weight;
-      std::array<Tensor<1, dim>, static_cast<std::size_t>(dim)> gradients;
+      const Point<dim>& xi = cell_values_.get_quadrature().point(q);
+      const double ratio =
+          determinant * cell_values_.get_quadrature().weight(q) / cell_values_.JxW(q);
       for (unsigned int k = 0; k < dim; ++k)
-        gradients[k] = ratio * (1. - 2. * cell_values_.get_quadrature().point(q)[k]) *
-                       Tensor<1, dim>(centre_values_.inverse_jacobian(0)[k]);
-      for (unsigned int mode = 0; mode < n_modes; ++mode) {
-        const unsigned int c = mode % dim;
-        const Tensor<1, dim>& gradient = gradients[mode / dim];
-        for (unsigned int other = 0; other < n_modes; ++other)
-          own(mode, other) += weight * inner(c, gradient, other % dim, gradients[other / dim]);
-        for (const unsigned int i : cell_values_.dof_indices())
-          mixed(i, mode) += weight * inner(element.system_to_component_index(i).first,
-                                           cell_values_.shape_grad(i, q), c, gradient);
-      }
+        for (unsigned int axis = 0; axis < dim; ++axis)
+          result(dim * k + axis, q) =
+              ratio * (1. - 2. * xi[k]) * centre_values_.inverse_jacobian(0)[k][axis];
     }
-    const Eigen::MatrixXd condensed = mixed * own.llt().solve(mixed.transpose());
-    for (unsigned int i = 0; i < stiffness.m(); ++i)
-      for (unsigned int j = 0; j < stiffness.n(); ++j) stiffness(i, j) -= condensed(i, j);
+    return result;
   }
 
   [[nodiscard]] bool has_force(const unsigned int body) const {
