@@ -144,7 +144,7 @@ void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const
           ? systems.now().smooth(displacement)
           : systems.now().solve(displacement, settings.linear_tolerance, reduction);
   state.displacement = displacement;
-  state.forces = surface_forces(level.forced, level.cells, state.displacement);
+  state.forces = surface_forces(level.forced, state.displacement);
   state.contacts.clear();
   for (const ContactInterface<dim>& interface : level.interfaces)
     state.contacts.push_back(evaluate(interface, state.displacement, state.forces, level.held));

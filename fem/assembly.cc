@@ -19,21 +19,21 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 /// would take as much memory as the matrix), and one system for each constrained unknown.
 class CondensedSystems {
  public:
-  CondensedSystems(const std::vector<CellSystem>& cells, const Constraints& constraints)
+  CondensedSystems(const CellSystems& cells, const Constraints& constraints)
       : cells_(cells),
         constraints_(constraints),
         is_constrained_(cells.size(), false),
         free_unknowns_(cells.size()) {
+    const auto is_constrained = [&](const Dof dof) { return constraints.is_constrained(dof); };
     std::map<Dof, double> diagonal;
     for (std::size_t index = 0; index < cells.size(); ++index) {
-      for (unsigned int i = 0; i < cells[index].dofs.size(); ++i) {
-        const Dof dof = cells[index].dofs[i];
-        if (!constraints.is_constrained(dof)) continue;
-        is_constrained_[index] = true;
-        diagonal[dof] += cells[index].stiffness(i, i);
-      }
-      if (is_constrained_[index])
-        free_unknowns_[index] = free_unknowns(cells[index].dofs, constraints);
+      const std::vector<Dof>& dofs = cells.dofs(index);
+      is_constrained_[index] = std::any_of(dofs.begin(), dofs.end(), is_constrained);
+      if (!is_constrained_[index]) continue;
+      free_unknowns_[index] = free_unknowns(dofs, constraints);
+      const dealii::FullMatrix<double> stiffness = cells.stiffness(index);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (is_constrained(dofs[i])) diagonal[dofs[i]] += stiffness(i, i);
     }
     for (const auto& [dof, stiffness] : diagonal) {
       alone_.push_back({dealii::FullMatrix<double>(1), dealii::Vector<double>(1), {dof}});
@@ -65,10 +65,10 @@ class CondensedSystems {
 
  private:
   [[nodiscard]] const std::vector<Dof>& unknowns(const std::size_t index) const {
-    return is_constrained_[index] ? free_unknowns_[index] : cells_[index].dofs;
+    return is_constrained_[index] ? free_unknowns_[index] : cells_.dofs(index);
   }
 
-  const std::vector<CellSystem>& cells_;
+  const CellSystems& cells_;
   const Constraints& constraints_;
   std::vector<bool> is_constrained_;
   std::vector<std::vector<Dof>> free_unknowns_;  ///< of cells with constraints
@@ -179,7 +179,7 @@ void add(const CellSystem& system, SymmetricMatrix<dim>& matrix) {
 }  // namespace
 
 template <int dim>
-SymmetricMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constraints& constraints,
+SymmetricMatrix<dim> assemble(const CellSystems& cells, const Constraints& constraints,
                               const dealii::IndexSet& unknowns, const MPI_Comm communicator,
                               Vector& load) {
   const Epetra_Map map = unknowns.make_trilinos_map(communicator, false);
@@ -196,9 +196,9 @@ SymmetricMatrix<dim> assemble(const std::vector<CellSystem>& cells, const Constr
   return matrix;
 }
 
-template SymmetricMatrix<2> assemble(const std::vector<CellSystem>&, const Constraints&,
+template SymmetricMatrix<2> assemble(const CellSystems&, const Constraints&,
                                      const dealii::IndexSet&, MPI_Comm, Vector&);
-template SymmetricMatrix<3> assemble(const std::vector<CellSystem>&, const Constraints&,
+template SymmetricMatrix<3> assemble(const CellSystems&, const Constraints&,
                                      const dealii::IndexSet&, MPI_Comm, Vector&);
 
 }  // namespace geneva::fem

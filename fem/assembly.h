@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/cell_systems.h"
 #include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
@@ -19,7 +19,7 @@ namespace geneva::fem {
 /// @param load in: made for writing to all unknowns of the condensed cells; out: with the cells'
 /// loads added, to be compressed
 template <int dim>
-SymmetricMatrix<dim> assemble(const std::vector<CellSystem>& cells,
+SymmetricMatrix<dim> assemble(const CellSystems& cells,
                               const dealii::AffineConstraints<double>& constraints,
                               const dealii::IndexSet& unknowns, MPI_Comm communicator,
                               dealii::TrilinosWrappers::MPI::Vector& load);

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/cell_systems.h"
 
 namespace geneva::fem {
 

@@ -79,10 +79,10 @@ class NestedIteration {
     guess_.reinit(level_.owned, communicator_);
   }
 
-  void make_level(StiffnessStore<dim> stored = {}) {
+  void make_level() {
     moved_vertices_ = close_gaps(*solution_.triangulation);
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
-                             solution_.scales, origins_, std::move(stored));
+                             solution_.scales, origins_);
     for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
       level_.interfaces[i].active = inherited_set(i);
   }
@@ -178,7 +178,7 @@ class NestedIteration {
     record.error_estimate = estimate_from(&LevelRecord::change, record);
     record.seconds = timer_.wall_time();
     record.cycled = state_.cycled;
-    record.one_solve_seconds = level_.cell_seconds + state_.assemble_and_solve_seconds;
+    record.one_solve_seconds = state_.assemble_and_solve_seconds;
     mid_length_error_ = estimate_from(&LevelRecord::mid_length_change, record);
     solution_.history.push_back(record);
     solution_.error_estimate = record.error_estimate;
@@ -367,7 +367,6 @@ class NestedIteration {
   void refine_flagged(Vector displacement) {
     auto& triangulation = *solution_.triangulation;
     auto& dof_handler = *solution_.dof_handler;
-    StiffnessStore<dim> stored = stored_stiffness(dof_handler, std::move(level_.cells));
     put_back(triangulation, moved_vertices_);
     triangulation.prepare_coarsening_and_refinement();
     distribute_for_refinement(triangulation, dof_handler, displacement);
@@ -378,7 +377,7 @@ class NestedIteration {
     number_by_neighbours(dof_handler);
     guess_.reinit(dof_handler.locally_owned_dofs(), communicator_);
     transfer.interpolate(guess_);
-    make_level(std::move(stored));
+    make_level();
   }
 
   void keep_result() {

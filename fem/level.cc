@@ -1,6 +1,5 @@
 #include "fem/level.h"
 
-#include <deal.II/base/timer.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 
 #include "fem/constraints.h"
 #include "fem/contact/surface_in_space.h"
+#include "fem/elasticity.h"
 
 namespace geneva::fem {
 
@@ -151,7 +151,7 @@ std::vector<ConstraintLine> lasting_lines(const Level<dim>& level) {
 template <int dim>
 Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
                       const Problem<dim>& scaled_problem, const Scales& scales,
-                      std::optional<SurfaceOrigins<dim>>& origins, StiffnessStore<dim> stored) {
+                      std::optional<SurfaceOrigins<dim>>& origins) {
   Level<dim> level;
   level.owned = dof_handler.locally_owned_dofs();
   level.boundary = gather_boundary(dof_handler, mesh.circles, scales.length);
@@ -159,9 +159,7 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   if (!origins) origins = choose_origins(level.boundary, mesh, scaled_problem);
   level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins,
                                      dof_handler.get_communicator());
-  const dealii::Timer timer;
-  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces, std::move(stored));
-  level.cell_seconds = timer.wall_time();
+  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
   level.hanging_nodes = hanging_nodes(dof_handler, level.ghosts);
   level.hanging_lines = hanging_lines(dof_handler, level.hanging_nodes, level.boundary);
   level.hanging = make_constraints(level.hanging_nodes, level.hanging_lines);
@@ -187,11 +185,9 @@ dealii::AffineConstraints<double> constraints(const Level<dim>& level) {
 }
 
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
-                             const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&,
-                             StiffnessStore<2>);
+                             const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
-                             const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&,
-                             StiffnessStore<3>);
+                             const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<2>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<3>&);
 template dealii::AffineConstraints<double> constraints(const Level<2>&);

@@ -5,9 +5,9 @@
 #include <set>
 #include <vector>
 
+#include "fem/cell_systems.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact_problem.h"
-#include "fem/elasticity.h"
 #include "fem/linear_system.h"
 
 namespace geneva::fem {
@@ -27,7 +27,7 @@ struct Level {
   dealii::IndexSet ghosts;  ///< locally relevant dofs and all boundary dofs
   Boundary<dim> boundary;
   std::vector<ContactInterface<dim>> interfaces;
-  std::vector<CellSystem> cells;
+  CellSystems cells;
   std::vector<ConstraintLine> hanging_lines;  ///< of boundary dofs
   std::vector<ConstraintLine> held_lines;     ///< supports and ties
   std::set<global_dof_index> held;            ///< dofs of those lines
@@ -35,16 +35,14 @@ struct Level {
   dealii::AffineConstraints<double> hanging_nodes;  ///< of this rank, open for more lines
   dealii::AffineConstraints<double> hanging;        ///< closed, with all boundary dofs
   ForcedUnknowns forced;                            ///< of contact, supports and ties
-  double cell_seconds = 0.;  ///< time to integrate the cells that were not stored
 };
 
 /// Builds the level on the dof handler's mesh.
 /// @param origins chosen on the first mesh if empty, kept on the others
-/// @param stored stiffness matrices of the mesh before
 template <int dim>
 Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::MeshData<dim>& mesh,
                       const Problem<dim>& scaled_problem, const Scales& scales,
-                      std::optional<SurfaceOrigins<dim>>& origins, StiffnessStore<dim> stored = {});
+                      std::optional<SurfaceOrigins<dim>>& origins);
 
 /// The constraints that hold for all active sets: hanging nodes, supports, ties.
 template <int dim>

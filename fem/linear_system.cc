@@ -52,7 +52,7 @@ template <int dim>
 LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
                                 const dealii::IndexSet& ghosts,
                                 const dealii::AffineConstraints<double>& constraints,
-                                const std::vector<CellSystem>& cells,
+                                const CellSystems& cells,
                                 const std::vector<NodalForce>& nodal_forces)
     : owned_(dof_handler.locally_owned_dofs()),
       communicator_(dof_handler.get_communicator()),

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/cell_systems.h"
 #include "fem/multigrid/condensed_matrix.h"
 #include "fem/multigrid/multigrid.h"
 
@@ -30,8 +30,8 @@ class LinearSystem {
   /// @param ghosts dofs that this rank may write to: locally relevant dofs and all boundary dofs
   /// @param cells of this rank
   LinearSystem(const dealii::DoFHandler<dim>& dof_handler, const dealii::IndexSet& ghosts,
-               const dealii::AffineConstraints<double>& constraints,
-               const std::vector<CellSystem>& cells, const std::vector<NodalForce>& nodal_forces);
+               const dealii::AffineConstraints<double>& constraints, const CellSystems& cells,
+               const std::vector<NodalForce>& nodal_forces);
 
   /// Goes over to other constraints. A multigrid keeps its coarse levels.
   /// @param constraints closed: those that the system was assembled with, and more of unknowns that

@@ -112,17 +112,17 @@ template <int dim>
 AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& level) {
   Tensor<1, dim> sum;
   Moment<dim> moment{};
-  auto cell_system = level.cells.begin();
+  std::size_t index = 0;
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    for (unsigned int i = 0; i < cell_system->load.size(); ++i) {
+    const dealii::Vector<double> load = level.cells.load(index++);
+    for (unsigned int i = 0; i < load.size(); ++i) {
       const auto [component, vertex] = solution.element->system_to_component_index(i);
       Tensor<1, dim> force;
-      force[component] = cell_system->load[i];
+      force[component] = load[i];
       sum += force;
       moment += moment_of<dim>(cell->vertex(vertex), force);
     }
-    ++cell_system;
   }
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   sum = dealii::Utilities::MPI::sum(sum, communicator);

@@ -91,8 +91,7 @@ struct LevelRecord {
   unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close
   double seconds;  ///< since the start of the contact solve
-  double one_solve_seconds;  ///< one assembly and one linear solve on this mesh, with the matrices
-                             ///< of the cells that the mesh before did not have
+  double one_solve_seconds;  ///< one assembly and one linear solve on this mesh
 };
 
 /// Why the refinement ended.

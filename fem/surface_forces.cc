@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -33,28 +35,42 @@ std::optional<std::size_t> place_in(const std::vector<Dof>& dofs, const Dof dof)
   return static_cast<std::size_t>(found - dofs.begin());
 }
 
-/// K_e u_e - f_e at one of the cell's unknowns.
-double force_of_cell(const CellSystem& cell, const unsigned int at,
-                     const std::vector<double>& displacements) {
-  double force = -cell.load[at];
-  for (unsigned int j = 0; j < displacements.size(); ++j)
-    force += cell.stiffness(at, j) * displacements[j];
-  return force;
+/// A cell's part in forces, by their places: how much of the force at each of its unknowns.
+using Parts = std::map<std::size_t, std::vector<std::pair<unsigned int, double>>>;
+
+Parts parts_of(const CellSystems::Dofs& dofs, const std::vector<Dof>& forced_dofs,
+               const MarkedUnknowns& forced, const dealii::AffineConstraints<double>& hanging) {
+  Parts parts;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    visit_carriers(hanging, dofs[i], [&](const Dof carrier, const double part) {
+      if (forced.have(carrier)) parts[*place_in(forced_dofs, carrier)].emplace_back(i, part);
+    });
+  return parts;
+}
+
+ForcedUnknowns::Cell forced_cell(const CellSystem& system, const Parts& parts) {
+  ForcedUnknowns::Cell cell{system.dofs, {}};
+  for (const auto& [in, unknowns] : parts) {
+    ForcedUnknowns::Share share{in, std::vector<double>(system.dofs.size(), 0.), 0.};
+    for (const auto& [i, part] : unknowns) {
+      share.load += part * system.load[i];
+      for (unsigned int j = 0; j < share.stiffness.size(); ++j)
+        share.stiffness[j] += part * system.stiffness(i, j);
+    }
+    cell.shares.push_back(std::move(share));
+  }
+  return cell;
 }
 
 }  // namespace
 
-ForcedUnknowns forced_unknowns(const std::set<Dof>& dofs, const std::vector<CellSystem>& cells,
+ForcedUnknowns forced_unknowns(const std::set<Dof>& dofs, const CellSystems& cells,
                                const dealii::AffineConstraints<double>& hanging) {
   ForcedUnknowns result{{dofs.begin(), dofs.end()}, {}};
   const MarkedUnknowns forced(dofs);
   for (std::size_t index = 0; index < cells.size(); ++index) {
-    std::vector<ForcedUnknowns::Share> shares;
-    for (unsigned int i = 0; i < cells[index].dofs.size(); ++i)
-      visit_carriers(hanging, cells[index].dofs[i], [&](const Dof carrier, const double share) {
-        if (forced.have(carrier)) shares.push_back({i, *place_in(result.dofs, carrier), share});
-      });
-    if (!shares.empty()) result.cells.push_back({index, std::move(shares)});
+    const Parts parts = parts_of(cells.dofs(index), result.dofs, forced, hanging);
+    if (!parts.empty()) result.cells.push_back(forced_cell(cells[index], parts));
   }
   return result;
 }
@@ -70,16 +86,16 @@ double SurfaceForces::operator()(const Dof dof) const {
   return values_[*place];
 }
 
-SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const std::vector<CellSystem>& cells,
+SurfaceForces surface_forces(const ForcedUnknowns& unknowns,
                              const dealii::TrilinosWrappers::MPI::Vector& displacement) {
   std::vector<double> shares(unknowns.dofs.size(), 0.);
   std::vector<double> displacements;
-  for (const ForcedUnknowns::Cell& forced : unknowns.cells) {
-    const CellSystem& cell = cells[forced.index];
+  for (const ForcedUnknowns::Cell& cell : unknowns.cells) {
     displacements.resize(cell.dofs.size());
     displacement.extract_subvector_to(cell.dofs, displacements);
-    for (const auto& [of, in, share] : forced.shares)
-      shares[in] += share * force_of_cell(cell, of, displacements);
+    for (const auto& [in, stiffness, load] : cell.shares)
+      shares[in] +=
+          std::inner_product(stiffness.begin(), stiffness.end(), displacements.begin(), -load);
   }
   std::vector<double> sums(shares.size());
   dealii::Utilities::MPI::sum(shares, displacement.get_mpi_communicator(), sums);

@@ -6,20 +6,20 @@
 #include <set>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/cell_systems.h"
 
 namespace geneva::fem {
 
-/// Unknowns at which contact, supports and ties can exert forces.
+/// Unknowns at which contact, supports and ties can exert forces, and K u - f there.
 struct ForcedUnknowns {
-  /// What the force of a cell at one of its unknowns adds to a force.
+  /// What a cell adds to a force: a line of K times the cell's displacements, less the load.
   struct Share {
-    unsigned int of;  ///< the cell's unknown
-    std::size_t in;   ///< place in dofs
-    double share;     ///< 1, or less where the unknown hangs on others
+    std::size_t in;  ///< place in dofs
+    std::vector<double> stiffness;
+    double load;
   };
   struct Cell {
-    std::size_t index;
+    std::vector<dealii::types::global_dof_index> dofs;
     std::vector<Share> shares;
   };
 
@@ -27,11 +27,12 @@ struct ForcedUnknowns {
   std::vector<Cell> cells;                            ///< of this rank that have shares
 };
 
+/// The hanging nodes' forces are given to the nodes that they hang on.
 /// @param dofs the same on all ranks
 /// @param cells of this rank
 /// @param hanging constraints of the hanging nodes
 ForcedUnknowns forced_unknowns(const std::set<dealii::types::global_dof_index>& dofs,
-                               const std::vector<CellSystem>& cells,
+                               const CellSystems& cells,
                                const dealii::AffineConstraints<double>& hanging);
 
 /// Forces that act on the bodies beside the known loads, the same on all ranks.
@@ -51,10 +52,9 @@ class SurfaceForces {
   std::vector<double> values_;
 };
 
-/// K u - f, the hanging nodes' shares given to the nodes that they hang on.
-/// @param cells those that the unknowns were made with
+/// K u - f at the unknowns.
 /// @param displacement u, with ghosts
-SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const std::vector<CellSystem>& cells,
+SurfaceForces surface_forces(const ForcedUnknowns& unknowns,
                              const dealii::TrilinosWrappers::MPI::Vector& displacement);
 
 }  // namespace geneva::fem

@@ -58,8 +58,10 @@ class TiedBlock {
     pattern.compress();
     auto matrix = std::make_unique<Matrix>(pattern);
     load = zero();
-    for (const CellSystem& cell : cells_)
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const CellSystem cell = cells_[i];
       constraints_.distribute_local_to_global(cell.stiffness, cell.load, cell.dofs, *matrix, load);
+    }
     matrix->compress(dealii::VectorOperation::add);
     load.compress(dealii::VectorOperation::add);
     return matrix;
@@ -108,7 +110,7 @@ class TiedBlock {
   Discretisation<3> grid_{mesh_};
   dealii::IndexSet ghosts_;
   dealii::AffineConstraints<double> constraints_;
-  std::vector<CellSystem> cells_;
+  CellSystems cells_;
 };
 
 TEST(Assembly, IsTheLibrarysAtFreeUnknowns) {

@@ -8,9 +8,10 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/cell_systems.h"
 #include "mesh/triangulation.h"
 #include "tests/support/structured_mesh.h"
 
@@ -44,6 +45,17 @@ dealii::Vector<double> values_on(const Cell& cell, const Field<dim>& field) {
     values[i] = field(cell->vertex(vertex))[component];
   }
   return values;
+}
+
+/// Every system of this rank, integrated.
+template <int dim>
+std::vector<CellSystem> all_systems(const dealii::DoFHandler<dim>& dof_handler,
+                                    const Problem<dim>& problem,
+                                    const std::vector<std::string>& surfaces) {
+  const CellSystems cells = cell_systems(dof_handler, problem, surfaces);
+  std::vector<CellSystem> systems;
+  for (std::size_t i = 0; i < cells.size(); ++i) systems.push_back(cells[i]);
+  return systems;
 }
 
 }  // namespace geneva::fem::test

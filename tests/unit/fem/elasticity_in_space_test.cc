@@ -40,7 +40,7 @@ Problem<3> problem_on(const mesh::MeshData<3>& mesh) {
 /// Work of the internal forces K u of one field on another, over all ranks.
 double internal_work(const Discretisation<3>& grid, const mesh::MeshData<3>& mesh,
                      const Field<3>& field, const Field<3>& other) {
-  const auto systems = cell_systems(*grid.dof_handler, problem_on(mesh), mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem_on(mesh), mesh.surfaces);
   auto system = systems.begin();
   double work = 0.;
   for (const auto& cell : grid.dof_handler->active_cell_iterators())
@@ -111,7 +111,7 @@ TEST(ElasticityInSpace, SpreadsTheGivenInertiaOverABodyAndLoadsItAboutZ) {
   Problem<3> problem = problem_on(mesh);
   problem.bodies[0].force.rotation = {3., 0., 5.};
   problem.bodies[0].force.uniform = {0., 0., -2.};
-  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem, mesh.surfaces);
   double moment = 0.;
   double downwards = 0.;
   auto system = systems.begin();
@@ -134,7 +134,7 @@ TEST(ElasticityInSpace, LoadsSurfacesByPressureAgainstTheOutwardNormal) {
   const Discretisation<3> grid(mesh, 2);
   Problem<3> problem = problem_on(mesh);
   for (const std::string& surface : mesh.surfaces) problem.loads.push_back({surface, 4., {}});
-  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem, mesh.surfaces);
   Tensor<1, 3> force;
   for (const CellSystem& system : systems)
     for (unsigned int i = 0; i < system.load.size(); ++i)

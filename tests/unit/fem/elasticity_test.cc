@@ -68,7 +68,7 @@ double size_of(const dealii::FullMatrix<double>& matrix) { return matrix.linfty_
 double greatest_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
                            const Field<2>& motion) {
   const Discretisation<2> grid(mesh);
-  const auto systems = cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
   auto system = systems.begin();
   double greatest = 0.;
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
@@ -108,7 +108,7 @@ struct Resultant {
 Resultant resultant(const mesh::MeshData<2>& mesh, const Problem<2>& problem,
                     const unsigned int refinements = 0) {
   const Discretisation<2> grid(mesh, refinements);
-  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem, mesh.surfaces);
   auto system = systems.begin();
   Resultant sum;
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
@@ -200,7 +200,7 @@ TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {
     const mesh::MeshData<2> mesh = patch(0.1);
     const Discretisation<2> grid(mesh);
     for (const CellSystem& system :
-         cell_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces)) {
+         all_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces)) {
       Eigen::MatrixXd matrix(8, 8);
       for (unsigned int i = 0; i < 8; ++i)
         for (unsigned int j = 0; j < 8; ++j) {
@@ -231,7 +231,7 @@ void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, co
     problem.loads.push_back({mesh.surfaces[1 + side], 0., {traction[0], traction[1]}});
   }
   const Discretisation<2> grid(mesh);
-  const auto systems = cell_systems(*grid.dof_handler, problem, mesh.surfaces);
+  const auto systems = all_systems(*grid.dof_handler, problem, mesh.surfaces);
   const auto defects =
       residual(grid, systems, [&](const Point<2>& x) { return gradient * Tensor<1, 2>(x); });
   for (const double defect : defects)

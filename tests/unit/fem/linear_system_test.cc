@@ -78,7 +78,7 @@ class TiedSector {
     system.set_up_multigrid(*grid_.dof_handler);
   }
 
-  [[nodiscard]] const std::vector<CellSystem>& cells() const { return cells_; }
+  [[nodiscard]] const CellSystems& cells() const { return cells_; }
 
  private:
   static mesh::MeshData<3> sector() {
@@ -95,7 +95,7 @@ class TiedSector {
   Lines supports_;
   dealii::IndexSet ghosts_;
   std::vector<std::array<dealii::types::global_dof_index, 3>> outer_;
-  std::vector<CellSystem> cells_;
+  CellSystems cells_;
 };
 
 void expect_same(const Vector& one, const Vector& other) {
@@ -159,7 +159,7 @@ TEST(LinearSystem, SmoothingLowersTheResidualWithoutMultigrid) {
 
 TEST(Condensation, AUniformTranslationNeedsNoForce) {
   const TiedSector sector;
-  CellSystem cell = sector.cells().front();
+  const CellSystem cell = sector.cells()[0];
   dealii::AffineConstraints<double> constraints;
   constraints.add_line(cell.dofs[0]);
   constraints.add_entry(cell.dofs[0], cell.dofs[3], 0.25);
