@@ -1,10 +1,11 @@
 #include "fem/boundary.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe.h>
 
 #include <algorithm>
 #include <map>
+
+#include "fem/gather.h"
 
 namespace geneva::fem {
 
@@ -24,13 +25,6 @@ struct FaceRecord {
   unsigned int surface;
   unsigned int body;
   int circle;
-
-  template <typename Archive>
-  void serialize(Archive& archive, const unsigned int) {
-    for (auto& dof : dofs) archive& dof;
-    for (auto& coordinate : coordinates) archive& coordinate;
-    archive& surface& body& circle;
-  }
 };
 
 /// A face's vertices in the cell: counter-clockwise around the cell, in space as seen from outside.
@@ -87,10 +81,8 @@ std::vector<FaceRecord<dim>> local_records(const dealii::DoFHandler<dim>& dof_ha
 
 template <int dim>
 std::vector<FaceRecord<dim>> all_records(const dealii::DoFHandler<dim>& dof_handler) {
-  std::vector<FaceRecord<dim>> all;
-  for (const auto& records : dealii::Utilities::MPI::all_gather(dof_handler.get_communicator(),
-                                                                local_records(dof_handler)))
-    all.insert(all.end(), records.begin(), records.end());
+  std::vector<FaceRecord<dim>> all =
+      gathered(dof_handler.get_communicator(), local_records(dof_handler));
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.coordinates < b.coordinates ||
            (a.coordinates == b.coordinates && a.surface < b.surface);

@@ -3,10 +3,10 @@
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Core>
-#include <boost/serialization/vector.hpp>
 #include <map>
 #include <optional>
 
+#include "fem/gather.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::fem {
@@ -81,11 +81,6 @@ void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
 struct PackedRows {
   std::vector<unsigned int> integers;
   std::vector<double> reals;
-
-  template <typename Archive>
-  void serialize(Archive& archive, const unsigned int) {
-    archive& integers& reals;
-  }
 };
 
 template <int dim>
@@ -142,8 +137,10 @@ std::vector<RowSum<dim>> row_sums(const Surface<dim>& source, const Surface<dim>
     add_face(source, source.faces[i], search, data, own);
   if (ranks == 1) return own;
   std::vector<RowSum<dim>> sums(source.nodes.size());
-  for (const PackedRows& rows : dealii::Utilities::MPI::all_gather(data.communicator, packed(own)))
-    add_packed(rows, sums);
+  const PackedRows parts = packed(own);
+  add_packed<dim>(
+      {gathered(data.communicator, parts.integers), gathered(data.communicator, parts.reals)},
+      sums);
   return sums;
 }
 

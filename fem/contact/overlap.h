@@ -56,14 +56,22 @@ class FaceSearch<3> {
  public:
   explicit FaceSearch(const Surface<3>& surface);
 
-  /// Indices of the target faces whose boxes meet that around a source face drawn out along its
-  /// normal to both sides by the target's length, in ascending order.
+  /// Indices in ascending order of the target faces that come near a source face drawn out along
+  /// its normal to both sides by the target's length: their boxes meet, and the ball around the
+  /// target face meets the cylinder around the other.
   [[nodiscard]] std::vector<unsigned int> near(const Surface<3>& source,
                                                const SurfaceFace<3>& face) const;
 
   const Surface<3>& target;
 
  private:
+  struct Ball {
+    dealii::Point<3> middle;
+    double radius;
+  };
+  static Ball ball_around(const Surface<3>& surface, const SurfaceFace<3>& face);
+
+  std::vector<Ball> balls_;  ///< around the target faces
   dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> tree_;
 };
 

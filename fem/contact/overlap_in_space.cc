@@ -44,6 +44,7 @@ class AuxiliaryPlane {
   }
   [[nodiscard]] Polygon project(const Surface<3>& surface, const SurfaceFace<3>& face) const {
     Polygon polygon;
+    polygon.reserve(face.nodes.size());
     for (const unsigned int node : face.nodes)
       polygon.push_back(project(surface.nodes[node].position));
     return polygon;
@@ -61,6 +62,7 @@ class AuxiliaryPlane {
 /// The part of a polygon to the left of a straight line (Sutherland and Hodgman 1974).
 Polygon left_of(const Polygon& polygon, const Point<2>& start, const Point<2>& end) {
   Polygon result;
+  result.reserve(polygon.size() + 1);  // of a convex one at most
   const auto side = [&](const Point<2>& point) { return cross(end - start, point - start); };
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point<2>& here = polygon[i];
@@ -155,6 +157,14 @@ std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& sourc
 
 }  // namespace
 
+FaceSearch<3>::Ball FaceSearch<3>::ball_around(const Surface<3>& surface,
+                                               const SurfaceFace<3>& face) {
+  Ball ball{face_middle(surface, face), 0.};
+  for (const unsigned int node : face.nodes)
+    ball.radius = std::max(ball.radius, ball.middle.distance(surface.nodes[node].position));
+  return ball;
+}
+
 FaceSearch<3>::FaceSearch(const Surface<3>& surface) : target(surface) {
   std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>> boxes;
   for (unsigned int face = 0; face < target.faces.size(); ++face) {
@@ -162,22 +172,29 @@ FaceSearch<3>::FaceSearch(const Surface<3>& surface) : target(surface) {
     for (const unsigned int node : target.faces[face].nodes)
       corners.push_back(target.nodes[node].position);
     boxes.emplace_back(dealii::BoundingBox<3>(corners), face);
+    balls_.push_back(ball_around(target, target.faces[face]));
   }
   tree_ = dealii::pack_rtree(boxes);
 }
 
 std::vector<unsigned int> FaceSearch<3>::near(const Surface<3>& source,
                                               const SurfaceFace<3>& face) const {
-  const Tensor<1, 3> reach = target.length * flat_normal(source, face);
+  const Tensor<1, 3> normal = flat_normal(source, face);
   std::vector<Point<3>> corners;
   for (const unsigned int node : face.nodes)
     for (const double side : {-1., 1.})
-      corners.push_back(source.nodes[node].position + side * reach);
-  std::vector<std::pair<dealii::BoundingBox<3>, unsigned int>> found;
-  tree_.query(boost::geometry::index::intersects(dealii::BoundingBox<3>(corners)),
-              std::back_inserter(found));
+      corners.push_back(source.nodes[node].position + side * target.length * normal);
+  const Ball around = ball_around(source, face);
+  const auto is_near = [&](const unsigned int index) {
+    const Tensor<1, 3> apart = balls_[index].middle - around.middle;
+    const double along = apart * normal;
+    const double reach = around.radius + balls_[index].radius;
+    return apart.norm_square() - along * along <= reach * reach;
+  };
   std::vector<unsigned int> faces;
-  for (const auto& [box, index] : found) faces.push_back(index);
+  const auto meets = boost::geometry::index::intersects(dealii::BoundingBox<3>(corners));
+  for (auto found = tree_.qbegin(meets); found != tree_.qend(); ++found)
+    if (is_near(found->second)) faces.push_back(found->second);
   std::sort(faces.begin(), faces.end());
   return faces;
 }

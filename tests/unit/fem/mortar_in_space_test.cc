@@ -168,6 +168,31 @@ TEST(MortarInSpace, OverlapsLieOnBothFacesHoweverWideTheGap) {
       }
 }
 
+TEST(FaceSearch, FindsTheNeighbourhoodOfTheOppositeFaceWhereSurfacesSlant) {
+  constexpr unsigned int n = 20;
+  const auto slanting = [](const double height, const bool is_upper_side) {
+    return grid_surface(n + 1, n + 1, [=](const unsigned int i, const unsigned int j) {
+      const double along = is_upper_side ? j : i;
+      const double across = is_upper_side ? i : j;
+      return Point<3>(along - height, along + height, across);
+    });
+  };
+  const Surface<3> source = slanting(2., false);
+  const Surface<3> target = slanting(0., true);
+  const FaceSearch<3> search(target);
+  for (const SurfaceFace<3>& face : source.faces) {
+    const Point<3> opposite = face_middle(source, face) - Tensor<1, 3>({-2., 2., 0.});
+    const auto found = search.near(source, face);
+    EXPECT_LE(found.size(), 9U) << "of 40 to 60 whose boxes meet";
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [&](const unsigned int index) {
+                              return opposite.distance(face_middle(target, target.faces[index])) <
+                                     1e-9;
+                            }),
+              1);
+  }
+}
+
 TEST(MortarInSpace, UniformAndLinearGapsAreThoseOfTheNodes) {
   const Surface<3> level = underside(4, 3, 1., 1., 0.1);
   for (const auto& target : {plate(5, 7, 1.2, 1.3), plate(3, 2, 0.6, 0.7, 0.3)})
