@@ -188,8 +188,12 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
                  const fs::path& output) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Case given = read_case(case_directory);
+  const fs::path directory = output.empty() ? given.directory / "results" : output;
   return naming(given, [&] {
     check(given);
+    together(communicator, [&] {
+      if (is_first) check_writable(directory);
+    });
     ProgressDisplay progress(is_first, given.units);
     post::CrownReport report = search(communicator, given, progress);
     progress.line("solving both pins as accurately as the case asks");
@@ -200,7 +204,6 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
     report.after = after.load;
     report.drop = drop_at_faces(changed);
     progress.line("\n" + post::crown_table(report, given.units));
-    const fs::path directory = output.empty() ? given.directory / "results" : output;
     together(communicator, [&] {
       if (is_first) write_results(given, report, directory);
     });

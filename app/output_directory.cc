@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <stdexcept>
@@ -50,13 +51,24 @@ std::string shown_path(const fs::path& path) {
   return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
+void check_writable(const fs::path& directory) {
+  const fs::path wanted = (fs::absolute(directory) / "").lexically_normal().parent_path();
+  std::error_code error;
+  if (fs::exists(wanted, error) && !fs::is_directory(wanted, error)) refuse_blocked(directory);
+  fs::path existing = wanted;
+  while (!fs::exists(existing, error)) existing = existing.parent_path();
+  if (!fs::is_directory(existing, error))
+    refuse_unwritable(directory, std::make_error_code(std::errc::not_a_directory));
+  if (access(existing.c_str(), W_OK | X_OK) != 0)
+    refuse_unwritable(directory, {errno, std::generic_category()});
+}
+
 void write_and_rename(const fs::path& file, const std::string& text) {
   const fs::path directory = file.parent_path();
+  check_writable(directory);
   std::error_code error;
-  if (fs::exists(directory, error) && !fs::is_directory(directory, error))
-    refuse_blocked(directory);
   fs::create_directories(directory, error);
-  if (error || access(directory.c_str(), W_OK | X_OK) != 0) refuse_unwritable(directory, error);
+  if (error) refuse_unwritable(directory, error);
   const fs::path partial = directory / fmt::format(".{}.partial", file.filename().string());
   try {
     std::ofstream stream = post::open_output(partial);

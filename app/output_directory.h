@@ -9,6 +9,10 @@ namespace geneva::app {
 /// A path as the user would write it: relative where it lies below the current directory.
 std::string shown_path(const std::filesystem::path& path);
 
+/// Tells before long work whether its results can be written: makes nothing.
+/// @throws std::invalid_argument if the directory cannot be made or written to
+void check_writable(const std::filesystem::path& directory);
+
 /// Writes one file under a hidden name and renames it; makes its directory.
 /// @throws std::invalid_argument if the directory cannot be made or written to; std::runtime_error
 /// if not everything could be written

@@ -193,6 +193,16 @@ class Space(CliTest):
             for part in parts:
                 self.assertIn(part, refused.err)
 
+    def test_the_search_for_a_crown_does_not_begin_where_its_results_cannot_go(self):
+        case = self.write("design", ["Held at = one end", "Root gap = 10 mm"], accuracy="20 %")
+        (self.directory / "file").write_text("in the way\n")
+        for place in ("file", "file/results"):
+            refused = self.geneva("design", "--crown", case, "--output", self.directory / place)
+            self.assertEqual(refused.code, 1)
+            self.assertIn(f"results directory {self.directory / place}", refused.err)
+            self.assertEqual(refused.out, "", "nothing was tried")
+        self.assertEqual((self.directory / "file").read_text(), "in the way\n")
+
     def test_limits_end_the_run_on_the_last_good_mesh(self):
         for name, limit in (("unknowns", "5000"), ("memory", "400 MB"), ("time", "3 s")):
             case = self.write(name, ["Held at = core"], accuracy="0.1 %")
