@@ -12,10 +12,6 @@ namespace geneva::fem {
 
 namespace {
 
-/// Levels with fewer unknowns are factorised. Their nodes are coupled to so many that aggregates of
-/// neighbours would be too coarse.
-constexpr int most_for_factors = 5000;
-
 template <int n>
 using MotionRow = BlockRow<Eigen::Matrix<double, n, n>>;
 
@@ -94,7 +90,7 @@ NodeMatrix<n, n> smoothed_prolongation(const SymmetricMatrix<n>& matrix,
 }  // namespace
 
 template <int dim>
-AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem,
+AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const int most_for_factors,
                                             const MPI_Comm communicator) {
   // As on the mesh.
   constexpr double margin = 1.1;
@@ -118,7 +114,7 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem,
   coarse_ = std::make_unique<AlgebraicMultigrid>(
       CoarseProblem<dim>{coarse_matrix(matrix, *prolongation_, communicator),
                          std::move(coarse.own_centres), std::move(aggregates.bodies)},
-      communicator);
+      most_for_factors, communicator);
   coarse_zero_.reinit(dealii::IndexSet(coarse.unknowns), communicator);
   matrix_.emplace(std::move(matrix));
   smoother_ =

@@ -29,7 +29,8 @@ class AlgebraicMultigrid {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  AlgebraicMultigrid(CoarseProblem<dim> problem, MPI_Comm communicator);
+  /// @param most_for_factors levels with so many unknowns at most are factorised
+  AlgebraicMultigrid(CoarseProblem<dim> problem, int most_for_factors, MPI_Comm communicator);
 
   void vmult(Vector& correction, const Vector& residual) const;
 

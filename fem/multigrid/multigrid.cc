@@ -1,5 +1,6 @@
 #include "fem/multigrid/multigrid.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "fem/multigrid/coarse_matrix.h"
@@ -12,6 +13,15 @@ namespace {
 
 /// The power method comes from below, and Chebyshev's polynomial grows fast beyond its range.
 constexpr double margin = 1.1;
+
+/// Coarse levels with so many unknowns are factorised. Their nodes are coupled to so many that
+/// aggregates of neighbours would be too coarse: a third coarse level nearly doubles the iterations
+/// of 1.9 million unknowns.
+int most_for_factors(const dealii::types::global_dof_index of_mesh) {
+  constexpr int at_least = 5000;
+  constexpr int share = 200;
+  return std::max(at_least, static_cast<int>(of_mesh / share));
+}
 
 }  // namespace
 
@@ -30,7 +40,7 @@ Multigrid<dim>::Multigrid(const CondensedMatrix<dim>& matrix,
   coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
       CoarseProblem<dim>{coarse_matrix(matrix.whole(), *prolongation_, communicator),
                          std::move(prolonged.positions), std::move(prolonged.bodies)},
-      communicator);
+      most_for_factors(dof_handler.n_dofs()), communicator);
   coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator);
   renew_smoother();
 }

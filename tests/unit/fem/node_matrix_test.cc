@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/multigrid/algebraic_multigrid.h"
 #include "fem/multigrid/direct_solver.h"
 
 namespace geneva::fem::test {
@@ -69,15 +70,21 @@ TEST(NodeRanges, TellWhetherNodesAreOfOneRank) {
                 ranks[i] == ranks[j]);
 }
 
-TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
-  const Epetra_Map map = unknowns(3);
-  const NodePattern pattern(map, 3, ring(map, 3));
+/// A positive definite one, along the ring.
+SymmetricMatrix<3> ring_matrix(const Epetra_Map& map) {
   SymmetricMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
+  const NodePattern& pattern = matrix.pattern();
   for (std::size_t row = 0; row < 2; ++row)
     for (std::size_t i = pattern.block(row, static_cast<int>(row));
          i < pattern.first_block(row + 1); ++i)
       matrix.upper_block(row, pattern.place(i)) << 1., 0.2, 0.1, 0.2, 1., 0.3, 0.1, 0.3, 1.;
   for (std::size_t row = 0; row < 2; ++row) matrix.diagonal_block(row) *= 8.;
+  return matrix;
+}
+
+TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
+  const Epetra_Map map = unknowns(3);
+  const SymmetricMatrix<3> matrix = ring_matrix(map);
   const Vector solution = some_vector(map, 0.7);
   Vector load(solution);
   matrix.vmult(load, solution);
@@ -85,6 +92,25 @@ TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
   DirectSolver<3>(matrix, MPI_COMM_WORLD).vmult(found, load);
   found -= solution;
   EXPECT_LT(found.linfty_norm(), 1e-14);
+}
+
+TEST(AlgebraicMultigrid, SolvesWhatHasNoMoreUnknownsThanAreFactorised) {
+  const Epetra_Map map = unknowns(3);
+  const Vector solution = some_vector(map, 0.7);
+  const auto error = [&](const int most_for_factors) {
+    const double x = map.MinMyGID();
+    const AlgebraicMultigrid<2> multigrid({ring_matrix(map), {{x, 0.}, {x + 1., 0.2}}, {0, 0}},
+                                          most_for_factors, MPI_COMM_WORLD);
+    Vector load(solution);
+    ring_matrix(map).vmult(load, solution);
+    Vector found(solution);
+    multigrid.vmult(found, load);
+    found -= solution;
+    return found.linfty_norm();
+  };
+  const int n_unknowns = map.NumGlobalElements();
+  EXPECT_LT(error(n_unknowns), 1e-9);  // the matrix is shifted by 1e-10
+  EXPECT_GT(error(n_unknowns - 1), 1e-6);
 }
 
 }  // namespace
