@@ -16,6 +16,8 @@ namespace {
 /// Pressures below this share of the greatest one, and overlaps below this share of the approach,
 /// are round-off, not a reason to change the active set.
 constexpr double round_off = 1e-9;
+/// A new node in the middle of a face is as near to all four corners: round-off must not choose.
+constexpr unsigned int equally_near = 4;
 
 template <int dim>
 double initial_gap(const MortarRow<dim>& row) {
@@ -129,10 +131,17 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
   std::vector<bool> active;
   active.reserve(interface.rows.size());
   for (const MortarRow<3>& row : interface.rows) {
+    const dealii::Point<3>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
-    tree.query(boost::geometry::index::nearest(interface.source.nodes[row.node].position, 1),
-               std::back_inserter(nearest));
-    active.push_back(!nearest.empty() && nodes[nearest.front()].active);
+    tree.query(boost::geometry::index::nearest(place, equally_near), std::back_inserter(nearest));
+    double distance = std::numeric_limits<double>::max();
+    for (const std::size_t node : nearest)
+      distance = std::min(distance, place.distance(places[node]));
+    active.push_back(!nearest.empty() &&
+                     std::all_of(nearest.begin(), nearest.end(), [&](const std::size_t node) {
+                       return nodes[node].active ||
+                              place.distance(places[node]) > (1. + 1e-6) * distance;
+                     }));
   }
   if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
     return first_touch(interface.rows, interface.source.length);

@@ -38,7 +38,8 @@ std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, double le
 std::vector<bool> inherited(const ContactInterface<2>& interface,
                             const std::vector<ContactInterval>& intervals, double length);
 
-/// In space: the rows whose nodes are nearest to an active node of the coarser mesh.
+/// In space: the rows whose nodes are nearest to an active node of the coarser mesh, and not as
+/// near to one that is not active.
 /// @param nodes of the coarser mesh's result [m]
 std::vector<bool> inherited(const ContactInterface<3>& interface,
                             const std::vector<ContactNode<3>>& nodes, double length);

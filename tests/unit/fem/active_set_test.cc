@@ -53,6 +53,44 @@ TEST(ActiveSet, IsInheritedByTheNodesWithinTheContactOfTheCoarserMesh) {
   EXPECT_EQ(inherited(flat_pair(8), {{0.5, 1., false}}, 2.), fine) << "on a mesh in units of 2 m";
 }
 
+/// Rows with nodes at these places.
+ContactInterface<3> nodes_at(const std::vector<dealii::Point<3>>& places) {
+  ContactInterface<3> interface;
+  for (unsigned int i = 0; i < places.size(); ++i) {
+    interface.source.nodes.push_back({places[i], {}, {}, 0.});
+    interface.rows.push_back({i, 1., {}, 0., {}});
+  }
+  return interface;
+}
+
+TEST(ActiveSet, InSpaceIsInheritedByNodesBetweenActiveOnesOnly) {
+  std::vector<ContactNode<3>> coarse(4);
+  for (unsigned int i = 0; i < 4; ++i) {
+    coarse[i].position = {{i % 2 == 0 ? 0. : 2., 0., i < 2 ? 0. : 6.}};
+    coarse[i].active = i != 3;
+  }
+  // between two active corners of a face, between an active one and the other, in the middle
+  const std::vector<bool> expected{true, true, false, false, true, true, false};
+  for (const double round_off : {-1e-15, 0., 1e-15})
+    EXPECT_EQ(inherited(nodes_at({{0.5, 0., 0.},
+                                  {0.5 + round_off, 0., 0.},
+                                  {0.5 + round_off, 0., 3.},
+                                  {0.5, 0., 1.5 + round_off},
+                                  {0., 0., 1.5 + round_off},
+                                  {0.1, 0., 2.9},
+                                  {1., 0., 2.9}}),
+                        coarse, 2.),
+              expected)
+        << round_off;
+}
+
+TEST(ActiveSet, InSpaceIsFirstTouchWhereNothingIsInherited) {
+  ContactInterface<3> interface = nodes_at({{0., 0., 0.}, {1., 0., 0.}});
+  interface.rows[1].initial_gap = -0.1;
+  EXPECT_EQ(inherited(interface, std::vector<ContactNode<3>>{}, 1.),
+            (std::vector<bool>{false, true}));
+}
+
 TEST(ActiveSet, IsFirstTouchWhereNothingIsInherited) {
   ContactInterface<2> interface = flat_pair(4);
   interface.rows[1].initial_gap = -0.1;
