@@ -68,7 +68,8 @@ mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const Mechani
     const PinCase& pin = *mechanism.space;
     if (pin.hold != PinCase::Hold::core) plane = mesh::with_filled_hole(plane, "pin core");
     return mesh::extruded(plane,
-                          extrusions(plane.bodies, mechanism, state, geometry.sizing.at_contact));
+                          extrusions(plane.bodies, mechanism, state, geometry.sizing.at_contact),
+                          grading(mechanism, state));
   }
 }
 

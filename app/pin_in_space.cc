@@ -64,6 +64,14 @@ loads::PinProfile profile_of(const MechanismCase& mechanism, const MechanismStat
   return loads::logarithmic_profile(load, length, modulus, hertz.half_width);
 }
 
+/// Hertz's contact of the crowned pin.
+loads::HertzEllipse crowned_contact(const MechanismCase& mechanism, const MechanismState& state) {
+  const double crown = mechanism.space->crown_radius;
+  const double radius = state.sizes.pin_diameter / 2.;
+  return loads::hertz_ellipse(state.load.force, std::max(crown, radius), std::min(crown, radius),
+                              modulus_of(mechanism));
+}
+
 /// How much longer than wide the cells are. The pressure changes faster along a crowned pin (half
 /// of the ratio of its elliptical contact's axes) and along a tilted one, which touches at an end.
 double aspect_ratio(const MechanismCase& mechanism, const MechanismState& state) {
@@ -71,10 +79,7 @@ double aspect_ratio(const MechanismCase& mechanism, const MechanismState& state)
   if (pin.profile != Profile::crown && pin.tilt != 0.) return cells_at_an_end;
   if (pin.profile == Profile::logarithmic) return cells_in_logarithm;
   if (pin.profile != Profile::crown) return longest_cells;
-  const double radius = state.sizes.pin_diameter / 2.;
-  const loads::HertzEllipse ellipse =
-      loads::hertz_ellipse(state.load.force, std::max(pin.crown_radius, radius),
-                           std::min(pin.crown_radius, radius), modulus_of(mechanism));
+  const loads::HertzEllipse ellipse = crowned_contact(mechanism, state);
   const double ratio = ellipse.semi_axis_long / ellipse.semi_axis_short;
   return std::clamp(ratio / 2., 1., longest_cells);
 }
@@ -167,6 +172,15 @@ std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
   std::vector<mesh::Extrusion> result;
   for (const std::string& body : bodies) result.push_back(body == "wheel" ? wheel : rod);
   return result;
+}
+
+std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state) {
+  const double half = state.sizes.thickness / 2.;
+  const Profile profile = mechanism.space->profile;
+  if (profile == Profile::logarithmic) return std::nullopt;
+  if (profile == Profile::crown && crowned_contact(mechanism, state).semi_axis_long < half)
+    return std::nullopt;
+  return mesh::Grading{half};
 }
 
 std::string pin_holder(const PinCase& pin) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const Mec
 std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
                                         const MechanismCase& mechanism, const MechanismState& state,
                                         double cell);
+
+/// Of the layers towards the wheel's faces, if the contact reaches them and no profile unloads it
+/// there.
+std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state);
 
 /// Name of the surface that holds the pin: "pin root" or "pin core".
 std::string pin_holder(const PinCase& pin);

@@ -50,7 +50,8 @@ std::vector<unsigned int> add_vertices(const MeshData<2>& plane,
   for (std::size_t i = 0; i < plane.vertices.size(); ++i) {
     first.push_back(static_cast<unsigned int>(mesh.vertices.size()));
     for (const double z : bodies[body[i]].planes)
-      mesh.vertices.push_back({plane.vertices[i][0], plane.vertices[i][1], z});
+      mesh.vertices.push_back({plane.vertices[i][0], plane.vertices[i][1],
+                               mesh.grading ? graded(*mesh.grading, z) : z});
   }
   return first;
 }
@@ -82,12 +83,14 @@ void add_strip(const Face<2>& edge, const std::size_t layers,
 
 }  // namespace
 
-MeshData<3> extruded(const MeshData<2>& plane, const std::vector<Extrusion>& bodies) {
+MeshData<3> extruded(const MeshData<2>& plane, const std::vector<Extrusion>& bodies,
+                     const std::optional<Grading>& grading) {
   check(plane, bodies);
   MeshData<3> mesh;
   mesh.circles = plane.circles;
   mesh.bodies = plane.bodies;
   mesh.surfaces = plane.surfaces;
+  mesh.grading = grading;
   const std::vector<unsigned int> first = add_vertices(plane, bodies, mesh);
   for (const Cell<2>& quad : plane.cells) add_column(quad, bodies[quad.body], first, mesh);
   const std::vector<unsigned int> body = body_of_vertex(plane);

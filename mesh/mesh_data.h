@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "mesh/grading.h"
 
 namespace geneva::mesh {
 
@@ -49,6 +52,7 @@ struct MeshData {
   std::vector<Circle> circles;
   std::vector<std::string> bodies;
   std::vector<std::string> surfaces;
+  std::optional<Grading> grading;  ///< of the layers along z that refinement makes; in space only
 };
 
 /// The faces of a cell: counter-clockwise edges, or quadrilaterals counter-clockwise as seen from

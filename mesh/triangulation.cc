@@ -9,6 +9,8 @@
 #include <memory>
 #include <utility>
 
+#include "mesh/graded_manifold.h"
+
 namespace geneva::mesh {
 
 namespace {
@@ -47,6 +49,8 @@ FlatMesh flatten(const MeshData<dim>& mesh) {
     flat.integers.push_back(face.surface);
     flat.integers.push_back(static_cast<unsigned int>(face.circle + 1));
   }
+  flat.integers.push_back(mesh.grading ? 1 : 0);
+  if (mesh.grading) flat.reals.push_back(mesh.grading->half_length);
   flat.names = mesh.bodies;
   flat.names.insert(flat.names.end(), mesh.surfaces.begin(), mesh.surfaces.end());
   return flat;
@@ -77,6 +81,7 @@ MeshData<dim> unflatten(const FlatMesh& flat) {
     face.surface = *integer++;
     face.circle = static_cast<int>(*integer++) - 1;
   }
+  if (*integer++ == 1) mesh.grading = Grading{*real++};
   const auto surfaces_begin = flat.names.begin() + flat.integers[4];
   mesh.bodies.assign(flat.names.begin(), surfaces_begin);
   mesh.surfaces.assign(surfaces_begin, flat.names.end());
@@ -145,6 +150,29 @@ std::unique_ptr<dealii::Manifold<dim>> manifold(const Circle& circle, const doub
   return std::make_unique<dealii::SphericalManifold<dim>>(centre);
 }
 
+/// Manifold of the flat faces, the straight edges and the interior of graded layers.
+constexpr dealii::types::manifold_id straight = 0;
+
+void set_graded_manifolds(dealii::Triangulation<3>& triangulation, const MeshData<3>& mesh,
+                          const double length) {
+  const Grading grading{mesh.grading->half_length / length};
+  for (unsigned int i = 0; i < mesh.circles.size(); ++i)
+    triangulation.set_manifold(i + 1,
+                               GradedManifold(manifold<3>(mesh.circles[i], length), grading));
+  triangulation.set_manifold(straight,
+                             GradedManifold(std::make_unique<dealii::FlatManifold<3>>(), grading));
+  const auto is_flat = [](const auto& object) {
+    return object->manifold_id() == dealii::numbers::flat_manifold_id;
+  };
+  for (const auto& cell : triangulation.active_cell_iterators()) {
+    cell->set_manifold_id(straight);
+    for (const auto& face : cell->face_iterators())
+      if (is_flat(face)) face->set_manifold_id(straight);
+    for (const unsigned int line : cell->line_indices())
+      if (is_flat(cell->line(line))) cell->line(line)->set_manifold_id(straight);
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -167,6 +195,8 @@ std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> make_triangul
     triangulation->set_manifold(i + 1, *manifold<dim>(mesh.circles[i], length));
   triangulation->create_triangulation(vertices, cell_data(mesh), boundary_data(mesh));
   bend_lines(*triangulation);
+  if constexpr (dim == 3)
+    if (mesh.grading) set_graded_manifolds(*triangulation, mesh, length);
   return triangulation;
 }
 

@@ -15,7 +15,8 @@ MeshData<dim> broadcast(MPI_Comm communicator, const MeshData<dim>& mesh);
 
 /// Makes the distributed coarse mesh: material ids are body indices, boundary ids surface indices,
 /// and every face on a circle or cylinder carries a manifold (id 1 + circle index), so that
-/// refinement follows the true one.
+/// refinement follows the true one. Where layers are graded, all else carries the manifold 0, which
+/// keeps them so.
 /// @param mesh the same on all ranks
 /// @param length unit of length of the triangulation [m]: vertices are divided by it
 template <int dim>

@@ -48,6 +48,22 @@ std::map<std::string, double> areas(
   return result;
 }
 
+/// The surfaces of the ring, in units of half a metre.
+void expect_on_cylinders(const MeshData<3>& mesh,
+                         const dealii::parallel::distributed::Triangulation<3>& triangulation) {
+  for (const auto& cell : triangulation.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary()) continue;
+      const std::string& name = mesh.surfaces[face->boundary_id()];
+      if (name != "core" && name != "mantle") continue;
+      for (unsigned int vertex = 0; vertex < 4; ++vertex)
+        EXPECT_NEAR(std::hypot(face->vertex(vertex)[0] - 10., face->vertex(vertex)[1]),
+                    name == "core" ? 2. : 4., 1e-13);
+    }
+  }
+}
+
 TEST(ExtrudedMesh, HasALayerOfCellsBetweenNeighbouringPlanesOfEachBody) {
   const MeshData<3> mesh = drawn_out();
   EXPECT_EQ(mesh.cells.size(), 2U * 2U + 8U * 3U);
@@ -76,17 +92,7 @@ TEST(ExtrudedMesh, IsRefinedOnTheTrueCylinders) {
   const MeshData<3> mesh = drawn_out();
   const auto triangulation = make_triangulation(MPI_COMM_WORLD, mesh, 0.5);
   triangulation->refine_global(2);
-  for (const auto& cell : triangulation->active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    for (const auto& face : cell->face_iterators()) {
-      if (!face->at_boundary()) continue;
-      const std::string& name = mesh.surfaces[face->boundary_id()];
-      if (name != "core" && name != "mantle") continue;
-      for (unsigned int vertex = 0; vertex < 4; ++vertex)
-        EXPECT_NEAR(std::hypot(face->vertex(vertex)[0] - 10., face->vertex(vertex)[1]),
-                    name == "core" ? 2. : 4., 1e-13);
-    }
-  }
+  expect_on_cylinders(mesh, *triangulation);
   // a quarter of the angle's defect each time the edges are halved
   const double exact = (3. * 1. * 2. + pi * 3. * 5.) * 8.;
   const double defect = std::abs(dealii::GridTools::volume(*triangulation) / exact - 1.);
@@ -94,11 +100,33 @@ TEST(ExtrudedMesh, IsRefinedOnTheTrueCylinders) {
   EXPECT_GT(defect, 0.004);
 }
 
+TEST(ExtrudedMesh, KeepsItsLayersGradedWhenItIsRefined) {
+  const Grading grading{1.};
+  const MeshData<3> mesh =
+      extruded(block_and_ring(), {{{-1., 0.5, 1.}, "", ""}, {{-2., -1., 1.}, "", ""}}, grading);
+  constexpr double unit = 0.5;
+  const auto triangulation = make_triangulation(MPI_COMM_WORLD, mesh, unit);
+  triangulation->refine_global(2);
+  for (const auto& cell : triangulation->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    for (const unsigned int i : cell->vertex_indices()) {
+      const dealii::Point<3> vertex = cell->vertex(i) * unit;
+      const double eighths = 8. * even(grading, vertex[2]);
+      EXPECT_NEAR(eighths, std::round(eighths), 1e-12);
+    }
+  }
+  expect_on_cylinders(mesh, *triangulation);
+}
+
 TEST(ExtrudedMesh, IsTheSameAfterItsWayBetweenTheRanks) {
-  const MeshData<3> mesh = drawn_out();
+  MeshData<3> mesh = drawn_out();
+  EXPECT_FALSE(broadcast(MPI_COMM_WORLD, mesh).grading);
+  mesh.grading = Grading{1.5};
   const MeshData<3> sent = broadcast(MPI_COMM_WORLD, mesh);
   EXPECT_EQ(sent.vertices, mesh.vertices);
   EXPECT_EQ(sent.surfaces, mesh.surfaces);
+  ASSERT_TRUE(sent.grading);
+  EXPECT_EQ(sent.grading->half_length, 1.5);
   ASSERT_EQ(sent.cells.size(), mesh.cells.size());
   ASSERT_EQ(sent.faces.size(), mesh.faces.size());
   for (std::size_t i = 0; i < mesh.cells.size(); ++i)
