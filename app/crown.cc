@@ -34,9 +34,11 @@ namespace {
 
 using Profile = PinCase::Profile;
 
-/// The search needs the line load's shape only.
+/// The search needs the line load's shape only. On the scan's coarse meshes its greatest mean is
+/// off by up to 3 %, on those that follow by 0.1 %.
 constexpr double search_accuracy = 0.2;
-constexpr unsigned int search_unknowns = 100000;
+constexpr unsigned int scan_unknowns = 100000;
+constexpr unsigned int search_unknowns = 400000;
 /// The scan's steps, by this factor of the size, and where it begins and ends in steps.
 const double scan_step = std::log(3.);
 constexpr int scan_reach = 1;
@@ -119,11 +121,12 @@ Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings
           fem::is_success(solution.outcome)};
 }
 
-/// Looks for the size of the least ratio: a scan by equal factors, begun around the first size and
-/// carried on while its least value is at an end; then Brent's method between the neighbours.
+using Ratio = std::function<double(double)>;
+
+/// Logarithms of two sizes with that of the least ratio in between: a scan by equal factors, begun
+/// around the first size and carried on while its least value is at an end.
 /// @param first >= least
-void try_sizes(const double first, const double least,
-               const std::function<double(double)>& ratio_at) {
+std::pair<double, double> scan(const double first, const double least, const Ratio& ratio_at) {
   const auto at = [&](const int step) { return std::log(first) + step * scan_step; };
   const auto is_allowed = [&](const int step) { return step == 0 || std::exp(at(step)) >= least; };
   std::map<int, double> ratios;
@@ -140,11 +143,17 @@ void try_sizes(const double first, const double least,
     if (next == step || !is_allowed(next)) break;
     ratios[next] = ratio_at(std::exp(at(next)));
   }
-  std::uintmax_t steps = most_steps;
   const int below = best()->first - 1;
-  boost::math::tools::brent_find_minima(
-      [&](const double logarithm) { return ratio_at(std::exp(logarithm)); },
-      is_allowed(below) ? at(below) : std::log(least), at(best()->first + 1), search_bits, steps);
+  return {is_allowed(below) ? at(below) : std::log(least), at(best()->first + 1)};
+}
+
+/// The size of the least ratio by Brent's method.
+double least_uneven(const std::pair<double, double>& logarithms, const Ratio& ratio_at) {
+  std::uintmax_t steps = most_steps;
+  const auto [logarithm, ratio] = boost::math::tools::brent_find_minima(
+      [&](const double at) { return ratio_at(std::exp(at)); }, logarithms.first, logarithms.second,
+      search_bits, steps);
+  return std::exp(logarithm);
 }
 
 post::CrownReport search(const MPI_Comm communicator, const Case& given,
@@ -155,23 +164,23 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given,
   report.profile = is_logarithmic(given) ? "logarithmic" : "crown";
   report.parameter = is_logarithmic(given) ? "Profile amplitude" : "Crown radius";
   const post::OutputUnit length = post::output_unit(given.units, post::Dimension::length);
-  fem::Settings coarse = given.settings;
-  coarse.accuracy = std::max(search_accuracy, coarse.accuracy);
-  coarse.max_dofs = std::min(search_unknowns, coarse.max_dofs);
-  const auto ratio_at = [&](const double size) {
-    for (const post::CrownTrial& trial : report.trials)
-      if (trial.size == size) return trial.ratio;
-    const double ratio = solve(communicator, with_size(given, size), coarse).load.ratio();
-    report.trials.push_back({size, ratio});
-    progress.line(fmt::format("{} {:>10.4g} {}: greatest over even line load {:.4f}",
-                              report.parameter, size * length.factor, length.name, ratio));
-    return ratio;
+  const auto ratio_with = [&](const unsigned int unknowns, const bool is_scan) {
+    fem::Settings settings = given.settings;
+    settings.accuracy = std::max(search_accuracy, settings.accuracy);
+    settings.max_dofs = std::min(unknowns, settings.max_dofs);
+    return [&, settings, is_scan](const double size) {
+      const double ratio = solve(communicator, with_size(given, size), settings).load.ratio();
+      report.trials.push_back({size, ratio, is_scan});
+      progress.line(fmt::format("{} {:>10.4g} {}: greatest over even line load {:.4f}",
+                                report.parameter, size * length.factor, length.name, ratio));
+      return ratio;
+    };
   };
   const double least = least_size(given);
-  try_sizes(std::max(first_size(given), least), least, ratio_at);
-  report.size = std::min_element(report.trials.begin(), report.trials.end(),
-                                 [](const auto& a, const auto& b) { return a.ratio < b.ratio; })
-                    ->size;
+  const auto range =
+      scan(std::max(first_size(given), least), least, ratio_with(scan_unknowns, true));
+  progress.line("on finer meshes");
+  report.size = least_uneven(range, ratio_with(search_unknowns, false));
   return report;
 }
 

@@ -87,7 +87,9 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
 json crown_summary(const CrownReport& report) {
   json trials = json::array();
   for (const CrownTrial& trial : report.trials)
-    trials.push_back({{"size", quantity(trial.size, "m")}, {"ratio", trial.ratio}});
+    trials.push_back({{"size", quantity(trial.size, "m")},
+                      {"ratio", trial.ratio},
+                      {"meshes", trial.is_scan ? "coarse" : "finer"}});
   return {{"case", case_section(report.about)},
           {"crown",
            {{"profile", report.profile},

@@ -42,6 +42,7 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
 struct CrownTrial {
   double size;   ///< crown radius, or amplitude of the logarithmic profile [m]
   double ratio;  ///< greatest over even line load
+  bool is_scan;  ///< on coarse meshes, before the search on finer ones
 };
 
 /// What `geneva design --crown` finds.
@@ -52,7 +53,7 @@ struct CrownReport {
   std::string profile;             ///< "crown" or "logarithmic"
   double size;                     ///< found [m]
   double drop;                     ///< of the profile at the wheel's faces [m]
-  std::vector<CrownTrial> trials;  ///< on coarse meshes, in their order
+  std::vector<CrownTrial> trials;  ///< in their order
   LoadEvenness before;             ///< the case as it is
   LoadEvenness after;
 };

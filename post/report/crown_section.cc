@@ -76,13 +76,15 @@ Chart along_pin(const CsvTable& table, const char* const column, const std::stri
 Chart search_chart(const json& crown, const UnitSystem units) {
   const std::string parameter = crown.at("crown").at("parameter");
   Chart chart{"chart-crown-search",
-              "The search, on coarse meshes",
+              "The search",
               fmt::format("Greatest over even line load against the {}", parameter),
               {labelled(parameter, Dimension::length, units), true},
               {"greatest over even line load"},
-              {{"tried", SeriesStyle::markers, {}}}};
+              {}};
+  for (const char* const meshes : {"coarse", "finer"})
+    chart.series.push_back({fmt::format("on {} meshes", meshes), SeriesStyle::markers, {}});
   for (const json& trial : crown.at("search"))
-    chart.series[0].points.push_back(
+    chart.series[trial.at("meshes") == "coarse" ? 0 : 1].points.push_back(
         {in_units(trial.at("size"), Dimension::length, units), trial.at("ratio").get<double>()});
   return chart;
 }
