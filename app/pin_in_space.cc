@@ -26,14 +26,22 @@ constexpr double longest_bent_cells = 0.4;
 /// Free lengths beside the wheel over the pin diameter, unless the case gives them.
 constexpr double default_free_length = 0.25;
 
-/// Adds planes from the last one to `end`, in layers of about the given height.
-void add_layers(std::vector<double>& planes, const double end, const double height) {
+using Grading = std::optional<mesh::Grading>;
+
+/// Adds planes from the last one to `end`, in layers of about the given height in the mean.
+void add_layers(std::vector<double>& planes, const double end, const double height,
+                const Grading& grading) {
   const double start = planes.back();
   const double rounding = 1e-9 * height;
   if (end - start <= rounding) return;
   const int layers = std::max(1, static_cast<int>(std::lround((end - start) / height)));
-  for (int i = 1; i <= layers; ++i)
-    planes.push_back(i == layers ? end : start + (end - start) * i / layers);
+  const double even_start = grading ? mesh::even(*grading, start) : start;
+  const double even_end = grading ? mesh::even(*grading, end) : end;
+  for (int i = 1; i < layers; ++i) {
+    const double place = even_start + (even_end - even_start) * i / layers;
+    planes.push_back(grading ? mesh::graded(*grading, place) : place);
+  }
+  planes.push_back(end);
 }
 
 double modulus_of(const MechanismCase& mechanism) {
@@ -155,20 +163,21 @@ std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
   const double half = sizes.thickness / 2.;
   const double height = aspect_ratio(mechanism, state) * cell;
   const double bent = std::min(height, longest_bent_cells * sizes.pin_diameter);
+  const Grading layers = grading(mechanism, state);
   const bool held_twice = pin.hold == Hold::both_ends;
   const bool is_half = is_half_model(mechanism);
   mesh::Extrusion wheel{{is_half ? 0. : -half}, is_half ? "wheel middle" : "faces", "faces"};
-  add_layers(wheel.planes, half, height);
+  add_layers(wheel.planes, half, height, layers);
   mesh::Extrusion rod{{-half - (held_twice ? lengths.root_gap : lengths.overhang)},
                       held_twice ? "pin root" : "pin tip",
                       pin.hold == Hold::core ? "pin tip" : "pin root"};
   if (is_half)
     rod = {{0.}, "pin middle", "pin root"};
   else
-    add_layers(rod.planes, -half, bent);
-  add_layers(rod.planes, half, height);
+    add_layers(rod.planes, -half, bent, layers);
+  add_layers(rod.planes, half, height, layers);
   add_layers(rod.planes, half + (pin.hold == Hold::core ? lengths.overhang : lengths.root_gap),
-             bent);
+             bent, layers);
   std::vector<mesh::Extrusion> result;
   for (const std::string& body : bodies) result.push_back(body == "wheel" ? wheel : rod);
   return result;

@@ -50,8 +50,7 @@ std::vector<unsigned int> add_vertices(const MeshData<2>& plane,
   for (std::size_t i = 0; i < plane.vertices.size(); ++i) {
     first.push_back(static_cast<unsigned int>(mesh.vertices.size()));
     for (const double z : bodies[body[i]].planes)
-      mesh.vertices.push_back({plane.vertices[i][0], plane.vertices[i][1],
-                               mesh.grading ? graded(*mesh.grading, z) : z});
+      mesh.vertices.push_back({plane.vertices[i][0], plane.vertices[i][1], z});
   }
   return first;
 }

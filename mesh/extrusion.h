@@ -18,8 +18,7 @@ struct Extrusion {
 /// Draws every body of a plane mesh out along z: quadrilaterals become columns of hexahedra, edges
 /// of the boundary strips of faces of the same surface and circle.
 /// @param bodies one for each body of the mesh
-/// @param grading of the layers, also of those that refinement makes; without it planes stay where
-/// they are
+/// @param grading of the layers that refinement makes between the planes
 /// @throws std::invalid_argument if their number differs, or if planes are fewer than two or do not
 /// ascend
 MeshData<3> extruded(const MeshData<2>& plane, const std::vector<Extrusion>& bodies,

@@ -103,7 +103,8 @@ TEST(ExtrudedMesh, IsRefinedOnTheTrueCylinders) {
 TEST(ExtrudedMesh, KeepsItsLayersGradedWhenItIsRefined) {
   const Grading grading{1.};
   const MeshData<3> mesh =
-      extruded(block_and_ring(), {{{-1., 0.5, 1.}, "", ""}, {{-2., -1., 1.}, "", ""}}, grading);
+      extruded(block_and_ring(),
+               {{{-1., graded(grading, 0.5), 1.}, "", ""}, {{-2., -1., 1.}, "", ""}}, grading);
   constexpr double unit = 0.5;
   const auto triangulation = make_triangulation(MPI_COMM_WORLD, mesh, unit);
   triangulation->refine_global(2);
