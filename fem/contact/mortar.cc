@@ -21,6 +21,10 @@ constexpr double least_coverage = 1e-6;
 /// Below this reciprocal condition the covered sliver of a face is too thin for a basis of its own.
 constexpr double least_condition = 1e-14;
 
+/// Couplings below this share of a row's weight are roundings: between a node and those of other
+/// layers, where the two surfaces have the same layers.
+constexpr double least_coupling = 1e-12;
+
 template <int dim>
 using FaceMatrix = Eigen::Matrix<double, n_face_nodes<dim>, n_face_nodes<dim>>;
 
@@ -75,6 +79,15 @@ void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
       for (std::size_t k = 0; k < n; ++k)
         row.coupling[p.target_nodes[k]] += p.weight * psi * p.target_shapes[k] * p.normal;
     }
+}
+
+/// The couplings without those that are roundings.
+template <int dim>
+std::vector<std::pair<unsigned int, Tensor<1, dim>>> couplings(const RowSum<dim>& sum) {
+  std::vector<std::pair<unsigned int, Tensor<1, dim>>> result;
+  for (const auto& [target, coupling] : sum.coupling)
+    if (coupling.norm() > least_coupling * sum.weight) result.emplace_back(target, coupling);
+  return result;
 }
 
 /// Rows as flat vectors, which is what travels between the ranks.
@@ -154,11 +167,7 @@ std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surfac
   for (unsigned int node = 0; node < sums.size(); ++node) {
     const RowSum<dim>& sum = sums[node];
     if (sum.weight <= least_coverage * sum.full_weight) continue;
-    rows.push_back({node,
-                    sum.weight,
-                    sum.normal / sum.weight,
-                    sum.gap,
-                    {sum.coupling.begin(), sum.coupling.end()}});
+    rows.push_back({node, sum.weight, sum.normal / sum.weight, sum.gap, couplings(sum)});
   }
   return rows;
 }

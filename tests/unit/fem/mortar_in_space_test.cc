@@ -149,11 +149,23 @@ TEST(MortarInSpace, MatchingFacesCoupleNodeToNode) {
   const auto pairs = all_pairs();
   for (const MortarRow<3>& row : mortar_rows(pairs[0].source, pairs[0].target, data())) {
     const Point<3>& here = pairs[0].source.nodes[row.node].position;
-    for (const auto& [node, coupling] : row.coupling) {
-      const Point<3>& there = pairs[0].target.nodes[node].position;
-      const bool is_opposite = std::hypot(here[0] - there[0], here[2] - there[2]) < 1e-9;
-      EXPECT_NEAR(coupling.norm(), is_opposite ? row.weight : 0., round_off);
-    }
+    ASSERT_EQ(row.coupling.size(), 1U);
+    const auto& [node, coupling] = row.coupling.front();
+    const Point<3>& there = pairs[0].target.nodes[node].position;
+    EXPECT_NEAR(std::hypot(here[0] - there[0], here[2] - there[2]), 0., 1e-9);
+    EXPECT_NEAR(coupling.norm(), row.weight, round_off);
+  }
+}
+
+TEST(MortarInSpace, SurfacesWithTheSameLayersCoupleNodesOfTheSameLayer) {
+  const Surface<3> source = underside(7, 5, 1., 1., 0.1);
+  const Surface<3> target = plate(5, 4, 1., 1.);
+  for (const MortarRow<3>& row : mortar_rows(source, target, data())) {
+    const bool is_at_end = std::abs(source.nodes[row.node].position[0]) > 1. - 1e-9;
+    EXPECT_EQ(row.coupling.size() < 2, is_at_end);
+    for (const auto& coupling : row.coupling)
+      EXPECT_NEAR(target.nodes[coupling.first].position[2], source.nodes[row.node].position[2],
+                  1e-9);
   }
 }
 
