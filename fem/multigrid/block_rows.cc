@@ -80,12 +80,12 @@ std::vector<int> ColumnNodes::numbers() const {
   return result;
 }
 
-Epetra_Map ColumnNodes::unknowns_of_others(const int of_each,
-                                           const Epetra_Comm& communicator) const {
+std::vector<int> ColumnNodes::unknowns_of_others(const int of_each) const {
   std::vector<int> result;
+  result.reserve(others_.size() * static_cast<std::size_t>(of_each));
   for (const int number : others_)
     for (int i = 0; i < of_each; ++i) result.push_back(number * of_each + i);
-  return {-1, static_cast<int>(result.size()), result.data(), 0, communicator};
+  return result;
 }
 
 std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unknowns,

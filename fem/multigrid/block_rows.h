@@ -51,8 +51,8 @@ class ColumnNodes {
   [[nodiscard]] int place_of(int node) const;
   /// The nodes in the order of their places.
   [[nodiscard]] std::vector<int> numbers() const;
-  /// The unknowns of other ranks' nodes.
-  [[nodiscard]] Epetra_Map unknowns_of_others(int of_each, const Epetra_Comm& communicator) const;
+  /// The unknowns of other ranks' nodes, ascending.
+  [[nodiscard]] std::vector<int> unknowns_of_others(int of_each) const;
 
  private:
   OwnNodes own_;

@@ -45,8 +45,8 @@ std::vector<int> Elimination::others() const {
 }
 
 void Elimination::distribute(Vector& vector) const {
-  const double* const others = pattern_.on_others(vector.trilinos_vector());
   double* const own = vector.trilinos_vector()[0];
+  const double* const others = pattern_.on_others(own);
   const auto n_own = static_cast<int>(pattern_.own().size());
   for (std::size_t i = 0; i < own_.size(); ++i) {
     double value = 0.;
@@ -58,26 +58,41 @@ void Elimination::distribute(Vector& vector) const {
 
 void Elimination::collect(Vector& vector) const {
   const auto n_own = static_cast<int>(pattern_.own().size());
-  pattern_.add(vector.trilinos_vector(), [&](double* const own, double* const others) {
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-      double& value = own[own_[i].unknown];
-      for (const auto& [place, share] : place_shares_[i])
-        (place < n_own ? own[place] : others[place - n_own]) += share * value;
-      value = 0.;
-    }
-  });
+  double* const values = vector.trilinos_vector()[0];
+  pattern_.add(
+      values,
+      [&](double* const others) {
+        for (std::size_t i = 0; i < own_.size(); ++i)
+          for (const auto& [place, share] : place_shares_[i])
+            if (place >= n_own) others[place - n_own] += share * values[own_[i].unknown];
+      },
+      [&](double* const own) {
+        for (std::size_t i = 0; i < own_.size(); ++i)
+          for (const auto& [place, share] : place_shares_[i])
+            if (place < n_own) own[place] += share * values[own_[i].unknown];
+        for (const Line& line : own_) values[line.unknown] = 0.;
+      });
 }
 
 std::vector<double> Elimination::sum(const std::map<int, double>& values) const {
   const auto n_own = static_cast<int>(pattern_.own().size());
-  Epetra_MultiVector sums(pattern_.unknowns(), 1);
-  pattern_.sum(sums, [&](double* const own, double* const others) {
-    for (const auto& [unknown, value] : values) {
-      const int place = pattern_.place_of(unknown);
-      (place < n_own ? own[place] : others[place - n_own]) += value;
-    }
-  });
-  return {sums[0], sums[0] + n_own};
+  std::vector<double> sums(pattern_.own().size(), 0.);
+  const auto visit = [&](const auto& add) {
+    for (const auto& [unknown, value] : values) add(pattern_.place_of(unknown), value);
+  };
+  pattern_.add(
+      sums.data(),
+      [&](double* const others) {
+        visit([&](const int place, const double value) {
+          if (place >= n_own) others[place - n_own] += value;
+        });
+      },
+      [&](double* const own) {
+        visit([&](const int place, const double value) {
+          if (place < n_own) own[place] += value;
+        });
+      });
+  return sums;
 }
 
 }  // namespace geneva::fem

@@ -34,10 +34,18 @@ NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
     for (const int number : list) places_.push_back(columns_.place_of(number));
     std::sort(places_.begin() + first, places_.end());
   }
-  if (unknowns.Comm().NumProc() == 1) return;
-  const Epetra_Map others = columns_.unknowns_of_others(of_each, unknowns.Comm());
-  import_ = std::make_unique<Epetra_Import>(others, unknowns_);
-  others_ = std::make_unique<Epetra_MultiVector>(others, 1);
+  find_blocks_beyond();
+  if (unknowns.Comm().NumProc() > 1)
+    exchange_ = std::make_unique<Exchange>(unknowns_, columns_.unknowns_of_others(of_each));
+}
+
+void NodePattern::find_blocks_beyond() {
+  const auto n_own = static_cast<int>(own_.size());
+  for (std::size_t row = 0; row < n_rows(); ++row) {
+    const std::size_t end = first_block(row + 1);
+    const std::size_t first = block(row, n_own);
+    if (first < end) blocks_beyond_.push_back({row, first, end});
+  }
 }
 
 std::size_t NodePattern::block(const std::size_t row, const int place) const {
@@ -46,35 +54,37 @@ std::size_t NodePattern::block(const std::size_t row, const int place) const {
   return static_cast<std::size_t>(std::lower_bound(begin, end, place) - places_.begin());
 }
 
-const double* NodePattern::on_others(const Epetra_MultiVector& of_own) const {
-  if (!import_) return nullptr;
-  others_->Import(of_own, *import_, Insert);
-  return (*others_)[0];
-}
-
 std::vector<double> NodePattern::on_all_nodes(const std::vector<double>& of_own_nodes) const {
   Epetra_MultiVector own(unknowns_, 1);
   for (std::size_t node = 0; node < of_own_nodes.size(); ++node)
     own[0][node * of_each_] = of_own_nodes[node];
-  const double* const others = on_others(own);
+  const double* const others = on_others(own[0]);
   std::vector<double> result = of_own_nodes;
   for (std::size_t node = own_.size(); node < n_places(); ++node)
     result.push_back(others[(node - own_.size()) * of_each_]);
   return result;
 }
 
-void NodePattern::sum(Epetra_MultiVector& of_own,
-                      const std::function<void(double*, double*)>& add) const {
-  of_own.PutScalar(0.);
-  this->add(of_own, add);
+/// Visits (row, place, block) for the blocks in columns of this rank.
+template <int n, int m>
+template <typename Visit>
+void NodeMatrix<n, m>::visit_own_blocks(const Visit& visit) const {
+  const auto n_own = static_cast<int>(pattern_.own().size());
+  for (std::size_t row = 0; row < pattern_.n_rows(); ++row)
+    for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
+      const int place = pattern_.place(i);
+      if (place >= n_own) break;
+      visit(row, static_cast<std::size_t>(place), blocks_[i]);
+    }
 }
 
-void NodePattern::add(Epetra_MultiVector& of_own,
-                      const std::function<void(double*, double*)>& add) const {
-  if (!import_) return add(of_own[0], nullptr);
-  others_->PutScalar(0.);
-  add(of_own[0], (*others_)[0]);
-  of_own.Export(*others_, *import_, Add);
+/// Visits (row, place among them, block) for the blocks in columns of other ranks.
+template <int n, int m>
+template <typename Visit>
+void NodeMatrix<n, m>::visit_blocks_beyond(const Visit& visit) const {
+  for (const NodePattern::BlocksBeyond& blocks : pattern_.blocks_beyond())
+    for (std::size_t i = blocks.first; i < blocks.end; ++i)
+      visit(blocks.row, pattern_.place_beyond(i), blocks_[i]);
 }
 
 template <int n, int m>
@@ -87,33 +97,41 @@ template <int n, int m>
 void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
   using Part = Eigen::Matrix<double, m, 1>;
   const double* const own = vector.trilinos_vector()[0];
-  const double* const others = pattern_.on_others(vector.trilinos_vector());
   double* const to = result.trilinos_vector()[0];
-  const auto n_own = static_cast<int>(pattern_.own().size());
-  for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
-    Eigen::Map<Eigen::Matrix<double, n, 1>> sum(to + n * row);
-    for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
-      const int place = pattern_.place(i);
-      const double* const values = place < n_own ? own + m * place : others + m * (place - n_own);
-      sum.noalias() += blocks_[i] * Eigen::Map<const Part>(values);
-    }
-  }
+  const auto part_of = [&](const std::size_t row) {
+    return Eigen::Map<Eigen::Matrix<double, n, 1>>(to + n * row);
+  };
+  const double* const others = pattern_.on_others(own, [&] {
+    visit_own_blocks([&](const std::size_t row, const std::size_t place, const Block& block) {
+      part_of(row).noalias() += block * Eigen::Map<const Part>(own + m * place);
+    });
+  });
+  visit_blocks_beyond([&](const std::size_t row, const std::size_t place, const Block& block) {
+    part_of(row).noalias() += block * Eigen::Map<const Part>(others + m * place);
+  });
 }
 
 template <int n, int m>
 void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
+  using Part = Eigen::Matrix<double, m, 1>;
   const double* const from = vector.trilinos_vector()[0];
-  const auto n_own = static_cast<int>(pattern_.own().size());
-  pattern_.sum(result.trilinos_vector(), [&](double* const own, double* const others) {
-    for (std::size_t row = 0; row < pattern_.n_rows(); ++row) {
-      const Eigen::Map<const Eigen::Matrix<double, n, 1>> of_row(from + n * row);
-      for (std::size_t i = pattern_.first_block(row); i < pattern_.first_block(row + 1); ++i) {
-        const int place = pattern_.place(i);
-        double* const to = place < n_own ? own + m * place : others + m * (place - n_own);
-        Eigen::Map<Eigen::Matrix<double, m, 1>>(to).noalias() += blocks_[i].transpose() * of_row;
-      }
-    }
-  });
+  const auto part_of = [&](const std::size_t row) {
+    return Eigen::Map<const Eigen::Matrix<double, n, 1>>(from + n * row);
+  };
+  result = 0.;
+  pattern_.add(
+      result.trilinos_vector()[0],
+      [&](double* const others) {
+        visit_blocks_beyond(
+            [&](const std::size_t row, const std::size_t place, const Block& block) {
+              Eigen::Map<Part>(others + m * place).noalias() += block.transpose() * part_of(row);
+            });
+      },
+      [&](double* const own) {
+        visit_own_blocks([&](const std::size_t row, const std::size_t place, const Block& block) {
+          Eigen::Map<Part>(own + m * place).noalias() += block.transpose() * part_of(row);
+        });
+      });
 }
 
 template <int n, int m>

@@ -2,16 +2,15 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <Epetra_Import.h>
 #include <Epetra_Map.h>
 #include <Epetra_MultiVector.h>
 #include <Eigen/Core>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "fem/multigrid/block_rows.h"
+#include "fem/multigrid/exchange.h"
 
 namespace geneva::fem {
 
@@ -37,26 +36,45 @@ class NodePattern {
   [[nodiscard]] std::size_t first_block(const std::size_t row) const { return first_blocks_[row]; }
   /// Place of a block's column, ascending in a row.
   [[nodiscard]] int place(const std::size_t block) const { return places_[block]; }
-  /// The block of two nodes that are coupled.
+  /// Place of a block's column among those of other ranks' nodes.
+  /// @param block of a column of another rank
+  [[nodiscard]] std::size_t place_beyond(const std::size_t block) const {
+    return static_cast<std::size_t>(places_[block]) - own_.size();
+  }
+  /// The block of two nodes that are coupled; if they are not, that of the next column.
   [[nodiscard]] std::size_t block(std::size_t row, int place) const;
 
   [[nodiscard]] const Epetra_Map& unknowns() const { return unknowns_; }
+  /// Blocks of a row in columns of other ranks.
+  struct BlocksBeyond {
+    std::size_t row;
+    std::size_t first;
+    std::size_t end;
+  };
+  /// Those of each row that has any.
+  [[nodiscard]] const std::vector<BlocksBeyond>& blocks_beyond() const { return blocks_beyond_; }
+
   /// Values at the unknowns of other ranks' nodes, in the order of their places.
   /// @param of_own values at this rank's unknowns
+  /// @param meanwhile work that does not need them
   /// @return valid until the next call
-  [[nodiscard]] const double* on_others(const Epetra_MultiVector& of_own) const;
+  template <typename Work>
+  const double* on_others(const double* of_own, const Work& meanwhile) const;
+  [[nodiscard]] const double* on_others(const double* const of_own) const {
+    return on_others(of_own, [] {});
+  }
   /// Values of the nodes of all places from those of the own ones.
   [[nodiscard]] std::vector<double> on_all_nodes(const std::vector<double>& of_own_nodes) const;
-  /// Values at the own unknowns that are the sums of those that the ranks have at all their places.
-  /// @param add adds to the values at own unknowns and to those at others, zero before
-  void sum(Epetra_MultiVector& of_own,
-           const std::function<void(double* own, double* others)>& add) const;
   /// Adds to values at the own unknowns what the ranks have at all their places.
-  /// @param add adds to the values at own unknowns and to those at others, these zero before
-  void add(Epetra_MultiVector& of_own,
-           const std::function<void(double* own, double* others)>& add) const;
+  /// @param of_own values at this rank's unknowns, in and out
+  /// @param add_to_others adds to zeros at the unknowns of other ranks' nodes
+  /// @param add_to_own adds to the values at the own unknowns meanwhile
+  template <typename AddToOthers, typename AddToOwn>
+  void add(double* of_own, const AddToOthers& add_to_others, const AddToOwn& add_to_own) const;
 
  private:
+  void find_blocks_beyond();
+
   Epetra_Map unknowns_;
   std::size_t of_each_;
   OwnNodes own_;
@@ -64,9 +82,27 @@ class NodePattern {
   std::vector<int> numbers_;
   std::vector<std::size_t> first_blocks_;
   std::vector<int> places_;
-  std::unique_ptr<Epetra_Import> import_;       ///< none on one rank
-  std::unique_ptr<Epetra_MultiVector> others_;  ///< values that come from or go to other ranks
+  std::vector<BlocksBeyond> blocks_beyond_;
+  std::unique_ptr<Exchange> exchange_;  ///< none on one rank
 };
+
+template <typename Work>
+const double* NodePattern::on_others(const double* const of_own, const Work& meanwhile) const {
+  if (exchange_) exchange_->begin_to_receive(of_own);
+  meanwhile();
+  return exchange_ ? exchange_->end_of_receiving() : nullptr;
+}
+
+template <typename AddToOthers, typename AddToOwn>
+void NodePattern::add(double* const of_own, const AddToOthers& add_to_others,
+                      const AddToOwn& add_to_own) const {
+  if (exchange_) {
+    add_to_others(exchange_->to_send());
+    exchange_->begin_to_send();
+  }
+  add_to_own(of_own);
+  if (exchange_) exchange_->add_received(of_own);
+}
 
 /// A matrix of n x m blocks by nodes, distributed by rows.
 template <int n, int m>
@@ -93,6 +129,11 @@ class NodeMatrix {
   void Tvmult(Vector& result, const Vector& vector) const;
 
  private:
+  template <typename Visit>
+  void visit_own_blocks(const Visit& visit) const;
+  template <typename Visit>
+  void visit_blocks_beyond(const Visit& visit) const;
+
   NodePattern pattern_;
   std::vector<Block> blocks_;
 };

@@ -31,9 +31,9 @@ class SymmetricMatrix {
   /// @param place of the column's node, not before the row
   Block& upper_block(const std::size_t row, const int place) { return blocks_[index(row, place)]; }
   [[nodiscard]] const Block& diagonal_block(const std::size_t row) const {
-    return blocks_[first_blocks_[row]];
+    return blocks_[first_upper_[row]];
   }
-  Block& diagonal_block(const std::size_t row) { return blocks_[first_blocks_[row]]; }
+  Block& diagonal_block(const std::size_t row) { return blocks_[first_upper_[row]]; }
   /// Calls visit(place, block) for the blocks of a row from the diagonal on.
   template <typename Visit>
   void visit_upper(std::size_t row, const Visit& visit) const;
@@ -54,25 +54,32 @@ class SymmetricMatrix {
   [[nodiscard]] std::vector<double> diagonal() const;
 
  private:
-  /// Of the blocks above the diagonal.
+  /// Of a block on or above the diagonal.
   [[nodiscard]] std::size_t index(std::size_t row, int place) const;
-  /// The first block of a row in the pattern that this matrix has.
-  [[nodiscard]] std::size_t first_of_pattern(const std::size_t row) const {
-    return pattern_.first_block(row + 1) - (first_blocks_[row + 1] - first_blocks_[row]);
+  /// The end of a row's blocks in columns of this rank, in the pattern.
+  [[nodiscard]] std::size_t end_of_own(const std::size_t row) const {
+    return pattern_.first_block(row + 1) - (first_beyond_[row + 1] - first_beyond_[row]);
+  }
+  /// The diagonal block of a row in the pattern.
+  [[nodiscard]] std::size_t first_of_upper(const std::size_t row) const {
+    return end_of_own(row) - (first_upper_[row + 1] - first_upper_[row]);
   }
   void add_product(Vector& result, const Vector& vector, double factor) const;
+  void add_product_of_own(double* to, const double* own, double factor) const;
 
   NodePattern pattern_;                    ///< of all blocks
-  std::vector<std::size_t> first_blocks_;  ///< of each row, the diagonal ones, and the end
-  std::vector<Block> blocks_;              ///< from the diagonal on, row by row
+  std::vector<std::size_t> first_upper_;   ///< of each row in columns of this rank, and the end
+  std::vector<std::size_t> first_beyond_;  ///< of each row in columns of others, and the end
+  std::vector<Block> blocks_;  ///< those from the diagonal on, row by row, then those beyond
 };
 
 template <int n>
 template <typename Visit>
 void SymmetricMatrix<n>::visit_upper(const std::size_t row, const Visit& visit) const {
-  std::size_t in_pattern = first_of_pattern(row);
-  for (std::size_t i = first_blocks_[row]; i < first_blocks_[row + 1]; ++i, ++in_pattern)
-    visit(static_cast<std::size_t>(pattern_.place(in_pattern)), blocks_[i]);
+  std::size_t in_pattern = first_of_upper(row);
+  for (const auto* const first : {&first_upper_, &first_beyond_})
+    for (std::size_t i = (*first)[row]; i < (*first)[row + 1]; ++i, ++in_pattern)
+      visit(static_cast<std::size_t>(pattern_.place(in_pattern)), blocks_[i]);
 }
 
 template <int n>
