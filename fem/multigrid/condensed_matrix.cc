@@ -22,8 +22,8 @@ CondensedMatrix<n>::CondensedMatrix(SymmetricMatrix<n> whole)
     : whole_(std::move(whole)), elimination_(whole_.unknowns(), {}) {}
 
 template <int n>
-void CondensedMatrix<n>::eliminate(std::map<int, Shares> lines) {
-  elimination_ = Elimination(whole_.unknowns(), std::move(lines));
+void CondensedMatrix<n>::eliminate(const std::map<int, Shares>& lines) {
+  elimination_ = Elimination(whole_.unknowns(), lines);
 }
 
 template <int n>

@@ -24,7 +24,7 @@ class CondensedMatrix {
 
   /// Lets other unknowns follow others than before.
   /// @param lines of all unknowns in the rows and columns of this rank that follow others
-  void eliminate(std::map<int, Shares> lines);
+  void eliminate(const std::map<int, Shares>& lines);
 
   [[nodiscard]] const SymmetricMatrix<n>& whole() const { return whole_; }
   [[nodiscard]] const Elimination& elimination() const { return elimination_; }

@@ -24,9 +24,9 @@ NodePattern pattern_of(const Epetra_Map& unknowns, const std::vector<Elimination
 
 }  // namespace
 
-Elimination::Elimination(const Epetra_Map& unknowns, std::map<int, Shares> lines)
-    : lines_(std::move(lines)),
-      own_(lines_of(unknowns, lines_)),
+Elimination::Elimination(const Epetra_Map& unknowns, const std::map<int, Shares>& lines)
+    : own_(lines_of(unknowns, lines)),
+      lines_(lines.begin(), lines.end()),
       pattern_(pattern_of(unknowns, own_)) {
   for (const Line& line : own_) {
     place_shares_.push_back(line.shares);

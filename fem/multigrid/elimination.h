@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ class Elimination {
   /// @param unknowns of this rank
   /// @param lines by unknowns of any rank that follow others, which follow none; those of this rank
   /// at least
-  Elimination(const Epetra_Map& unknowns, std::map<int, Shares> lines);
+  Elimination(const Epetra_Map& unknowns, const std::map<int, Shares>& lines);
 
   /// Those of this rank.
   [[nodiscard]] const std::vector<Line>& own() const { return own_; }
@@ -48,10 +49,10 @@ class Elimination {
   [[nodiscard]] std::vector<double> sum(const std::map<int, double>& values) const;
 
  private:
-  std::map<int, Shares> lines_;
   std::vector<Line> own_;
-  NodePattern pattern_;               ///< of the own lines
-  std::vector<Shares> place_shares_;  ///< those of the own lines, by places in the pattern
+  std::unordered_map<int, Shares> lines_;  ///< of any rank
+  NodePattern pattern_;                    ///< of the own lines
+  std::vector<Shares> place_shares_;       ///< those of the own lines, by places in the pattern
 };
 
 }  // namespace geneva::fem

@@ -83,7 +83,7 @@ void measure(const app::Case& given, const double accuracy) {
   const PlainSolve plain = plain_solve(solution);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
   std::cout << fmt::format(
-                   "{:>9}{:>8}{:>9.1f}{:>10.2f}{:>9.2f}{:>6}{:>9.2f}{:>9.2f}{:>12.1f}{:>9.2f}\n",
+                   "{:>9}{:>8}{:>9.2f}{:>10.2f}{:>9.2f}{:>6}{:>9.2f}{:>9.2f}{:>12.1f}{:>9.2f}\n",
                    history.back().dofs, history.back().linear_iterations.size(), total, finest,
                    plain.seconds, plain.iterations, total / plain.seconds, finest / plain.seconds,
                    1e6 * total / history.back().dofs, memory / 1e9)
