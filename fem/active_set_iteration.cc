@@ -29,9 +29,12 @@ constexpr double loose_reduction = 0.02;
 /// nodes only close, so that the iteration ends, and the next mesh starts from there.
 class ActiveSetSearch {
  public:
-  /// Takes over the next active sets. @return whether they changed
+  /// Takes over the next active sets.
+  /// @param is_exact whether the system is solved to its tolerance: only then a contact may open
+  /// wholly, since pressures of a system that has hardly been solved may all have the wrong sign
+  /// @return whether they changed
   template <int dim>
-  bool advance(Level<dim>& level, const std::vector<ContactState>& states) {
+  bool advance(Level<dim>& level, const std::vector<ContactState>& states, const bool is_exact) {
     const auto before = active_sets(level);
     seen_.insert(before);
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
@@ -39,7 +42,8 @@ class ActiveSetSearch {
       std::vector<bool> next = updated(interface, states[i]);
       if (only_closes_)
         for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
-      interface.active = next;
+      if (is_exact || std::find(next.begin(), next.end(), true) != next.end())
+        interface.active = next;
     }
     const auto after = active_sets(level);
     if (after == before) return false;
@@ -169,7 +173,8 @@ std::optional<LevelState> solve_level(
     const dealii::Timer solve_timer;
     state.linear_iterations.push_back(0);
     solve_step(systems, level, reduction, settings, displacement, state);
-    bool changed = search.advance(level, state.contacts);
+    bool changed =
+        search.advance(level, state.contacts, !systems.is_smoothing() && reduction == 0.);
     if (systems.is_smoothing()) {
       search.start_again();
       changed = true;
@@ -177,7 +182,7 @@ std::optional<LevelState> solve_level(
       reduction = 0.;
       search.start_again();
       solve_step(systems, level, reduction, settings, displacement, state);
-      changed = search.advance(level, state.contacts);
+      changed = search.advance(level, state.contacts, true);
     }
     state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();
     report(step, state.linear_iterations.back());
