@@ -21,6 +21,12 @@ constexpr double cells_at_an_end = 2.;
 /// A logarithmic profile falls off within a few contact widths from its ends: with cells of aspect
 /// ratio 6 the line load there is uneven by 5 %, with 3 by 0.3 %.
 constexpr double cells_in_logarithm = 3.;
+/// At a rounded edge the layers over those in the middle are this many times the climb onto the
+/// round over the half-length. On Johnson's wheel with a radius of a 68th of the thickness the peak
+/// is then within 3 % with a million unknowns; with three times thicker layers within 7 %, with
+/// three times thinner ones it takes half as long again.
+constexpr double climbs_in_thickness = 9.;
+constexpr double thinnest_layers = 1e-3;
 /// Longest cells of the pin's free lengths over its diameter, which bend.
 constexpr double longest_bent_cells = 0.4;
 /// Free lengths beside the wheel over the pin diameter, unless the case gives them.
@@ -90,6 +96,14 @@ double aspect_ratio(const MechanismCase& mechanism, const MechanismState& state)
   const loads::HertzEllipse ellipse = crowned_contact(mechanism, state);
   const double ratio = ellipse.semi_axis_long / ellipse.semi_axis_short;
   return std::clamp(ratio / 2., 1., longest_cells);
+}
+
+/// How far the contact climbs onto the slot's rounded edge, as a length scale: where the round of
+/// radius r has fallen off by F/(π t E*).
+double climb(const MechanismCase& mechanism, const MechanismState& state) {
+  const double fall =
+      state.load.force / (loads::pi * state.sizes.thickness * modulus_of(mechanism));
+  return std::sqrt(2. * mechanism.space->slot_edge.size * fall);
 }
 
 const char* name_of(const Profile profile) {
@@ -184,12 +198,17 @@ std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
 }
 
 std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state) {
-  const double half = state.sizes.thickness / 2.;
-  const Profile profile = mechanism.space->profile;
-  if (profile == Profile::logarithmic) return std::nullopt;
-  if (profile == Profile::crown && crowned_contact(mechanism, state).semi_axis_long < half)
+  const PinCase& pin = *mechanism.space;
+  const bool is_broken = pin.slot_edge.kind != loads::EdgeBreak::Kind::sharp;
+  const double half = state.sizes.thickness / 2. - (is_broken ? pin.slot_edge.size : 0.);
+  if (half <= 0. || pin.profile == Profile::logarithmic) return std::nullopt;
+  if (pin.profile == Profile::crown && crowned_contact(mechanism, state).semi_axis_long < half)
     return std::nullopt;
-  return mesh::Grading{half};
+  mesh::Grading result{half};
+  if (pin.slot_edge.kind == loads::EdgeBreak::Kind::rounded)
+    result.thickness_at_ends = std::clamp(climbs_in_thickness * climb(mechanism, state) / half,
+                                          thinnest_layers, result.thickness_at_ends);
+  return result;
 }
 
 std::string pin_holder(const PinCase& pin) {

@@ -39,8 +39,8 @@ std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
                                         const MechanismCase& mechanism, const MechanismState& state,
                                         double cell);
 
-/// Of the layers towards the wheel's faces; none with a crown whose Hertz contact is shorter than
-/// the wheel is thick, nor with a logarithmic profile, which unloads its ends.
+/// Of the layers towards the wheel's faces, or to where its broken edges begin; none with a crown
+/// whose Hertz contact is shorter, nor with a logarithmic profile, which unloads its ends.
 std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state);
 
 /// Name of the surface that holds the pin: "pin root" or "pin core".

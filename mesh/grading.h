@@ -3,10 +3,12 @@
 namespace geneva::mesh {
 
 /// How the layers of a drawn-out mesh become thinner towards both ends of a contact line, where
-/// the pressure changes fast along it: z = h sin(π ζ/(3 h))/sin(π/3) takes even layers in ζ to
-/// layers that are half as thick at z = -h and z = h as in the middle. Beyond, z = ζ.
+/// the pressure changes fast along it: z = h tanh(α ζ/h)/tanh(α) takes even layers in ζ to layers
+/// that are 1/cosh²(α) times as thick at z = -h and z = h as in the middle. Beyond the ends they
+/// become thicker as they became thinner, up to z = 2 h; from there on z = ζ.
 struct Grading {
-  double half_length;  ///< h [m], > 0; the line's middle is z = 0
+  double half_length;              ///< h [m], > 0; the line's middle is z = 0
+  double thickness_at_ends = 0.5;  ///< over that in the middle, > 0, < 1
 };
 
 /// z of an even layer's boundary ζ, both in the unit of the half-length.

@@ -50,7 +50,9 @@ FlatMesh flatten(const MeshData<dim>& mesh) {
     flat.integers.push_back(static_cast<unsigned int>(face.circle + 1));
   }
   flat.integers.push_back(mesh.grading ? 1 : 0);
-  if (mesh.grading) flat.reals.push_back(mesh.grading->half_length);
+  if (mesh.grading)
+    flat.reals.insert(flat.reals.end(),
+                      {mesh.grading->half_length, mesh.grading->thickness_at_ends});
   flat.names = mesh.bodies;
   flat.names.insert(flat.names.end(), mesh.surfaces.begin(), mesh.surfaces.end());
   return flat;
@@ -81,7 +83,7 @@ MeshData<dim> unflatten(const FlatMesh& flat) {
     face.surface = *integer++;
     face.circle = static_cast<int>(*integer++) - 1;
   }
-  if (*integer++ == 1) mesh.grading = Grading{*real++};
+  if (*integer++ == 1) mesh.grading = Grading{real[0], real[1]};
   const auto surfaces_begin = flat.names.begin() + flat.integers[4];
   mesh.bodies.assign(flat.names.begin(), surfaces_begin);
   mesh.surfaces.assign(surfaces_begin, flat.names.end());
@@ -155,7 +157,7 @@ constexpr dealii::types::manifold_id straight = 0;
 
 void set_graded_manifolds(dealii::Triangulation<3>& triangulation, const MeshData<3>& mesh,
                           const double length) {
-  const Grading grading{mesh.grading->half_length / length};
+  const Grading grading{mesh.grading->half_length / length, mesh.grading->thickness_at_ends};
   for (unsigned int i = 0; i < mesh.circles.size(); ++i)
     triangulation.set_manifold(i + 1,
                                GradedManifold(manifold<3>(mesh.circles[i], length), grading));

@@ -101,7 +101,7 @@ TEST(ExtrudedMesh, IsRefinedOnTheTrueCylinders) {
 }
 
 TEST(ExtrudedMesh, KeepsItsLayersGradedWhenItIsRefined) {
-  const Grading grading{1.};
+  const Grading grading{1., 0.3};
   const MeshData<3> mesh =
       extruded(block_and_ring(),
                {{{-1., graded(grading, 0.5), 1.}, "", ""}, {{-2., -1., 1.}, "", ""}}, grading);
@@ -122,12 +122,13 @@ TEST(ExtrudedMesh, KeepsItsLayersGradedWhenItIsRefined) {
 TEST(ExtrudedMesh, IsTheSameAfterItsWayBetweenTheRanks) {
   MeshData<3> mesh = drawn_out();
   EXPECT_FALSE(broadcast(MPI_COMM_WORLD, mesh).grading);
-  mesh.grading = Grading{1.5};
+  mesh.grading = Grading{1.5, 0.25};
   const MeshData<3> sent = broadcast(MPI_COMM_WORLD, mesh);
   EXPECT_EQ(sent.vertices, mesh.vertices);
   EXPECT_EQ(sent.surfaces, mesh.surfaces);
   ASSERT_TRUE(sent.grading);
   EXPECT_EQ(sent.grading->half_length, 1.5);
+  EXPECT_EQ(sent.grading->thickness_at_ends, 0.25);
   ASSERT_EQ(sent.cells.size(), mesh.cells.size());
   ASSERT_EQ(sent.faces.size(), mesh.faces.size());
   for (std::size_t i = 0; i < mesh.cells.size(); ++i)
