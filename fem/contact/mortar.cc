@@ -21,8 +21,8 @@ constexpr double least_coverage = 1e-6;
 /// Below this reciprocal condition the covered sliver of a face is too thin for a basis of its own.
 constexpr double least_condition = 1e-14;
 
-/// Couplings below this share of a row's weight are roundings: between a node and those of other
-/// layers, where the two surfaces have the same layers.
+/// Couplings below this share of a row's weight are roundings, which reach 1e-13: between a node
+/// and those of other layers, where the two surfaces have the same layers.
 constexpr double least_coupling = 1e-12;
 
 template <int dim>
