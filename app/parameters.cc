@@ -46,12 +46,12 @@ void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
 }
 
 std::vector<Parameter> material_parameters(const SectionPath& section) {
-  const Range poissons_ratio{-1., 0.5, false, false, "greater than -1 and less than 0.5"};
+  const Range poissons_ratio{-1., 0.4999, false, true, "greater than -1 and at most 0.4999"};
   return {
       {section, "Young's modulus", "207 GPa", positive(Dimension::stress),
        "Modulus of elasticity E. The default is that of steel."},
       {section, "Poisson's ratio", "0.3", quantity(Dimension::dimensionless, poissons_ratio),
-       "Poisson's ratio nu. The default is that of steel."},
+       "Poisson's ratio nu, up to 0.4999 (nearly incompressible). The default is that of steel."},
       {section, "Density", "7850 kg/m^3", positive(Dimension::density),
        "Mass density. The default is that of steel."},
       {section, "Yield strength", "", positive(Dimension::stress, {""}),

@@ -5,12 +5,12 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
 
+#include "fem/cell_element.h"
 #include "fem/elasticity.h"
 
 namespace geneva::fem {
@@ -79,43 +79,19 @@ class CellIntegrator {
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
         densities_(densities(dof_handler, problem)),
-        cell_values_(dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
-                     dealii::update_gradients | dealii::update_JxW_values |
-                         (dim == 3 ? dealii::update_default
-                                   : dealii::update_values | dealii::update_quadrature_points)),
+        element_(dof_handler.get_fe(), problem),
         force_values_(
-            dof_handler.get_fe(), cell_values_.get_quadrature(),
+            dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
             dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points),
         face_values_(dof_handler.get_fe(), dealii::QGauss<dim - 1>(dof_handler.get_fe().degree + 1),
                      dealii::update_values | dealii::update_JxW_values |
-                         dealii::update_normal_vectors | dealii::update_quadrature_points),
-        centre_values_(dof_handler.get_fe(), dealii::QMidpoint<dim>(),
-                       dealii::update_jacobians | dealii::update_inverse_jacobians) {
-    for (const Body<dim>& body : problem.bodies)
-      lame_.push_back(lame(body.material, problem.plane));
+                         dealii::update_normal_vectors | dealii::update_quadrature_points) {
     for (const SurfaceLoad<dim>& load : problem.loads)
       for (unsigned int id = 0; id < surfaces.size(); ++id)
         if (surfaces[id] == load.surface) surface_loads_.emplace(id, load);
   }
 
-  dealii::FullMatrix<double> stiffness(const Cell& cell) {
-    cell_values_.reinit(cell);
-    const Lame& constants = lame_[cell->material_id()];
-    Stiffness<n_nodes> stiffness;
-    if constexpr (dim == 3) {
-      centre_values_.reinit(cell);
-      stiffness = with_incompatible_modes(constants);
-    } else {
-      stiffness =
-          hooke<n_nodes>(constants.lambda_plane, constants.mu, shape_gradients(), weights());
-      if (problem_.plane == PlaneKind::axisymmetric) add_hoop_stiffness(constants, stiffness);
-    }
-    dealii::FullMatrix<double> result(dim * n_nodes);
-    for (unsigned int i = 0; i < result.m(); ++i)
-      for (unsigned int j = 0; j < result.n(); ++j)
-        result(i, j) = stiffness(std::max(i, j), std::min(i, j));
-    return result;
-  }
+  dealii::FullMatrix<double> stiffness(const Cell& cell) { return element_.stiffness(cell); }
 
   dealii::Vector<double> load(const Cell& cell) {
     dealii::Vector<double> load(dim * n_nodes);
@@ -128,100 +104,6 @@ class CellIntegrator {
 
  private:
   static constexpr int n_nodes = dealii::GeometryInfo<dim>::vertices_per_cell;
-  static constexpr int n_points = 1 << dim;  // Gauss
-  using Weights = Eigen::Matrix<double, n_points, 1>;
-  /// Gradients of scalar functions at the points, those of a function after each other.
-  template <int n_functions>
-  using Gradients = Eigen::Matrix<double, dim * n_functions, n_points>;
-  template <int n_functions>
-  using Stiffness = Eigen::Matrix<double, dim * n_functions, dim * n_functions>;
-
-  [[nodiscard]] Weights weights() const {
-    Weights result;
-    for (const unsigned int q : cell_values_.quadrature_point_indices())
-      result[q] =
-          cell_values_.JxW(q) *
-          (dim == 3 ? 1. : out_of_plane_measure(problem_, cell_values_.quadrature_point(q)));
-    return result;
-  }
-
-  [[nodiscard]] Gradients<n_nodes> shape_gradients() const {
-    Gradients<n_nodes> result;
-    for (const unsigned int q : cell_values_.quadrature_point_indices())
-      for (unsigned int node = 0; node < n_nodes; ++node) {
-        const Tensor<1, dim> gradient = cell_values_.shape_grad(dim * node, q);
-        for (unsigned int axis = 0; axis < dim; ++axis)
-          result(dim * node + axis, q) = gradient[axis];
-      }
-    return result;
-  }
-
-  /// Stiffness of displacements by functions in each direction: where G is the integral of
-  /// grad a grad b^T, that of a and b is lambda G + mu (G^T + tr G).
-  template <int n_functions>
-  static Stiffness<n_functions> hooke(const double lambda, const double mu,
-                                      const Gradients<n_functions>& gradients,
-                                      const Weights& weights) {
-    using Block = Eigen::Matrix<double, dim, dim>;
-    const Stiffness<n_functions> products =
-        gradients * (weights.asDiagonal() * gradients.transpose());
-    Stiffness<n_functions> result = lambda * products;
-    for (int a = 0; a < n_functions; ++a)
-      for (int b = 0; b < n_functions; ++b) {
-        const Block block = products.template block<dim, dim>(dim * a, dim * b);
-        result.template block<dim, dim>(dim * a, dim * b) +=
-            mu * (block.transpose() + block.trace() * Block::Identity());
-      }
-    return result;
-  }
-
-  /// What the hoop strain u_r/r adds.
-  void add_hoop_stiffness(const Lame& constants, Stiffness<n_nodes>& stiffness) const {
-    Gradients<n_nodes> hoop_strains = Gradients<n_nodes>::Zero();
-    for (const unsigned int q : cell_values_.quadrature_point_indices())
-      for (unsigned int node = 0; node < n_nodes; ++node)
-        hoop_strains(dim * node, q) =
-            cell_values_.shape_value(dim * node, q) / cell_values_.quadrature_point(q)[0];
-    const Eigen::Matrix<double, n_points, dim* n_nodes> weighted =
-        weights().asDiagonal() * hoop_strains.transpose();
-    const Stiffness<n_nodes> mixed = shape_gradients() * weighted;
-    stiffness += constants.lambda_plane * (mixed + mixed.transpose()) +
-                 (constants.lambda_plane + 2. * constants.mu) * (hoop_strains * weighted);
-  }
-
-  /// Incompatible modes (Taylor, Beresford and Wilson 1976), condensed in the cell: trilinear cells
-  /// that are long along a bent pin would be far too stiff without them.
-  [[nodiscard]] Stiffness<n_nodes> with_incompatible_modes(const Lame& constants) const {
-    constexpr int n_own = dim * n_nodes;
-    constexpr int n_modes = dim * dim;
-    Gradients<n_nodes + dim> gradients;
-    gradients << shape_gradients(), mode_gradients();
-    const Stiffness<n_nodes + dim> whole =
-        hooke<n_nodes + dim>(constants.lambda, constants.mu, gradients, weights());
-    const Eigen::Matrix<double, n_modes, n_own> mixed =
-        whole.template bottomLeftCorner<n_modes, n_own>();
-    const Eigen::Matrix<double, n_modes, n_modes> modes =
-        whole.template bottomRightCorner<n_modes, n_modes>();
-    return whole.template topLeftCorner<n_own, n_own>() -
-           mixed.transpose() * modes.llt().solve(mixed);
-  }
-
-  /// (1 - 2 xi_k) det J0/det J grad0 xi_k for each k, J0 being the Jacobian in the cell's middle:
-  /// these have no mean, so that uniform stress stays exact.
-  [[nodiscard]] Gradients<dim> mode_gradients() const {
-    const double determinant = centre_values_.jacobian(0).determinant();
-    Gradients<dim> result;
-    for (const unsigned int q : cell_values_.quadrature_point_indices()) {
-      const Point<dim>& xi = cell_values_.get_quadrature().point(q);
-      const double ratio =
-          determinant * cell_values_.get_quadrature().weight(q) / cell_values_.JxW(q);
-      for (unsigned int k = 0; k < dim; ++k)
-        for (unsigned int axis = 0; axis < dim; ++axis)
-          result(dim * k + axis, q) =
-              ratio * (1. - 2. * xi[k]) * centre_values_.inverse_jacobian(0)[k][axis];
-    }
-    return result;
-  }
 
   [[nodiscard]] bool has_force(const unsigned int body) const {
     return densities_[body] != 0. || problem_.bodies[body].force.uniform != Components<dim>{};
@@ -263,11 +145,9 @@ class CellIntegrator {
 
   Problem<dim> problem_;
   std::vector<double> densities_;  ///< by body
-  dealii::FEValues<dim> cell_values_;
+  CellElement<dim> element_;
   dealii::FEValues<dim> force_values_;
   dealii::FEFaceValues<dim> face_values_;
-  dealii::FEValues<dim> centre_values_;
-  std::vector<Lame> lame_;
   std::multimap<unsigned int, SurfaceLoad<dim>> surface_loads_;
 };
 

@@ -5,7 +5,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/fe_values_extractors.h>
 #include <deal.II/lac/affine_constraints.h>
 
 #include <boost/serialization/array.hpp>
@@ -15,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/cell_element.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::post {
@@ -29,50 +29,29 @@ template <int dim>
 class StressEvaluator {
  public:
   StressEvaluator(const fem::Solution<dim>& solution, const dealii::Quadrature<dim>& points)
-      : solution_(solution),
-        values_(*solution.element, points,
-                dealii::update_values | dealii::update_gradients |
-                    dealii::update_quadrature_points | dealii::update_JxW_values),
-        strains_(points.size()),
-        displacements_(points.size()) {
+      : solution_(solution), strains_(*solution.element, solution.problem, points) {
     for (const fem::Body<dim>& body : solution.problem.bodies)
       lame_.push_back(fem::lame(body.material, solution.problem.plane));
   }
 
   std::vector<Stress<dim>> operator()(
       const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
-    const dealii::FEValuesExtractors::Vector all(0);
-    values_.reinit(cell);
-    values_[all].get_function_symmetric_gradients(solution_.displacement, strains_);
-    if (axisymmetric()) values_[all].get_function_values(solution_.displacement, displacements_);
+    const fem::Lame& constants = lame_[cell->material_id()];
     std::vector<Stress<dim>> stresses;
-    for (unsigned int q = 0; q < strains_.size(); ++q)
+    for (const fem::Strain<dim>& strain : strains_(cell, solution_.displacement))
       if constexpr (dim == 2)
-        stresses.push_back(fem::stress(lame_[cell->material_id()], solution_.problem.plane,
-                                       strains_[q], hoop_strain(q)));
+        stresses.push_back(
+            fem::stress(constants, solution_.problem.plane, strain.tensor, strain.hoop));
       else
-        stresses.push_back(fem::stress(lame_[cell->material_id()], strains_[q]));
+        stresses.push_back(fem::stress(constants, strain.tensor));
     return stresses;
   }
 
-  [[nodiscard]] const dealii::FEValues<dim>& values() const { return values_; }
+  [[nodiscard]] const dealii::FEValues<dim>& values() const { return strains_.values(); }
 
  private:
-  [[nodiscard]] bool axisymmetric() const {
-    return dim == 2 && solution_.problem.plane == fem::PlaneKind::axisymmetric;
-  }
-
-  /// u_r/r; on the axis, where it equals the radial strain, that one.
-  [[nodiscard]] double hoop_strain(const unsigned int q) const {
-    if (!axisymmetric()) return 0.;
-    const double radius = values_.quadrature_point(q)[0];
-    return radius > 1e-12 ? displacements_[q][0] / radius : strains_[q][0][0];
-  }
-
   const fem::Solution<dim>& solution_;
-  dealii::FEValues<dim> values_;
-  std::vector<dealii::SymmetricTensor<2, dim>> strains_;
-  std::vector<dealii::Tensor<1, dim>> displacements_;
+  fem::CellStrains<dim> strains_;
   std::vector<fem::Lame> lame_;
 };
 

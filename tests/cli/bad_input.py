@@ -128,9 +128,9 @@ class Parameters(Refusals):
                 (MECHANISM, "Mechanism/Stations", "4.5", "whole number"),
                 (MECHANISM, "Mechanism/Wheel thickness", "-0.5 in", "greater than 0"),
                 (GEOMETRY, "Geometry/Thickness", "-1 mm", "greater than 0"),
-                (MECHANISM, "Mechanism/Wheel material/Poisson's ratio", "0.5", "less than 0.5"),
+                (MECHANISM, "Mechanism/Wheel material/Poisson's ratio", "0.5", "at most 0.4999"),
                 (MECHANISM, "Mechanism/Pin material/Poisson's ratio", "-2", "greater than -1"),
-                (GEOMETRY, "Geometry/Body block/Poisson's ratio", "0.5", "less than 0.5"),
+                (GEOMETRY, "Geometry/Body block/Poisson's ratio", "0.5", "at most 0.4999"),
                 (MECHANISM, "Mechanism/Wheel diameter", "nan in", "length"),
                 (MECHANISM, "Accuracy", "0", "greater than 0"),
                 (MECHANISM, "Output units", "furlongs", "in-lbf")):

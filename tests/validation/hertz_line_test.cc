@@ -32,6 +32,19 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderOnBlock) {
   EXPECT_EQ(solution.contacts[0].max_penetration, 0.);
 }
 
+/// Bilinear cells without more would lock: 17 % too high at nu = 0.499.
+TEST(JohnsonContactMechanics, Eq443And445NearlyIncompressibleCylinderOnBlock) {
+  for (const double nu : {0.499, 0.4999}) {
+    LineContact contact;
+    contact.cylinder.poissons_ratio = nu;
+    contact.block.poissons_ratio = nu;
+    const fem::Solution<2> solution = solve(contact);
+    EXPECT_EQ(solution.outcome, fem::Outcome::converged);
+    EXPECT_NEAR(error_of(peak_pressure(solution), hertz(contact).peak_pressure), 0.,
+                peak_tolerance);
+  }
+}
+
 TEST(JohnsonContactMechanics, ClosedFormOfTheSolutionIsThatOfItsInput) {
   const LineContact contact;
   const post::Results<2> results = post::analyse(solve(contact));

@@ -471,8 +471,8 @@ TEST(GeometryCase, WrongBodyForcesAreRefused) {
                 "m/s^2' or '386 in/s^2'");
   EXPECT_EQ(reason("Poisson's ratio = 0.5"),
             start +
-                "Poisson's ratio' = '0.5': the value must be greater than -1 and less than "
-                "0.5");
+                "Poisson's ratio' = '0.5': the value must be greater than -1 and at most "
+                "0.4999");
 }
 
 const char* const text_in_space = R"(

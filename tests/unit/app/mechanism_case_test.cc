@@ -315,7 +315,7 @@ TEST(MechanismCase, MaterialsOutOfTheirRangeAreRefused) {
   for (const std::string ratio : {"0.5", "-1", "-2", "50 %"})
     EXPECT_EQ(reason("Poisson's ratio = " + ratio),
               start + "Poisson's ratio' = '" + ratio +
-                  "': the value must be greater than -1 and less than 0.5");
+                  "': the value must be greater than -1 and at most 0.4999");
   EXPECT_EQ(reason("Young's modulus = 0 Pa"),
             start + "Young's modulus' = '0 Pa': the value must be greater than 0");
   EXPECT_EQ(reason("Density = 0.283 lbf/in^3"),

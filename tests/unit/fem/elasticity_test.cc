@@ -249,6 +249,57 @@ TEST(PatchTest, ConstantStrainsOfABodyOfRevolutionAreExact) {
                         inner_radius);
 }
 
+/// Eigenvalues, ascending, of the matrix of each cell.
+std::vector<Eigen::VectorXd> eigenvalues_of_cells(const mesh::MeshData<2>& mesh,
+                                                  const Problem<2>& problem) {
+  const Discretisation<2> grid(mesh);
+  std::vector<Eigen::VectorXd> result;
+  for (const CellSystem& system : all_systems(*grid.dof_handler, problem, mesh.surfaces)) {
+    Eigen::MatrixXd matrix(8, 8);
+    for (unsigned int i = 0; i < 8; ++i)
+      for (unsigned int j = 0; j < 8; ++j) matrix(i, j) = system.stiffness(i, j);
+    result.push_back(mesh::symmetric_eigenpairs(matrix).values);
+  }
+  return result;
+}
+
+/// With B-bar or the right modes a bilinear cell resists, as its bulk modulus grows, by its mean
+/// dilatation alone: one eigenvalue grows; two or three would lock.
+TEST(IncompatibleModes, LeaveOneStiffMotionToANearlyIncompressibleCell) {
+  mesh::MeshData<2> square = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(square, "square", {0.5, 1.}, {0., 0.5}, {"", "", "", ""});
+  for (const PlaneKind plane : {PlaneKind::plane_strain, PlaneKind::axisymmetric}) {
+    Problem<2> problem = problem_on(square, plane);
+    problem.bodies[0].material.poissons_ratio = 0.4999;
+    for (const Eigen::VectorXd& values : eigenvalues_of_cells(square, problem)) {
+      EXPECT_GT(values(7), 100. * values(6)) << "bulk modulus 5000 times the shear modulus";
+      EXPECT_LT(values(6), 20.) << "E = 2, circumference up to 2 pi";
+    }
+  }
+}
+
+/// Pure bending of a rectangle, u = (x y, -(x^2 + nu y^2)/2): its energy is E t I/2 per length,
+/// which the modes show exactly on one cell of any proportions (Taylor, Beresford and Wilson 1976).
+TEST(IncompatibleModes, MakePureBendingOfARectangleExact) {
+  for (const double length : {0.5, 2., 10.}) {
+    mesh::MeshData<2> beam = geneva::test::empty_mesh();
+    geneva::test::add_rectangle(beam, "beam", {-length / 2., length / 2.}, {-0.5, 0.5},
+                                {"", "", "", ""});
+    const Discretisation<2> grid(beam);
+    const auto systems =
+        all_systems(*grid.dof_handler, problem_on(beam, PlaneKind::plane_stress), beam.surfaces);
+    for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      const dealii::Vector<double> bent =
+          values_on(cell, Field<2>([](const Point<2>& x) {
+                      return Tensor<1, 2>({x[0] * x[1], -0.5 * (x[0] * x[0] + 0.3 * x[1] * x[1])});
+                    }));
+      const double energy = 0.5 * systems.front().stiffness.matrix_norm_square(bent);
+      EXPECT_NEAR(energy, 0.5 * 2. * 0.7 * length / 12., 1e-12 * length);
+    }
+  }
+}
+
 TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem<2> problem = problem_on(mesh);
