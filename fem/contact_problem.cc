@@ -49,7 +49,7 @@ class NestedIteration {
                   const Problem<dim>& problem, const Settings& settings, const Progress& progress)
       : communicator_(communicator),
         settings_(settings),
-        grading_(grading_for(settings.accuracy)),
+        grading_(first_grading<dim>(settings.accuracy)),
         progress_(progress) {
     solution_.problem = problem;
     solution_.scales = scales_of(problem, mesh);
@@ -65,8 +65,7 @@ class NestedIteration {
     check_rigid_motions(level_, solution_.problem);
     while (solve()) {
       record();
-      if (finished()) break;
-      refine();
+      if (finished() || !refine()) break;
     }
     return finish();
   }
@@ -165,25 +164,57 @@ class NestedIteration {
     record.cells = solution_.triangulation->n_global_active_cells();
     record.dofs = solution_.dof_handler->n_dofs();
     record.linear_iterations = state_.linear_iterations;
-    for (const ContactState& contact : state_.contacts)
-      for (const double pressure : contact.pressure)
-        record.peak_pressure = std::max(record.peak_pressure, pressure * solution_.scales.stress);
+    for (const double peak : peaks()) record.peak_pressure = std::max(record.peak_pressure, peak);
     record_lengthwise(record);
-    record.halvings = last_refinements_;
+    record.refined = refined_;
+    record.halvings = last_halvings_;
+    record.size_measure = size_measure(*solution_.dof_handler, level_.interfaces);
     record.active_nodes = n_active_nodes();
     for (const ContactInterface<dim>& interface : level_.interfaces)
       record.nodes_across += nodes_across(interface);
-    record.change = change(&LevelRecord::peak_pressure, record);
-    record.mid_length_change = change(&LevelRecord::mid_length_pressure, record);
-    record.error_estimate = estimate_from(&LevelRecord::change, record);
     record.seconds = timer_.wall_time();
     record.cycled = state_.cycled;
     record.one_solve_seconds = state_.assemble_and_solve_seconds;
-    mid_length_error_ = estimate_from(&LevelRecord::mid_length_change, record);
     solution_.history.push_back(record);
-    solution_.error_estimate = record.error_estimate;
+    estimate();
+    if (progress_.level) progress_.level(solution_.history.back());
+  }
+
+  /// Greatest pressures of the pairs [Pa].
+  [[nodiscard]] std::vector<double> peaks() const {
+    std::vector<double> result;
+    for (const ContactState& contact : state_.contacts)
+      result.push_back(solution_.scales.stress *
+                       *std::max_element(contact.pressure.begin(), contact.pressure.end()));
+    return result;
+  }
+
+  /// Errors of the peak pressure, or, where it has no bound, of that in the middle of the length.
+  void estimate() {
+    LevelRecord& now = solution_.history.back();
     if (dim == 3) solution_.edge = edge_pressure(solution_.history);
-    if (progress_.level) progress_.level(record);
+    const bool is_bounded = !solution_.edge || solution_.edge->is_bounded;
+    Extrapolation found = extrapolation_of(is_bounded ? &LevelRecord::peak_pressure
+                                                      : &LevelRecord::mid_length_pressure);
+    zone_error_ = std::max(found.zone_error, end_error(level_.interfaces, peaks()));
+    surroundings_error_ = found.surroundings_error;
+    if (now.nodes_across < fewest_active_nodes) zone_error_ = 1.;
+    if (!has_free_ends(level_.interfaces) || surroundings_are_fine_) surroundings_error_ = 0.;
+    solution_.correction = zone_error_ < 1. ? found.correction : 0.;
+    solution_.error_estimate = std::min(1., zone_error_ + surroundings_error_);
+    now.error_estimate =
+        is_bounded ? solution_.error_estimate : std::min(1., 2. * solution_.error_estimate);
+    for (ContactResult<dim>& contact : solution_.contacts)
+      contact.peak_pressure *= 1. + solution_.correction;
+  }
+
+  [[nodiscard]] Extrapolation extrapolation_of(double LevelRecord::*pressure) const {
+    std::vector<MeshValue> values;
+    for (const LevelRecord& level : solution_.history)
+      if (level.*pressure > 0.)
+        values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
+    if (values.empty()) return {0., 1., 1.};
+    return extrapolate<dim>(values, grading_);
   }
 
   /// Pressures in the middle half of each contact's length and at its ends.
@@ -206,41 +237,16 @@ class NestedIteration {
       }
   }
 
-  /// Relative change of a pressure from the mesh before.
-  [[nodiscard]] double change(double LevelRecord::*pressure, const LevelRecord& now) const {
-    if (solution_.history.empty() || now.*pressure <= 0.) return 1.;
-    return std::min(1., std::abs(now.*pressure / solution_.history.back().*pressure - 1.));
-  }
-
-  /// Estimated error of a pressure from its changes on this mesh and the one before.
-  [[nodiscard]] double estimate_from(double LevelRecord::*change, const LevelRecord& now) const {
-    if (solution_.history.empty()) return 1.;
-    return error_estimate(now.*change, previous_error_now(solution_.history.back().*change),
-                          grading_, level_.interfaces);
-  }
-
-  /// What the change of the mesh before says of the error now. A change over m halvings of the
-  /// edges leaves an error of change/(2^m - 1) at least at first order, and the last refinement has
-  /// divided it by two to four.
-  [[nodiscard]] double previous_error_now(const double change) const {
-    const double halvings = static_cast<double>(previous_refinements_);
-    return change / (4. * (std::pow(2., halvings) - 1.));
-  }
-
   bool finished() {
-    if (solution_.edge && !solution_.edge->is_bounded && mid_length_error_ <= settings_.accuracy) {
-      solution_.error_estimate = mid_length_error_;
+    const bool is_accurate = solution_.error_estimate <= settings_.accuracy;
+    if (is_accurate && solution_.edge && !solution_.edge->is_bounded)
       return end(Outcome::unbounded_edge,
                  fmt::format("the edge pressure is not bounded: sharp edge (it grows by the power "
                              "{:.2g} of the cells' fineness); the pressure in the middle of the "
                              "length has converged; a chamfered or rounded slot edge, a crowned "
                              "pin or a logarithmic profile bounds it",
                              solution_.edge->growth_exponent));
-    }
-    if (solution_.error_estimate <= settings_.accuracy) {
-      end(Outcome::converged, "");
-      return true;
-    }
+    if (is_accurate) return end(Outcome::converged, "");
     if (grows_without_bound(solution_.history))
       return end(Outcome::unbounded_pressure,
                  "the peak pressure grows by more than 10 % from each mesh to the next: the "
@@ -248,19 +254,46 @@ class NestedIteration {
                  "edge, where linear elasticity knows no finite pressure; round the edge in the "
                  "geometry, or move the "
                  "contact away from it");
+    if (stands_still(solution_.history))
+      return end(Outcome::no_progress,
+                 "over the last three refinements of the contact zone neither the number of nodes "
+                 "in contact grew nor the pressure changed: finer meshes will not help; check "
+                 "supports and loads, or exchange source and target of the contact pair");
     if (n_refinements_ >= settings_.max_levels)
       return end(Outcome::level_limit,
                  fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "
                              "refinement levels'",
                              settings_.max_levels));
-    const double flagged = flag(state_.displacement);
+    return choose_refinement();
+  }
+
+  /// Flags what is worth more: the contact zone until its part of the error is small, then the
+  /// cells around it.
+  /// @return whether a limit forbids the next mesh
+  bool choose_refinement() {
+    constexpr double share_of_zone = 0.6;
+    refined_ = Refined::zone;
+    if (surroundings_error_ > 0. && zone_error_ <= share_of_zone * settings_.accuracy) {
+      refined_ = Refined::surroundings;
+      grading_ *= grading_step<dim>;
+    }
+    if (flagged == 0. && refined_ == Refined::surroundings) {
+      surroundings_are_fine_ = true;
+      solution_.error_estimate = zone_error_;
+      surroundings_error_ = 0.;
+      solution_.history.back().error_estimate = zone_error_;
+      return finished();
+    }
     const LevelRecord& now = solution_.history.back();
     const double growth = 1. + grading_overhead * ((1 << dim) - 1) * flagged / now.cells;
-    if (growth * now.dofs > settings_.max_dofs)
-      return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
-                                                 "the limit is {}; raise 'Maximum unknowns'",
-                                                 growth * now.dofs, settings_.max_dofs));
+    if (growth * now.dofs > settings_.max_dofs) return end_at_unknowns(growth * now.dofs);
     return out_of_memory(growth) || out_of_time(growth);
+  }
+
+  bool end_at_unknowns(const double next) {
+    return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
+                                               "the limit is {}; raise 'Maximum unknowns'",
+                                               next, settings_.max_dofs));
   }
 
   /// Whether the memory is used up, or would be by a mesh that is larger by a factor.
@@ -307,15 +340,16 @@ class NestedIteration {
 
   double flag(const Vector& displacement) {
     const bool is_resolved = solution_.history.back().nodes_across >= nodes_for_grading;
-    return flag_cells(*solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
-                      is_resolved ? std::optional(grading_) : std::nullopt);
+    return flag_cells(
+        *solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
+        {refined_ == Refined::zone, is_resolved ? std::optional(grading_) : std::nullopt});
   }
 
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no
   /// use, the zone around them is refined once more before the next solve.
-  void refine() {
-    previous_refinements_ = last_refinements_;
-    last_refinements_ = 1;
+  /// @return false if the mesh has become larger than allowed: the last one's result then stands
+  bool refine() {
+    last_halvings_ = refined_ == Refined::zone ? 1 : 0;
     ++n_refinements_;
     refine_flagged(state_.displacement);
     if (solution_.history.back().nodes_across < fewest_active_nodes &&
@@ -324,9 +358,12 @@ class NestedIteration {
       flag(guess);
       ++n_refinements_;
       refine_flagged(guess);
-      last_refinements_ = 2;
+      last_halvings_ = 2;
     }
     make_zones_even();
+    is_ahead_ = true;
+    return solution_.dof_handler->n_dofs() <= settings_.max_dofs ||
+           !end_at_unknowns(solution_.dof_handler->n_dofs());
   }
 
   /// Ends where it does not help: cells that share a vertex differ by one level at most, so that
@@ -390,12 +427,12 @@ class NestedIteration {
     solution_.applied_force = load.force;
     solution_.applied_moment = load.moment;
     solution_.displacement = state_.displacement;
+    is_ahead_ = false;
   }
 
-  /// After a failure the mesh is already finer than the last good state, which the guess represents
-  /// exactly.
+  /// The mesh may already be finer than the last good state, which the guess represents exactly.
   Solution<dim> finish() {
-    if (solution_.outcome == Outcome::active_set_limit) {
+    if (is_ahead_) {
       solution_.displacement.reinit(level_.owned, level_.ghosts, communicator_);
       solution_.displacement = guess_;
     }
@@ -411,13 +448,16 @@ class NestedIteration {
   Solution<dim> solution_;
   std::optional<SurfaceOrigins<dim>> origins_;
   unsigned int n_refinements_ = 0;
-  unsigned int last_refinements_ = 1;      ///< between the last two meshes
-  unsigned int previous_refinements_ = 1;  ///< between the two before
+  Refined refined_ = Refined::nothing;  ///< by the last refinement
+  unsigned int last_halvings_ = 0;      ///< of the contact's cells between the last two meshes
   VertexPlaces<dim> moved_vertices_;
   Level<dim> level_;
   LevelState state_;
   Vector guess_;
-  double mid_length_error_ = 1.;
+  double zone_error_ = 1.;  ///< of the pressure that solution_.error_estimate speaks of
+  double surroundings_error_ = 1.;
+  bool surroundings_are_fine_ = false;  ///< no cell around the contact is larger than asked for
+  bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
   double memory_at_start_ = peak_memory();
 };
 

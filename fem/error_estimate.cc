@@ -2,16 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace geneva::fem {
 
 namespace {
 
-/// Contact zones with fewer active nodes say nothing about the pressure yet.
-constexpr unsigned int fewest_nodes = 6;
-/// Error of the peak pressure over the square of the grading. Measured on three wheels and three
-/// line contacts with gradings of 0.18, 0.25 and 0.35: 0.03 to 0.05.
-constexpr double grading_coefficient = 0.04;
+/// The meshes that refined the contact zone.
+std::vector<std::size_t> zone_steps(const std::vector<LevelRecord>& history) {
+  std::vector<std::size_t> steps;
+  for (std::size_t i = 1; i < history.size(); ++i)
+    if (history[i].refined == Refined::zone) steps.push_back(i);
+  return steps;
+}
+
+/// Relative error over the square of the grading as long as it has not been measured: the greatest
+/// that was seen, of cells five times as long as deep and of tilted pins in space.
+constexpr double greatest_grading_coefficient = 0.35;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
 /// edge, times the square of the number of active nodes. Measured on unsymmetric meshes with 7 to
@@ -37,28 +44,99 @@ double end_uncertainty(const ContactInterface<2>& interface) {
 
 double end_uncertainty(const ContactInterface<3>& interface) {
   const double nodes = nodes_across(interface);
-  return coefficient / (nodes * nodes);
+  return nodes > 0. ? coefficient / (nodes * nodes) : 0.;
+}
+
+/// A change of a figure from one mesh to the next, relative to the newest value.
+struct Change {
+  double size;
+  unsigned int halvings;
+};
+
+/// Changes over the meshes that refined one of the two, the newest last.
+std::vector<Change> changes(const std::vector<MeshValue>& values, const Refined refined) {
+  std::vector<Change> result;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i].refined == refined)
+      result.push_back(
+          {(values[i].value - values[i - 1].value) / values.back().value, values[i].halvings});
+  return result;
+}
+
+/// Share of a change over so many halvings that is still to come, at an order of convergence.
+double still_to_come(const unsigned int halvings, const double order) {
+  return 1. / (std::pow(2., order * halvings) - 1.);
+}
+
+/// Ratio of two successive changes at an order of convergence.
+double ratio_at(const double order, const Change& before, const Change& now) {
+  return std::pow(2., order * now.halvings) * still_to_come(now.halvings, order) /
+         still_to_come(before.halvings, order);
+}
+
+/// Between 1 and 2, the order that two successive changes show.
+double order_of(const Change& before, const Change& now) {
+  const double ratio = std::log(std::abs(before.size) / std::max(std::abs(now.size), 1e-300));
+  const double first = std::log(ratio_at(1., before, now));
+  const double second = std::log(ratio_at(2., before, now));
+  return std::clamp(1. + (ratio - first) / (second - first), 1., 2.);
+}
+
+double zone_error(const std::vector<Change>& changes) {
+  if (changes.empty()) return 1.;
+  const Change& now = changes.back();
+  if (changes.size() == 1) return std::abs(now.size) * still_to_come(now.halvings, 1.);
+  const Change& before = changes[changes.size() - 2];
+  const double left_of_before =
+      std::abs(before.size) * still_to_come(before.halvings, 2.) / std::pow(4., now.halvings);
+  return std::max(std::abs(now.size) * still_to_come(now.halvings, order_of(before, now)),
+                  left_of_before);
 }
 
 }  // namespace
 
-double grading_for(const double accuracy) {
-  return std::min(0.3, std::sqrt(0.25 * accuracy / grading_coefficient));
+template <int dim>
+double first_grading(const double accuracy) {
+  // After one step half of the correction is then about a tenth of the accuracy on compact cells,
+  // where the error is 0.035 times the square of the grading at most. With more than half, two
+  // neighbours would have to differ by more than two in size.
+  constexpr double greatest = dim == 2 ? 0.5 : 0.42;
+  return std::min(greatest, std::sqrt(25. * accuracy));
 }
 
 template <int dim>
-double error_estimate(const double change, const double previous_error, const double grading,
-                      const std::vector<ContactInterface<dim>>& interfaces) {
-  unsigned int across = 0;
-  double ends = 0.;
-  for (const ContactInterface<dim>& interface : interfaces) {
-    across += nodes_across(interface);
-    ends = std::max(ends, end_uncertainty(interface));
+Extrapolation extrapolate(const std::vector<MeshValue>& values, const double grading) {
+  constexpr double taken = dim == 2 ? 1. : 0.5;
+  constexpr double doubt = dim == 2 ? 0.5 : 1.;
+  // A smaller fall of the measure shows too little of the error.
+  constexpr double least_ratio = 1.2;
+  const double zone = std::min(1., zone_error(changes(values, Refined::zone)));
+  Extrapolation result{0., zone, std::min(1., greatest_grading_coefficient * grading * grading)};
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double ratio = values[i - 1].size_measure / values[i].size_measure;
+    if (values[i].refined != Refined::surroundings || ratio < least_ratio) continue;
+    result.correction = taken * (values[i].value / values[i - 1].value - 1.) / (ratio - 1.);
+    result.surroundings_error = doubt * std::abs(result.correction);
   }
-  if (across < fewest_nodes) return 1.;
-  if (ends == 0.) return std::min(1., std::max(change, previous_error));
-  return std::min(
-      1., std::max({change, previous_error, ends}) + grading_coefficient * grading * grading);
+  return result;
+}
+
+template <int dim>
+double end_error(const std::vector<ContactInterface<dim>>& interfaces,
+                 const std::vector<double>& peaks) {
+  const double greatest = *std::max_element(peaks.begin(), peaks.end());
+  double error = 0.;
+  for (std::size_t i = 0; i < interfaces.size(); ++i)
+    if (peaks[i] > 0.)
+      error = std::max(error, peaks[i] / greatest * end_uncertainty(interfaces[i]));
+  return error;
+}
+
+template <int dim>
+bool has_free_ends(const std::vector<ContactInterface<dim>>& interfaces) {
+  return std::any_of(interfaces.begin(), interfaces.end(), [](const auto& interface) {
+    return nodes_across(interface) > 0 && end_uncertainty(interface) > 0.;
+  });
 }
 
 bool grows_without_bound(const std::vector<LevelRecord>& history) {
@@ -68,12 +146,24 @@ bool grows_without_bound(const std::vector<LevelRecord>& history) {
   constexpr std::size_t meshes = 4;
   constexpr unsigned int resolved_nodes = 16;
   constexpr double growth = 1.1;
-  if (history.size() < meshes) return false;
-  for (std::size_t i = history.size() - meshes + 1; i < history.size(); ++i)
-    if (history[i - 1].nodes_across < resolved_nodes ||
-        history[i].peak_pressure < growth * history[i - 1].peak_pressure)
-      return false;
-  return true;
+  const auto steps = zone_steps(history);
+  if (steps.size() < meshes - 1) return false;
+  return std::all_of(steps.end() - (meshes - 1), steps.end(), [&](const std::size_t i) {
+    return history[i - 1].nodes_across >= resolved_nodes &&
+           history[i].peak_pressure >= growth * history[i - 1].peak_pressure;
+  });
+}
+
+bool stands_still(const std::vector<LevelRecord>& history) {
+  constexpr std::ptrdiff_t meshes = 3;
+  constexpr double same = 0.01;
+  const auto steps = zone_steps(history);
+  if (static_cast<std::ptrdiff_t>(steps.size()) < meshes) return false;
+  return std::all_of(steps.end() - meshes, steps.end(), [&](const std::size_t i) {
+    return history[i].active_nodes <= history[i - 1].active_nodes &&
+           std::abs(history[i].peak_pressure - history[i - 1].peak_pressure) <
+               same * history[i].peak_pressure;
+  });
 }
 
 EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
@@ -81,10 +171,11 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
   // rigid one 0.5; cells longer than the contact is wide show less of it. Where the edge is broken,
   // the contact ends before it, and where both bodies end together, the pressure is less there.
   constexpr double least_exponent = 0.03;
-  const LevelRecord& now = history.back();
-  EdgePressure edge{true, 0., now.end_pressure};
-  if (history.size() < 2) return edge;
-  const LevelRecord& before = history[history.size() - 2];
+  EdgePressure edge{true, 0., history.back().end_pressure};
+  const auto steps = zone_steps(history);
+  if (steps.empty()) return edge;
+  const LevelRecord& now = history[steps.back()];
+  const LevelRecord& before = history[steps.back() - 1];
   if (now.end_pressure <= 0. || before.end_pressure <= 0.) return edge;
   edge.growth_exponent = std::log2(now.end_pressure / before.end_pressure) / now.halvings;
   const bool leads = now.end_pressure >= now.peak_pressure * (1. - 1e-12);
@@ -93,7 +184,13 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
   return edge;
 }
 
-template double error_estimate(double, double, double, const std::vector<ContactInterface<2>>&);
-template double error_estimate(double, double, double, const std::vector<ContactInterface<3>>&);
+template Extrapolation extrapolate<2>(const std::vector<MeshValue>&, double);
+template Extrapolation extrapolate<3>(const std::vector<MeshValue>&, double);
+template double first_grading<2>(double);
+template double first_grading<3>(double);
+template double end_error(const std::vector<ContactInterface<2>>&, const std::vector<double>&);
+template double end_error(const std::vector<ContactInterface<3>>&, const std::vector<double>&);
+template bool has_free_ends(const std::vector<ContactInterface<2>>&);
+template bool has_free_ends(const std::vector<ContactInterface<3>>&);
 
 }  // namespace geneva::fem

@@ -6,27 +6,63 @@
 
 namespace geneva::fem {
 
-/// Ratio of cell size to distance from the contact that suits a wanted accuracy, between 0 and 0.3.
-double grading_for(double accuracy);
-
-/// Relative error of the peak contact pressure: the greatest of
-/// - its change from the mesh before, which bounds the remaining error since halving the edges
-/// halves it at least;
-/// - what the change before that leaves of an error now, lest two meshes agree by chance;
-/// - what the contact's free ends are worth that lie somewhere on an edge;
-/// plus what the cells around the contact are worth, whose ratio of size to distance stays the same
-/// from mesh to mesh.
-/// @param change relative change of the peak pressure from the mesh before
-/// @param previous_error error of this mesh by the change one mesh earlier
-/// @return between 0 and 1; 1 where the contact has too few nodes to say anything
+/// Greatest ratio of cell size to distance from the contact to begin with: coarse, since its part
+/// in the error is measured and reduced where it matters. Only the cost depends on it.
 template <int dim>
-double error_estimate(double change, double previous_error, double grading,
-                      const std::vector<ContactInterface<dim>>& interfaces);
+double first_grading(double accuracy);
+
+/// By what a step that refines the cells around the contact multiplies that ratio.
+template <int dim>
+constexpr double grading_step = dim == 2 ? 0.5 : 0.7071;
+
+/// A figure on one mesh, and what that mesh has finer than the one before.
+struct MeshValue {
+  double value;
+  Refined refined;
+  unsigned int halvings;  ///< of the contact's cells since the mesh before
+  double size_measure;    ///< that the error by the cells' sizes is proportional to
+};
+
+/// Where a figure tends to on ever finer meshes; all relative to its value on the last one.
+struct Extrapolation {
+  double correction;          ///< to be added: what the cells around the contact are worth
+  double zone_error;          ///< >= 0, of the resolution of the contact itself
+  double surroundings_error;  ///< >= 0, what may be left of the correction
+};
+
+/// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
+/// meshes that reduced it.
+///
+/// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
+/// the older one leaves at second order, lest two meshes agree by chance. The part of the cells
+/// around the contact is proportional to their size measure: when that falls from q to 1, the
+/// change is q - 1 times what is left. This is corrected, and half of the correction stays in
+/// doubt.
+/// @param values the newest last, all with enough nodes in contact
+/// @param grading ratio of size to distance now
+template <int dim>
+Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading);
+
+/// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
+/// an edge: 1.2/N^2 with N nodes across; of every pair as its peak is to the greatest.
+/// @param peaks of the pairs; the error of open pairs is none
+template <int dim>
+double end_error(const std::vector<ContactInterface<dim>>& interfaces,
+                 const std::vector<double>& peaks);
+
+/// Whether any contact ends within the surfaces: others do not depend on the cells around them.
+template <int dim>
+bool has_free_ends(const std::vector<ContactInterface<dim>>& interfaces);
 
 /// Whether the peak pressures of successive meshes grow without bound, as they do where a contact
 /// reaches a sharp edge.
 /// @param history levels so far, the newest last
 bool grows_without_bound(const std::vector<LevelRecord>& history);
+
+/// Whether neither the number of active nodes grew nor the peak pressure changed while the
+/// contact's cells were halved three times.
+/// @param history levels so far, the newest last
+bool stands_still(const std::vector<LevelRecord>& history);
 
 /// What the pressures at the ends of a contact's length say of its edges: at a sharp one it is the
 /// greatest of all, and grows from mesh to mesh by a power of the cells' fineness.

@@ -29,15 +29,27 @@ double shortest_edge(const Surface<dim>& surface, const SurfaceFace<dim>& face) 
   return shortest;
 }
 
-/// Edge of the square of the cell's area; in space the least of its extents, which may be long
-/// along the contact.
 template <int dim>
-double size_of(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
-  if constexpr (dim == 2) return std::sqrt(cell->measure());
-  double size = std::numeric_limits<double>::max();
-  for (unsigned int axis = 0; axis < dim; ++axis)
-    size = std::min(size, cell->extent_in_direction(axis));
-  return size;
+double longest_edge(const Surface<dim>& surface, const SurfaceFace<dim>& face) {
+  double longest = 0.;
+  for (std::size_t i = 0; i < face.nodes.size(); ++i)
+    longest =
+        std::max(longest, surface.nodes[face.nodes[i]].position.distance(
+                              surface.nodes[face.nodes[(i + 1) % face.nodes.size()]].position));
+  return longest;
+}
+
+/// The longest extent of a cell; in space the middle one, or the longest one over the elongation of
+/// the zone's faces if that is more: where the contact needs no short cells along it, they are not
+/// needed around it.
+template <int dim>
+double size_of(const typename dealii::DoFHandler<dim>::active_cell_iterator& cell,
+               const double elongation) {
+  Components<dim> extents{};
+  for (unsigned int axis = 0; axis < dim; ++axis) extents[axis] = cell->extent_in_direction(axis);
+  std::sort(extents.begin(), extents.end());
+  if (dim == 2) return extents[1];
+  return std::max(extents[1], extents[dim - 1] / elongation);
 }
 
 /// A contact zone as seen from the cells around it.
@@ -45,50 +57,106 @@ template <int dim>
 struct ZoneOutline {
   std::vector<dealii::Point<dim>> nodes;  ///< in contact
   double next_size;                       ///< edge length in the zone after this refinement
+  double elongation;                      ///< greatest ratio of a face's edges in the zone
+  double width;  ///< of the contact; in space its edges times the nodes across
 };
 
 template <int dim>
-std::vector<ZoneOutline<dim>> zone_outlines(const std::vector<ContactInterface<dim>>& interfaces) {
+std::vector<ZoneOutline<dim>> zone_outlines(const std::vector<ContactInterface<dim>>& interfaces,
+                                            const bool zone_is_refined) {
   std::vector<ZoneOutline<dim>> zones;
   for (const ContactInterface<dim>& interface : interfaces) {
-    ZoneOutline<dim> zone{{}, 0.};
+    ZoneOutline<dim> zone{{}, 0., 1., 0.};
     const std::vector<bool> active = active_nodes(interface);
     double shortest = std::numeric_limits<double>::max();
     for (const SurfaceFace<dim>& face : interface.source.faces)
       if (std::any_of(face.nodes.begin(), face.nodes.end(),
-                      [&](const unsigned int node) { return active[node]; }))
-        shortest = std::min(shortest, shortest_edge(interface.source, face));
+                      [&](const unsigned int node) { return active[node]; })) {
+        const double edge = shortest_edge(interface.source, face);
+        shortest = std::min(shortest, edge);
+        zone.elongation = std::max(zone.elongation, longest_edge(interface.source, face) / edge);
+      }
     for (std::size_t node = 0; node < active.size(); ++node)
       if (active[node]) zone.nodes.push_back(interface.source.nodes[node].position);
-    zone.next_size = shortest / 2.;
+    zone.next_size = zone_is_refined ? shortest / 2. : shortest;
+    zone.width = nodes_across(interface) * shortest;
     if (!zone.nodes.empty()) zones.push_back(zone);
   }
   return zones;
 }
 
-template <int dim>
-unsigned int flag_surroundings(dealii::DoFHandler<dim>& dof_handler,
-                               const std::vector<ContactInterface<dim>>& interfaces,
-                               const double grading) {
-  constexpr double slack = 1.1;  // cells are not quite square
-  std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> large;
-  for (const ZoneOutline<dim>& zone : zone_outlines(interfaces)) {
+/// Calls a function for every cell of this rank and every zone with the distance of the two.
+template <int dim, typename Function>
+void visit_cells(const dealii::DoFHandler<dim>& dof_handler,
+                 const std::vector<ZoneOutline<dim>>& zones, const Function& visit) {
+  for (const ZoneOutline<dim>& zone : zones) {
     const auto tree = dealii::pack_rtree(zone.nodes);
     for (const auto& cell : dof_handler.active_cell_iterators()) {
-      if (!cell->is_locally_owned() || cell->refine_flag_set()) continue;
+      if (!cell->is_locally_owned()) continue;
       const dealii::Point<dim> centre = cell->center();
       std::vector<dealii::Point<dim>> nearest;
       tree.query(boost::geometry::index::nearest(centre, 1), std::back_inserter(nearest));
-      const double wanted = std::max(grading * centre.distance(nearest.front()), zone.next_size);
-      if (size_of<dim>(cell) > slack * wanted) large.push_back(cell);
+      visit(cell, zone, centre.distance(nearest.front()));
     }
   }
+}
+
+/// Greatest size of a cell at a distance from a contact.
+template <int dim>
+double size_at(const double distance, const ZoneOutline<dim>& zone, const double grading) {
+  if (dim == 3 || distance < zone.width) return grading * distance;
+  return grading * distance * std::sqrt(distance / zone.width);
+}
+
+template <int dim>
+unsigned int flag_surroundings(dealii::DoFHandler<dim>& dof_handler,
+                               const std::vector<ZoneOutline<dim>>& zones, const double grading) {
+  constexpr double slack = 1.1;  // cells are not quite square
   unsigned int flagged = 0;
-  for (const auto& cell : large) {
-    if (cell->refine_flag_set()) continue;
-    cell->set_refine_flag();
-    ++flagged;
+  visit_cells(
+      dof_handler, zones,
+      [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
+        const double wanted = std::max(size_at(distance, zone, grading), zone.next_size);
+        if (cell->refine_flag_set() || size_of<dim>(cell, zone.elongation) <= slack * wanted)
+          return;
+        cell->set_refine_flag();
+        ++flagged;
+      });
+  return flagged;
+}
+
+/// Cells with a refinement flag, which they lose.
+template <int dim>
+std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> unflagged(
+    dealii::DoFHandler<dim>& dof_handler) {
+  std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
+  for (const auto& cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->refine_flag_set()) {
+      cell->clear_refine_flag();
+      cells.push_back(cell);
+    }
+  return cells;
+}
+
+/// Flags cells around the zones, none of the zones and none that is not larger than theirs.
+template <int dim>
+unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
+                                    const std::vector<ContactInterface<dim>>& interfaces,
+                                    const SurfaceIds& surface_ids, const double grading) {
+  auto zones = zone_outlines(interfaces, false);
+  flag_zone(dof_handler, interfaces, surface_ids, false);
+  const auto zone_cells = unflagged(dof_handler);
+  for (ZoneOutline<dim>& zone : zones) {
+    for (const auto& cell : zone_cells)
+      zone.next_size = std::max(zone.next_size, size_of<dim>(cell, zone.elongation));
+    zone.next_size = dealii::Utilities::MPI::max(zone.next_size, dof_handler.get_communicator());
   }
+  unsigned int flagged = flag_surroundings(dof_handler, zones, grading);
+  for (const auto& cell : zone_cells)
+    if (cell->refine_flag_set()) {
+      cell->clear_refine_flag();
+      --flagged;
+    }
   return flagged;
 }
 
@@ -116,14 +184,31 @@ template <int dim>
 unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
                         const std::vector<ContactInterface<dim>>& interfaces,
-                        const std::vector<std::pair<unsigned int, unsigned int>>& surface_ids,
-                        const std::optional<double> grading) {
-  unsigned int flagged = flag_zone(dof_handler, interfaces, surface_ids, false);
-  if (grading) {
-    flagged += flag_surroundings(dof_handler, interfaces, *grading);
-    flagged += flag_energy(dof_handler, displacement);
+                        const SurfaceIds& surface_ids, const Wanted& wanted) {
+  unsigned int flagged = 0;
+  if (wanted.zone) {
+    flagged += flag_zone(dof_handler, interfaces, surface_ids, false);
+    if (wanted.grading)
+      flagged += flag_surroundings(dof_handler, zone_outlines(interfaces, true), *wanted.grading);
+  } else if (wanted.grading) {
+    flagged += flag_only_surroundings(dof_handler, interfaces, surface_ids, *wanted.grading);
   }
+  if (wanted.grading) flagged += flag_energy(dof_handler, displacement);
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
+}
+
+template <int dim>
+double size_measure(const dealii::DoFHandler<dim>& dof_handler,
+                    const std::vector<ContactInterface<dim>>& interfaces) {
+  constexpr int decay = dim == 2 ? 6 : 4;
+  double sum = 0.;
+  visit_cells(dof_handler, zone_outlines(interfaces, false),
+              [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
+                const double size = size_of<dim>(cell, zone.elongation);
+                sum += size * size * cell->measure() /
+                       std::pow(std::max(distance, zone.width / 2.), decay);
+              });
+  return dealii::Utilities::MPI::sum(sum, dof_handler.get_communicator());
 }
 
 template <int dim>
@@ -137,13 +222,15 @@ unsigned int flag_uneven_edges(dealii::DoFHandler<dim>& dof_handler,
 template unsigned int flag_cells(dealii::DoFHandler<2>&,
                                  const dealii::TrilinosWrappers::MPI::Vector&,
                                  const std::vector<ContactInterface<2>>&, const SurfaceIds&,
-                                 std::optional<double>);
+                                 const Wanted&);
+template double size_measure(const dealii::DoFHandler<2>&, const std::vector<ContactInterface<2>>&);
+template double size_measure(const dealii::DoFHandler<3>&, const std::vector<ContactInterface<3>>&);
 template unsigned int flag_uneven_edges(dealii::DoFHandler<2>&,
                                         const std::vector<ContactInterface<2>>&, const SurfaceIds&);
 template unsigned int flag_cells(dealii::DoFHandler<3>&,
                                  const dealii::TrilinosWrappers::MPI::Vector&,
                                  const std::vector<ContactInterface<3>>&, const SurfaceIds&,
-                                 std::optional<double>);
+                                 const Wanted&);
 template unsigned int flag_uneven_edges(dealii::DoFHandler<3>&,
                                         const std::vector<ContactInterface<3>>&, const SurfaceIds&);
 

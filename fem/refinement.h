@@ -12,19 +12,39 @@
 
 namespace geneva::fem {
 
+/// What is to be refined.
+struct Wanted {
+  bool zone;  ///< the contact zones; else only the cells around them
+  /// Greatest ratio of a cell's size to its distance from the contact; in the plane that at a
+  /// contact's width from it, and beyond in proportion to the root of the distance. Nothing while
+  /// the contact is not resolved well enough for sizes and energy norm to make sense: then only the
+  /// zones are refined.
+  std::optional<double> grading;
+};
+
 /// Flags the cells to refine: evenly those along every contact zone, so that the contact pressure
 /// lives on a smooth mesh; those that are large for their distance from it; and those with a large
 /// energy-norm error (Kelly et al. 1983).
 /// @param surface_ids boundary ids (source, target) of the interfaces
-/// @param grading greatest ratio of a cell's size to its distance from the contact; nothing while
-/// the contact is not resolved well enough for sizes and energy norm to make sense: then only the
-/// zones are refined
 /// @return number of flagged cells on all ranks
 template <int dim>
 unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
                         const dealii::TrilinosWrappers::MPI::Vector& displacement,
                         const std::vector<ContactInterface<dim>>& interfaces,
-                        const SurfaceIds& surface_ids, std::optional<double> grading);
+                        const SurfaceIds& surface_ids, const Wanted& wanted);
+
+/// What the error of the peak pressure that comes from the cells' sizes h is proportional to: the
+/// sum over the cells of h^2 V/max(r, b)^m, r being the distance from the nearest contact and b its
+/// half-width.
+///
+/// A linear cell is off by h^2 times the second derivatives of the displacement, and that counts as
+/// much as those of the dual solution of the peak pressure. Under a line load the former fall as
+/// 1/r^2. In the plane the force of a contact is given, and what is left of the dual solution is
+/// a double couple, with b^2/r^4: m = 6. In space the cells also decide where along its length the
+/// force goes, and the dual solution is a force, with 1/r^2: m = 4.
+template <int dim>
+double size_measure(const dealii::DoFHandler<dim>& dof_handler,
+                    const std::vector<ContactInterface<dim>>& interfaces);
 
 /// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
 /// the contact pressure ripples where edges change their length. In space those of lower levels

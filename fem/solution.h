@@ -52,7 +52,9 @@ struct ContactResult {
   std::vector<std::array<std::size_t, 4>> faces;
   Components<dim> force;  ///< on the source body [N]
   Moment<dim> moment;     ///< of the pressure on the source body about the origin [N m]
-  double peak_pressure;   ///< [Pa]
+  /// [Pa]; that of the nodes with what the cells around the contact are worth, see
+  /// Solution::correction
+  double peak_pressure;
   std::vector<ContactInterval> intervals;  ///< in the plane
   double half_width;                       ///< of the widest interval, in the plane [m]
   bool symmetric;                          ///< whether that one ends at a plane or axis of symmetry
@@ -73,20 +75,27 @@ struct Reaction {
   Moment<dim> moment{};
 };
 
+/// What a mesh has finer than the one before.
+enum class Refined {
+  nothing,      ///< the first mesh
+  zone,         ///< the contact zone; the cells around keep their ratio of size to distance
+  surroundings  ///< the cells around the contact, whose ratio of size to distance is halved
+};
+
 /// One mesh of the nested iteration.
 struct LevelRecord {
   unsigned int cells;
   unsigned int dofs;
   std::vector<unsigned int> linear_iterations;  ///< one entry for every active-set step
   double peak_pressure;                         ///< [Pa]
-  double change;          ///< relative change of the peak pressure from the mesh before
-  double error_estimate;  ///< relative, of the peak pressure
+  Refined refined;
+  double size_measure;    ///< see there; of the error by the cells' sizes
+  double error_estimate;  ///< relative, of the peak pressure extrapolated from this mesh
   /// In space: greatest pressure in the middle half of the surfaces' common length, and at its two
   /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
-  double mid_length_change;  ///< relative change of the former from the mesh before
-  unsigned int halvings;     ///< of the contact's cells since the mesh before
+  unsigned int halvings;  ///< of the contact's cells since the mesh before
   unsigned int active_nodes;
   unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close
@@ -104,6 +113,7 @@ enum class Outcome {
   active_set_limit,
   unbounded_pressure,  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
                        ///< edge
+  no_progress,         ///< neither contact nor pressure change while the mesh becomes finer
   unbounded_edge  ///< so does that at an end of the contact's length, and the rest has converged
 };
 
@@ -138,6 +148,8 @@ struct Solution {
   std::vector<LevelRecord> history;
   double error_estimate = 0.;  ///< relative, of the peak contact pressure; where an edge pressure
                                ///< is not bounded, of that in the middle half of the length
+  double correction = 0.;      ///< relative, of the same pressure: what its extrapolation to ever
+                               ///< finer cells around the contact adds to that of the mesh
   std::optional<EdgePressure> edge;  ///< in space
   Outcome outcome = Outcome::converged;
   std::string message;  ///< what ended the refinement early and what to try; empty when converged
