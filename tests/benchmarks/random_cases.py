@@ -489,6 +489,15 @@ class Wheel:
         square = 1 + s**2 - 2 * s * math.cos(angle)
         return centres * math.sqrt(square), -s * (1 - s**2) * math.sin(angle) / square**2
 
+    def inertia(self, density):
+        """More than the drawn wheel's moment of inertia: without slots, arcs and bore."""
+        outer, inner = self.diameter / 2, 0.0
+        if self.type == "internal":
+            slope = math.pi / self.stations
+            reach = outer / math.cos(slope) + outer * math.tan(slope)  # of the pin, c + r
+            outer, inner = reach + (self.pin + self.clearance) / 2 + 0.15 * self.diameter, outer
+        return math.pi / 2 * density * self.thickness * (outer**4 - inner**4)
+
     def engagement(self):
         """Greatest driver angle at which the pin stands in the slot with room for its contact before the wall's end."""
         sign = 1 if self.type == "external" else -1
@@ -523,13 +532,13 @@ def draw_wheel(draw, wheel_type, greatest_stations=24):
 def mechanism_parameters(draw, wheel, angle, force, further):
     """The parameters of a mechanism whose pin force is about the one given.
 
-    The friction moment carries most of it; the rest (a share of up to a half where the wheel gains speed) is left to
-    the inertia of wheel and load.
+    The friction moment carries most of it. Where the wheel gains speed up to a half is left to the inertia of wheel and
+    load, where it loses speed the friction carries up to a fifth more.
     """
     density = draw.between(1500.0, 9000.0)
     arm, acceleration = wheel.reach(angle)
     moment = force * arm
-    inertia = math.pi / 32 * density * wheel.thickness * wheel.diameter**4
+    inertia = wheel.inertia(density)
     load_inertia = inertia * draw.by_factor(0.01, 10.0)
     share = draw.between(0.0, 0.5 if acceleration > 0 else 0.2)
     speed = math.sqrt(share * moment / (inertia + load_inertia) / max(abs(acceleration), 0.1))
