@@ -92,8 +92,9 @@ struct MechanismCase {
   std::vector<double> pin_angles;  ///< [rad], may be empty
   DriverMotion motion;
   loads::WheelLoad load;
-  double external_torque;  ///< on the wheel, against its motion if positive [N m]
-  double slot_friction;    ///< coefficient
+  double external_torque;                   ///< on the wheel, against its motion if positive [N m]
+  double slot_friction;                     ///< coefficient, of a pin fixed to its carrier
+  std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
   AngleKind angle_kind;
   double driver_angle;  ///< [rad], if given
   InertiaKind inertia_kind;

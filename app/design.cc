@@ -93,8 +93,11 @@ std::vector<std::string> notices_of(const Case& given, const post::DesignReport&
     notices.emplace_back(
         "the stress falls as far as the wheel can be drawn with the given lengths: the best "
         "wheel as drawn is the last one that can be made");
-  if (given.mechanism->external_torque != 0. || given.mechanism->slot_friction != 0.)
-    notices.emplace_back("external torque and slot friction are left out, as Johnson does");
+  const bool has_pin_friction =
+      given.mechanism->slot_friction != 0. ||
+      (given.mechanism->roller && given.mechanism->roller->friction != 0.);
+  if (given.mechanism->external_torque != 0. || has_pin_friction)
+    notices.emplace_back("external torque and friction of the pin are left out, as Johnson does");
   if (given.mechanism->angle_kind != MechanismCase::AngleKind::at_maximum_wheel_acceleration)
     notices.emplace_back(
         "the design is that of the greatest wheel acceleration, not of the case's driver angle");

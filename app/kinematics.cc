@@ -23,6 +23,7 @@ post::KinematicsReport make_kinematics(const Case& given, const int steps) {
   return {header_of(given),
           version,
           dynamics.driven.mechanism().name,
+          dynamics.train.roller.has_value(),
           dynamics.driven.drive().reference_speed,
           loads::characteristics(dynamics.driven, dynamics.train, contact),
           dynamics.driven.unbounded(),

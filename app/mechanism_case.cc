@@ -130,7 +130,11 @@ std::optional<double> slot_width(const MechanismCase& given, const MechanismDyna
 void check_dynamics(const CaseValues& values, const MechanismCase& given) {
   const CaseSection section(values, {names::mechanism});
   const MechanismDynamics dynamics = mechanism_dynamics(given);
-  checked(section, "Slot friction", [&] { loads::check(dynamics.train, dynamics.driven); });
+  if (given.roller)
+    checked(section, "Roller bore diameter",
+            [&] { loads::check(*given.roller, dynamics.sizes.pin_diameter); });
+  checked(section, given.roller ? "Roller bore friction" : "Slot friction",
+          [&] { loads::check(dynamics.train, dynamics.driven); });
   if (given.space) check_pin(values, given, dynamics.sizes, slot_width(given, dynamics));
 }
 
@@ -288,6 +292,24 @@ double read_load_inertia(const CaseSection& section) {
                                        section.value("Load density"));
 }
 
+/// A roller has friction in its bore, a fixed pin on the wall.
+std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
+  if (section.text("Pin type") != names::roller) {
+    for (const char* name : {"Roller bore diameter", "Roller bore friction"})
+      if (section.is_changed(name))
+        section.refuse(name, "this has an effect with Pin type = roller only");
+    return std::nullopt;
+  }
+  if (section.is_changed("Slot friction"))
+    section.refuse("Slot friction",
+                   "this has an effect with Pin type = fixed only: a roller does not slide on the "
+                   "wall but in its bore; give 'Roller bore friction'");
+  if (!section.is_given("Roller bore diameter"))
+    section.refuse_missing("Roller bore diameter", "'Pin type' = 'roller' needs it");
+  return loads::RollerBore{section.value("Roller bore diameter"),
+                           section.value("Roller bore friction")};
+}
+
 CaseMaterial read_material(const CaseSection& section) {
   return {section.value("Young's modulus"), section.value("Poisson's ratio"),
           section.value("Density")};
@@ -314,6 +336,7 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.load = {read_load_inertia(section), section.value("Friction moment")};
   result.external_torque = section.value("External torque");
   result.slot_friction = section.value("Slot friction");
+  result.roller = read_roller(section);
   read_contact_model(section, result);
   check_motion(section, {values, {names::mechanism, names::linkage}}, result);
   read_angle(section, driven_mechanism(result), result);

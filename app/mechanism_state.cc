@@ -72,8 +72,11 @@ MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
   std::optional<double> from_geometry;
   if (wheel) from_geometry = drawn_inertia(*wheel, mechanism.wheel.density);
   const loads::WheelTrain train{inertia_used(mechanism, from_geometry, sizes.wheel_diameter),
-                                mechanism.load, mechanism.external_torque, mechanism.slot_friction,
-                                sizes.pin_diameter};
+                                mechanism.load,
+                                mechanism.external_torque,
+                                mechanism.slot_friction,
+                                sizes.pin_diameter,
+                                mechanism.roller};
   return {driven_mechanism(mechanism), train, sizes, wheel, from_geometry};
 }
 

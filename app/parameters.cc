@@ -271,6 +271,7 @@ std::vector<Parameter> pin_parameters() {
 std::vector<Parameter> inertia_parameters() {
   const SectionPath section{names::mechanism};
   const std::string cylinder = " Only with Load inertia = solid cylinder.";
+  const std::string only_roller = " Only with Pin type = roller.";
   return {
       {section, "Wheel inertia", names::from_geometry,
        positive(Dimension::inertia, {names::from_geometry, names::johnson}),
@@ -292,8 +293,19 @@ std::vector<Parameter> inertia_parameters() {
       {section, "External torque", "0 N.m", quantity(Dimension::moment),
        "Torque of the driven machine on the wheel's axis, against its motion; negative: with it."},
       {section, "Slot friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
-       "Coefficient of friction between pin and slot wall, for the pin force only: the contact "
-       "itself is computed without friction."}};
+       "Coefficient of friction between slot wall and a pin that is fixed to its carrier, for the "
+       "pin "
+       "force only: the contact itself is computed without friction. Only with Pin type = fixed."},
+      {section, "Pin type", names::fixed, ChoiceRule{{names::fixed, names::roller}},
+       "'fixed': the pin is one with what carries it (crank, chain link, coupler) and slides on "
+       "the "
+       "wall with its surface. 'roller': it turns freely on a stud, rolls on the wall and slides "
+       "in "
+       "its bore."},
+      {section, "Roller bore diameter", "", positive(Dimension::length, {""}),
+       "Diameter of the stud on which the roller turns, less than the pin diameter." + only_roller},
+      {section, "Roller bore friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
+       "Coefficient of friction of roller and stud, for the pin force only." + only_roller}};
 }
 
 std::vector<Parameter> design_parameters() {
@@ -549,10 +561,13 @@ std::vector<Parameter> allowable_parameters() {
   const SectionPath section{names::allowable};
   return {
       {section, "Contact pressure", "", positive(Dimension::stress, {""}),
-       "Greatest contact pressure that is allowed; if given, the safety factor is reported."},
+       "Greatest contact pressure that is allowed; if given, the safety factor is reported, of a "
+       "mechanism where it is least in the cycle."},
       {section, "Pressure times slip speed", "", positive(Dimension::pressure_times_speed, {""}),
        "Greatest product of contact pressure and slip speed that is allowed, for wear; if given, "
-       "the safety factor is reported. Only with Model = mechanism."}};
+       "the safety factor is reported where it is least in the cycle. Of a roller: the mean "
+       "pressure in its bore times the speed at which it slides there. Only with Model = "
+       "mechanism."}};
 }
 
 std::vector<Parameter> mechanism_parameters() {

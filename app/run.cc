@@ -123,14 +123,21 @@ std::optional<post::MechanismReport> mechanism_report(
     const fem::Solution<dim>& solution, [[maybe_unused]] const post::Results<dim>& results) {
   if (!model.mechanism) return std::nullopt;
   const MechanismState& state = *model.mechanism;
-  post::MechanismReport report{state.load,
-                               state.inertia_from_geometry,
-                               state.train.wheel_inertia,
-                               state.expected_bore_torque,
-                               model.held_surface,
-                               std::nullopt,
-                               std::nullopt,
-                               dim == 3 && is_half_model(*mechanism) ? 2. : 1.};
+  const loads::PinContact contact = pin_contact(*mechanism, state.sizes);
+  const loads::Characteristics cycle = loads::characteristics(state.driven, state.train, contact);
+  post::MechanismReport report{
+      state.load,
+      state.inertia_from_geometry,
+      state.train.wheel_inertia,
+      state.expected_bore_torque,
+      model.held_surface,
+      std::nullopt,
+      std::nullopt,
+      dim == 3 && is_half_model(*mechanism) ? 2. : 1.,
+      state.train.roller,
+      loads::bore_pressure(contact, state.train, state.load.force),
+      cycle.pressure,
+      state.train.roller ? cycle.bore_pressure_times_speed : cycle.pressure_times_slip};
   for (const fem::Reaction<dim>& reaction : solution.reactions)
     if (reaction.surface == model.held_surface && state.wheel && !mechanism->is_local)
       report.bore_torque = -report.parts * about_z(reaction.moment);
@@ -144,11 +151,26 @@ double peak_memory(const MPI_Comm communicator) {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
 }
 
+/// What the safety factors over the cycle leave out: impacts, which no torque balance knows.
+std::vector<std::string> impact_notices(const Case& given) {
+  const bool has_limit = given.allowed.contact_pressure || given.allowed.pressure_times_slip;
+  if (!given.mechanism || !has_limit) return {};
+  std::vector<std::string> notices;
+  for (const loads::Unbounded& place : driven_mechanism(*given.mechanism).unbounded())
+    if (place.quantity == "wheel acceleration")
+      notices.push_back(
+          fmt::format("the wheel's speed jumps at a driver angle of {:.6g} deg: the safety factors "
+                      "leave out that impact",
+                      place.driver_angle / loads::degree));
+  return notices;
+}
+
 /// What the user should know of the solution.
 template <int dim>
 std::vector<std::string> notices_of(const Case& given, const fem::Solution<dim>& solution,
                                     const post::Results<dim>& results) {
   std::vector<std::string> notices = validity_notices(solution);
+  for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
   if (given.mechanism)
     for (const std::string& notice : length_notices(solution, results, given.units))
       notices.push_back(notice);

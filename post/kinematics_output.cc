@@ -28,18 +28,6 @@ json unbounded_section(const std::vector<loads::Unbounded>& places) {
   return list;
 }
 
-const char* name_of(const loads::Wall wall) {
-  switch (wall) {
-    case loads::Wall::driving:
-      return "driving";
-    case loads::Wall::braking:
-      return "braking";
-    case loads::Wall::none:
-      break;
-  }
-  return "none";
-}
-
 /// What is 0 all the way has no place.
 void add_peak(json& result, const std::string& name, const PlacedPeak& peak, const char* unit) {
   result[name] = quantity(peak.value, unit);
@@ -75,6 +63,20 @@ void add_forces(Rows& rows, const loads::Characteristics& values) {
   rows.add_if_finite(ratio, values.pressure_ratio);
   rows.add("greatest pressure x slip", values.pressure_times_slip, Dimension::pressure_times_speed);
   rows.add_if_finite(ratio, values.pressure_times_slip_ratio);
+  if (values.bore_pressure_times_speed.value > 0.)
+    rows.add("greatest mean bore pressure x sliding speed", values.bore_pressure_times_speed,
+             Dimension::pressure_times_speed);
+  for (const loads::SlipReversal& reversal : values.slip_reversals)
+    rows.add(fmt::format("slip reverses on the {} wall at", name_of(reversal.wall)),
+             reversal.driver_angle, Dimension::angle);
+}
+
+json reversals_section(const std::vector<loads::SlipReversal>& reversals) {
+  json list = json::array();
+  for (const loads::SlipReversal& reversal : reversals)
+    list.push_back({{"wall", name_of(reversal.wall)},
+                    {"driver_angle", quantity(reversal.driver_angle, "rad")}});
+  return list;
 }
 
 json characteristics_section(const KinematicsReport& report) {
@@ -103,6 +105,18 @@ std::string line_of(const CharacteristicRow& row, const UnitSystem units) {
 
 }  // namespace
 
+const char* name_of(const loads::Wall wall) {
+  switch (wall) {
+    case loads::Wall::driving:
+      return "driving";
+    case loads::Wall::braking:
+      return "braking";
+    case loads::Wall::none:
+      break;
+  }
+  return "none";
+}
+
 std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics& values,
                                                    const double reference_speed) {
   Rows rows;
@@ -126,6 +140,7 @@ json kinematics_summary(const KinematicsReport& report) {
   const loads::Characteristics& values = report.values;
   json result{{"case", case_section(report.about)},
               {"mechanism", report.mechanism},
+              {"pin_type", report.is_roller ? "roller" : "fixed"},
               {"reference_speed", quantity(report.reference_speed, "rad/s")},
               {"versions", versions_section(report.geneva_version)}};
   result["peak_speed_ratio"] = values.speed_ratio.value;
@@ -146,6 +161,8 @@ json kinematics_summary(const KinematicsReport& report) {
   result["peak_hertz_pressure_ratio"] = finite(values.pressure_ratio);
   add_peak(result, "peak_pressure_times_slip", values.pressure_times_slip, "Pa m/s");
   result["peak_pressure_times_slip_ratio"] = finite(values.pressure_times_slip_ratio);
+  add_peak(result, "peak_bore_pressure_times_speed", values.bore_pressure_times_speed, "Pa m/s");
+  result["slip_reversals"] = reversals_section(values.slip_reversals);
   result["entry_tangency"] = quantity(values.entry_tangency, "rad");
   result["exit_tangency"] = quantity(values.exit_tangency, "rad");
   result["bounded"] = report.unbounded.empty();
@@ -159,12 +176,14 @@ std::string kinematics_csv(const KinematicsReport& report, const UnitSystem unit
     return fmt::format("{} [{}]", name, output_unit(units, dimension).name);
   };
   std::string text = fmt::format(
-      "{},{},speed_ratio,acceleration_ratio,jerk_ratio,{},{},{},{},wall,{},{},{}\n",
+      "{},{},speed_ratio,acceleration_ratio,jerk_ratio,{},{},{},{},wall,{},{},{},{},{},{},{}\n",
       heading("driver_angle", Dimension::angle), heading("wheel_angle", Dimension::angle),
       heading("pin_distance", Dimension::length), heading("slip_speed", Dimension::speed),
       heading("pin_force", Dimension::force), heading("hertz_pressure", Dimension::stress),
       heading("time", Dimension::time), heading("driver_speed", Dimension::angular_speed),
-      heading("driver_acceleration", Dimension::angular_acceleration));
+      heading("driver_acceleration", Dimension::angular_acceleration),
+      heading("travel_speed", Dimension::speed), heading("slip_speed_driving", Dimension::speed),
+      heading("slip_speed_braking", Dimension::speed), heading("bore_speed", Dimension::speed));
   const auto in = [&](const Dimension dimension) { return output_unit(units, dimension).factor; };
   const double omega = report.reference_speed;
   for (const KinematicsRow& row : report.rows) {
@@ -172,14 +191,16 @@ std::string kinematics_csv(const KinematicsReport& report, const UnitSystem unit
     text += fmt::format(
         "{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{:.12g},{},{:.12g},{:.12g}"
         ","
-        "{:.12g}\n",
+        "{:.12g},{:.12g},{:.12g},{:.12g},{:.12g}\n",
         row.load.driver_angle * in(Dimension::angle), wheel.value * in(Dimension::angle),
         wheel.first / omega, wheel.second / (omega * omega), wheel.third / (omega * omega * omega),
         row.load.pin_distance * in(Dimension::length), row.load.slip_speed * in(Dimension::speed),
         row.load.force * in(Dimension::force), row.pressure * in(Dimension::stress),
         name_of(row.load.wall), row.load.time * in(Dimension::time),
         row.load.driver_speed * in(Dimension::angular_speed),
-        row.load.driver_acceleration * in(Dimension::angular_acceleration));
+        row.load.driver_acceleration * in(Dimension::angular_acceleration),
+        row.load.travel_speed * in(Dimension::speed), row.load.slip_driving * in(Dimension::speed),
+        row.load.slip_braking * in(Dimension::speed), row.load.bore_speed * in(Dimension::speed));
   }
   return text;
 }

@@ -16,6 +16,7 @@ struct KinematicsReport {
   CaseHeader about;
   std::string geneva_version;
   std::string mechanism;   ///< in words
+  bool is_roller;          ///< the pin; else it is fixed to its carrier
   double reference_speed;  ///< [rad/s]
   loads::Characteristics values;
   std::vector<loads::Unbounded> unbounded;
@@ -31,6 +32,9 @@ struct CharacteristicRow {
 };
 std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics& values,
                                                    double reference_speed);
+
+/// "driving", "braking" or "none".
+const char* name_of(loads::Wall wall);
 
 /// What kinematics.json says, SI units throughout.
 nlohmann::json kinematics_summary(const KinematicsReport& report);

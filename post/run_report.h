@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "loads/motion/pin_load.h"
+#include "loads/motion/kinematics.h"
 #include "loads/pin/pin_beam.h"
 #include "post/json_values.h"
 #include "post/pin_bending.h"
@@ -32,6 +32,11 @@ struct MechanismReport {
   std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
   std::optional<PinReport> pin;       ///< in space
   double parts;                       ///< of which the model is one: 2 of a half model
+  std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
+  double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin
+  loads::PlacedPeak cycle_pressure;  ///< greatest Hertz pressure of the cycle [Pa]
+  loads::PlacedPeak cycle_wear;  ///< greatest pressure times sliding speed of the cycle: Hertz's on
+                                 ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
 };
 
 /// What the case allows.

@@ -126,8 +126,10 @@ json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<
   return section;
 }
 
-json load_section(const loads::PinLoad& load) {
-  return {{"force", quantity(load.force, "N")},
+json load_section(const MechanismReport& mechanism) {
+  const loads::PinLoad& load = mechanism.load;
+  return {{"pin_type", mechanism.roller ? "roller" : "fixed"},
+          {"force", quantity(load.force, "N")},
           {"moment", quantity(load.moment, "N m")},
           {"driver_angle", quantity(load.driver_angle, "rad")},
           {"driver_speed", quantity(load.driver_speed, "rad/s")},
@@ -136,7 +138,12 @@ json load_section(const loads::PinLoad& load) {
           {"wheel_acceleration", quantity(load.wheel_acceleration, "rad/s^2")},
           {"wheel_speed", quantity(load.wheel_speed, "rad/s")},
           {"pin_distance", quantity(load.pin_distance, "m")},
-          {"slip_speed", quantity(load.slip_speed, "m/s")}};
+          {"travel_speed", quantity(load.travel_speed, "m/s")},
+          {"pin_turn_speed", quantity(load.pin_turn_speed, "rad/s")},
+          {"slip_speed", quantity(load.slip_speed, "m/s")},
+          {"slip_speed_driving", quantity(load.slip_driving, "m/s")},
+          {"slip_speed_braking", quantity(load.slip_braking, "m/s")},
+          {"bore_speed", quantity(load.bore_speed, "m/s")}};
 }
 
 template <int dim>
@@ -210,12 +217,20 @@ json safety_section(const fem::Solution<dim>& solution, const Results<dim>& resu
                     const RunReport& report) {
   json rows = json::array();
   for (const SafetyRow& row : safety(solution, results, report)) {
-    const auto factor = row.factor();
-    rows.push_back({{"quantity", row.quantity},
-                    {"dimension", name_of(row.dimension)},
-                    {"computed", quantity_if(row.computed, row.dimension)},
-                    {"allowed", quantity(row.allowed, row.dimension)},
-                    {"factor", factor ? json(*factor) : json()}});
+    const auto number_if = [](const std::optional<double>& value) {
+      return value ? json(*value) : json();
+    };
+    rows.push_back(
+        {{"quantity", row.quantity},
+         {"dimension", name_of(row.dimension)},
+         {"computed", quantity_if(row.computed, row.dimension)},
+         {"computed_factor", number_if(row.computed_factor())},
+         {"cycle", row.cycle ? json({{"value", quantity(row.cycle->value, row.dimension)},
+                                     {"driver_angle", quantity(row.cycle->driver_angle, "rad")}})
+                             : json()},
+         {"allowed", quantity(row.allowed, row.dimension)},
+         {"factor", number_if(row.factor())},
+         {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)}});
   }
   return rows;
 }
@@ -292,7 +307,7 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     result["crown"] = crown_section(*report.mechanism->pin);
   }
   if (report.mechanism) {
-    result["load"] = load_section(report.mechanism->load);
+    result["load"] = load_section(*report.mechanism);
     result["wheel"] = wheel_section(solution, results, *report.mechanism);
   }
   if (report.published_peak_pressure)

@@ -303,8 +303,12 @@ Drive law_on_cross(const Mechanism& mechanism, const PlaneGeneva kind, const dou
     if (!phase.middle) return std::nullopt;
     const CrossMotion motion =
         cross_motion(kind, alpha, centre_distance, law, relative_time(phase, time));
-    return PrescribedMotion{*phase.middle + motion.carrier_angle,
-                            {motion.cross_angle, motion.pin_distance, motion.pin_distance, 1.}};
+    return PrescribedMotion{
+        *phase.middle + motion.carrier_angle,
+        {motion.cross_angle, motion.pin_distance, motion.pin_distance,
+         kind == PlaneGeneva::external ? motion.cross_angle + motion.carrier_angle
+                                       : motion.cross_angle - motion.carrier_angle,
+         1.}};
   };
   if (has_smooth_root(law)) return drive;
   for (const Phase& phase : *all)

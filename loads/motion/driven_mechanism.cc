@@ -21,7 +21,8 @@ constexpr double greatest_defect = 1e-6;
 /// Motion of the slot with respect to time from that with respect to the driver angle.
 SlotMotion in_time(const SlotMotion& motion, const Jet& driver_angle) {
   return {chain(motion.wheel_angle, driver_angle), chain(motion.pin_distance, driver_angle),
-          chain(motion.slot_position, driver_angle), motion.friction_lever};
+          chain(motion.slot_position, driver_angle), chain(motion.pin_turn, driver_angle),
+          motion.friction_lever};
 }
 
 std::string ranges(const std::vector<TimedEngagement>& engagements) {
@@ -98,6 +99,7 @@ MotionState DrivenMechanism::engaged(const std::size_t index, const double time)
           motion.wheel_angle.value,
           motion.pin_distance,
           motion.slot_position,
+          motion.pin_turn,
           motion.friction_lever};
 }
 
@@ -116,8 +118,15 @@ MotionState DrivenMechanism::at_time(const double time) const {
   const SlotMotion motion = in_time(mechanism_.motion(driver_angle.value), driver_angle);
   state.wheel_angle =
       constant(state.wheel_angle.value - state.slot_angle + (is_first ? -pitch : pitch));
-  return {time, std::nullopt,        driver_angle,         state.wheel_angle,
-          0.,   motion.pin_distance, motion.slot_position, motion.friction_lever};
+  return {time,
+          std::nullopt,
+          driver_angle,
+          state.wheel_angle,
+          0.,
+          motion.pin_distance,
+          motion.slot_position,
+          motion.pin_turn,
+          motion.friction_lever};
 }
 
 MotionState DrivenMechanism::at_engaged_angle(const double driver_angle) const {

@@ -17,6 +17,7 @@ struct MotionState {
   double slot_angle;               ///< [rad] of the engaged slot from the line of centres
   Jet pin_distance;                ///< [m] of the engaged pin, or of the first one in a dwell
   Jet slot_position;               ///< [m] along the slot
+  Jet pin_turn;                    ///< [rad], see SlotMotion
   double friction_lever;           ///< see SlotMotion
 };
 

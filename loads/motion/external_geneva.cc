@@ -73,7 +73,7 @@ Mechanism external_geneva(const int stations, const double centre_distance) {
   const double crank = centre_distance * geneva.crank_ratio();
   const auto motion = [=](const double driver_angle) {
     const Jet angle = variable(driver_angle);
-    return slot_motion(centre_distance - crank * cos(angle), crank * sin(angle));
+    return slot_motion(centre_distance - crank * cos(angle), crank * sin(angle), angle);
   };
   return {fmt::format("external Geneva with {} stations", stations),
           stations,

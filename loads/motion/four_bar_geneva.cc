@@ -74,7 +74,8 @@ class PinPath {
     const Jet y = jet(state.y) - axis_y_;
     const double cosine = std::cos(angle);
     const double sine = std::sin(angle);
-    return slot_motion(cosine * x + sine * y, side * (cosine * y - sine * x));
+    return slot_motion(cosine * x + sine * y, side * (cosine * y - sine * x),
+                       -side * jet(state.coupler_angle));
   }
   [[nodiscard]] double distance_of_sample(const int index) const {
     const FourBarMotion& state = sample(index);

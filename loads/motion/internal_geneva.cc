@@ -15,7 +15,7 @@ Mechanism internal_geneva(const int stations, const double centre_distance) {
   const double crank = centre_distance * std::sin(pi / stations);
   const auto motion = [=](const double driver_angle) {
     const Jet angle = variable(driver_angle);
-    return slot_motion(centre_distance + crank * cos(angle), crank * sin(angle));
+    return slot_motion(centre_distance + crank * cos(angle), crank * sin(angle), -angle);
   };
   const double exit = pi / 2. + pi / stations;
   return {fmt::format("internal Geneva with {} stations", stations),

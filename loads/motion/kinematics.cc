@@ -24,8 +24,9 @@ PinLoad rest(const MotionState& state) {
 }
 
 PlacedPeak placed(const DrivenMechanism& driven,
-                  const std::function<double(const MotionState&)>& quantity) {
-  const Peak peak = greatest(driven, quantity);
+                  const std::function<double(const MotionState&)>& quantity,
+                  const std::vector<double>& breaks = {}) {
+  const Peak peak = greatest(driven, quantity, breaks);
   return {peak.value, driven.drive().driver_angle(peak.time).value, peak.time};
 }
 
@@ -58,6 +59,10 @@ double hertz_pressure(const PinContact& contact, const double force) {
       .peak_pressure;
 }
 
+double bore_pressure(const PinContact& contact, const WheelTrain& train, const double force) {
+  return train.roller ? std::abs(force) / (train.roller->diameter * contact.thickness) : 0.;
+}
+
 std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
                                            const PinContact& contact, const int steps) {
   if (steps < 1)
@@ -83,8 +88,14 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
     return hertz_pressure(contact, force(state));
   };
   const auto pressure_times_slip = [&](const MotionState& state) {
-    return pressure(state) * std::abs(state.slot_position.first);
+    const PinLoad load = pin_load(state, train);
+    return hertz_pressure(contact, load.force) * std::abs(load.slip_speed);
   };
+  const auto bore_pressure_times_speed = [&](const MotionState& state) {
+    const PinLoad load = pin_load(state, train);
+    return bore_pressure(contact, train, load.force) * load.bore_speed;
+  };
+  const std::vector<double> breaks = slip_breaks(driven, train);
   Characteristics result{};
   result.speed_ratio =
       placed(driven, [&](const MotionState& state) { return state.wheel_angle.first / speed; });
@@ -108,16 +119,18 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
   const auto over_johnson = [&](const double value, const double there) {
     return force(johnson) > 0. ? value / there : std::numeric_limits<double>::quiet_NaN();
   };
-  result.force =
-      placed(driven, [&](const MotionState& state) { return std::max(0., force(state)); });
-  result.braking_force =
-      placed(driven, [&](const MotionState& state) { return std::max(0., -force(state)); });
+  result.force = placed(
+      driven, [&](const MotionState& state) { return std::max(0., force(state)); }, breaks);
+  result.braking_force = placed(
+      driven, [&](const MotionState& state) { return std::max(0., -force(state)); }, breaks);
   result.force_ratio = over_johnson(result.force.value, force(johnson));
-  result.pressure = placed(driven, pressure);
+  result.pressure = placed(driven, pressure, breaks);
   result.pressure_ratio = over_johnson(result.pressure.value, pressure(johnson));
-  result.pressure_times_slip = placed(driven, pressure_times_slip);
+  result.pressure_times_slip = placed(driven, pressure_times_slip, breaks);
   result.pressure_times_slip_ratio =
       over_johnson(result.pressure_times_slip.value, pressure_times_slip(johnson));
+  result.bore_pressure_times_speed = placed(driven, bore_pressure_times_speed, breaks);
+  result.slip_reversals = slip_reversals(driven.mechanism(), train.pin_diameter);
   result.entry_tangency = tangency_defect(driven.mechanism(), driven.mechanism().entry);
   result.exit_tangency = tangency_defect(driven.mechanism(), driven.mechanism().exit);
   return result;

@@ -18,6 +18,10 @@ struct PinContact {
 /// Hertz's peak pressure [Pa] of a pin on a flat wall under a force of either sign; 0 without one.
 double hertz_pressure(const PinContact& contact, double force);
 
+/// Mean pressure [Pa] on a roller's stud, F/(d_b t), under a force of either sign; 0 of a fixed
+/// pin.
+double bore_pressure(const PinContact& contact, const WheelTrain& train, double force);
+
 /// Mechanism at one instant of its cycle.
 struct KinematicsRow {
   MotionState motion;
@@ -57,8 +61,12 @@ struct Characteristics {
   double force_ratio;
   PlacedPeak pressure;  ///< Hertz, on either wall [Pa]
   double pressure_ratio;
-  PlacedPeak pressure_times_slip;  ///< [Pa m/s]
+  PlacedPeak pressure_times_slip;  ///< on the wall; 0 of a roller [Pa m/s]
   double pressure_times_slip_ratio;
+  PlacedPeak bore_pressure_times_speed;  ///< mean pressure in a roller's bore times the speed at
+                                         ///< which it slides there; 0 of a fixed pin [Pa m/s]
+  std::vector<SlipReversal> slip_reversals;  ///< of a pin fixed to its carrier; a roller turns on
+                                             ///< its stud the other way from there on
   double entry_tangency;  ///< angle between the pin's path and the slot at entry [rad]; 0: no jump
   double exit_tangency;   ///< at exit [rad]
 };

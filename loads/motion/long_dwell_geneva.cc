@@ -11,14 +11,15 @@ namespace geneva::loads {
 
 namespace {
 
-/// A place in a plane as a function of one variable.
+/// The pin's place in a plane and the direction of its chain link as functions of one variable.
 struct Place {
   Jet x;
   Jet y;
+  Jet turn;  ///< of the link, against the wheel's sense; 0 midway [rad]
 };
 
 Place circle(const double centre_x, const double centre_y, const double radius, const Jet& angle) {
-  return {centre_x - radius * cos(angle), centre_y + radius * sin(angle)};
+  return {centre_x - radius * cos(angle), centre_y + radius * sin(angle), angle};
 }
 
 /// The pin's place on the chain; x leads away from the wheel, y is 0 midway.
@@ -30,7 +31,8 @@ Place along(const double near_axis, const double radius, const double spacing, c
   const Jet turned = side * angle;
   if (turned.value <= quarter) return circle(near_axis, 0., radius, angle);
   if (turned.value <= quarter + straight)
-    return {near_axis + radius * (turned - quarter), constant(side * radius)};
+    return {near_axis + radius * (turned - quarter), constant(side * radius),
+            constant(side * quarter)};
   return circle(near_axis + spacing, 0., radius, angle - side * straight);
 }
 
@@ -39,10 +41,11 @@ Place across(const double axes, const double radius, const double spacing, const
   const double half = spacing / (2. * radius);
   const double side = angle.value < 0. ? -1. : 1.;
   const Jet turned = side * angle;
-  if (turned.value <= half) return {constant(axes - radius), radius * angle};
+  if (turned.value <= half) return {constant(axes - radius), radius * angle, constant(0.)};
   if (turned.value <= half + pi)
     return circle(axes, side * spacing / 2., radius, angle - side * half);
-  return {constant(axes + radius), side * (spacing / 2. - radius * (turned - half - pi))};
+  return {constant(axes + radius), side * (spacing / 2. - radius * (turned - half - pi)),
+          constant(side * pi)};
 }
 
 }  // namespace
@@ -68,7 +71,7 @@ Mechanism long_dwell_geneva(const int stations, const double pitch_radius, const
     const double axis = pitch_radius / std::sin(alpha);
     mechanism.motion = [=](const double driver_angle) {
       const Place pin = along(axis, pitch_radius, spacing, wrapped(driver_angle));
-      return slot_motion(pin.x, pin.y);
+      return slot_motion(pin.x, pin.y, pin.turn);
     };
   } else {
     const double half = spacing / (2. * pitch_radius);
@@ -77,7 +80,7 @@ Mechanism long_dwell_geneva(const int stations, const double pitch_radius, const
     if (spacing > 0.) mechanism.joints = {-half, half};
     mechanism.motion = [=](const double driver_angle) {
       const Place pin = across(axes, pitch_radius, spacing, wrapped(driver_angle));
-      return slot_motion(pin.x, pin.y);
+      return slot_motion(pin.x, pin.y, pin.turn);
     };
   }
   mechanism.entry = -mechanism.exit;

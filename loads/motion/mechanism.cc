@@ -36,9 +36,10 @@ void refuse_together(const Mechanism& mechanism, const Engagement& first, const 
 
 double half_pitch(const Mechanism& mechanism) { return pi / mechanism.stations; }
 
-SlotMotion slot_motion(const Jet& x, const Jet& y) {
+SlotMotion slot_motion(const Jet& x, const Jet& y, const Jet& carrier_turn) {
   const Jet distance = sqrt(x * x + y * y);
-  return {atan2(y, x), distance, distance, 1.};
+  const Jet wheel_angle = atan2(y, x);
+  return {wheel_angle, distance, distance, wheel_angle + carrier_turn, 1.};
 }
 
 std::vector<Engagement> engagements(const Mechanism& mechanism,

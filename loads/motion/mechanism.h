@@ -11,9 +11,11 @@ namespace geneva::loads {
 
 /// Wheel and pin while the pin is in its slot, as functions of one variable.
 struct SlotMotion {
-  Jet wheel_angle;        ///< phi [rad]: 0 midway through the engagement, growing
-  Jet pin_distance;       ///< x [m] from the wheel's axis to the pin's: the arm of the pin force
-  Jet slot_position;      ///< of the pin along its slot [m]; the rate is the slip speed
+  Jet wheel_angle;    ///< phi [rad]: 0 midway through the engagement, growing
+  Jet pin_distance;   ///< x [m] from the wheel's axis to the pin's: the arm of the pin force
+  Jet slot_position;  ///< of the pin's axis along its slot [m], counted outwards
+  Jet pin_turn;       ///< psi [rad] of the pin's carrier seen from the wheel, against the wheel's
+                      ///< own sense of rotation; on a sphere about the pin's axis
   double friction_lever;  ///< arm of a force along the slot, per distance beside the pin's axis: 1
                           ///< in the plane, the cosine of the angle to the wheel's axis on a sphere
 };
@@ -40,7 +42,9 @@ double half_pitch(const Mechanism& mechanism);
 /// Motion of a slot that always points at the pin, from the pin's place (x, y) [m] in a plane whose
 /// origin is the wheel's axis.
 /// @param x positive midway through the engagement
-SlotMotion slot_motion(const Jet& x, const Jet& y);
+/// @param carrier_turn angle [rad] of what the pin is fixed to, against the wheel's sense of
+/// rotation
+SlotMotion slot_motion(const Jet& x, const Jet& y, const Jet& carrier_turn);
 
 /// One pin's stay in a slot.
 struct Engagement {

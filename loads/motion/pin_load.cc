@@ -16,16 +16,17 @@ namespace geneva::loads {
 
 namespace {
 
-/// What slot friction takes off the arm of the normal force, per coefficient of friction [m].
-double friction_arm(const MotionState& state, const double pin_diameter) {
-  const double slip = state.slot_position.first;
+/// On one wall: what friction takes off the arm of the normal force, per coefficient [m].
+double friction_arm(const MotionState& state, const double pin_diameter, const Wall wall) {
+  const double slip = surface_speed(state.slot_position, state.pin_turn, pin_diameter, wall);
   const double lever = pin_diameter / 2. * state.friction_lever;
   return slip > 0. ? lever : slip < 0. ? -lever : 0.;
 }
 
-/// Arm of the normal force with the share of slot friction.
-double arm(const MotionState& state, const WheelTrain& train) {
-  return state.pin_distance.value - train.slot_friction * friction_arm(state, train.pin_diameter);
+/// The arm of the normal force is positive on either wall, since the pin does not jam: the moment's
+/// sign is the force's.
+Wall wall_of(const double moment) {
+  return moment > 0. ? Wall::driving : moment < 0. ? Wall::braking : Wall::none;
 }
 
 /// Where the slope of a function changes from rising to falling, if it does between two places.
@@ -48,17 +49,40 @@ std::optional<double> summit(const std::function<double(double)>& function, cons
   return (bracket.first + bracket.second) / 2.;
 }
 
-/// The greatest value between two times, on which the quantity is smooth.
-Peak greatest_between(const DrivenMechanism& driven,
-                      const std::function<double(const MotionState&)>& quantity, const double begin,
-                      const double end) {
+/// A stretch of an engagement, and the times up to which the quantity is evaluated: just inside of
+/// ends at which it may jump.
+struct Stretch {
+  double begin;
+  double end;
+  double first;
+  double last;
+};
+
+/// The time of a greatest value found at the edge of a stretch: the edge itself, unless the
+/// quantity has another value there.
+double time_at_edge(const std::function<double(double)>& at_time, const Peak& inside,
+                    const double edge) {
+  constexpr double rounding = 1e-9;
+  const bool is_jump = std::abs(at_time(edge) - inside.value) > rounding * std::abs(inside.value);
+  return is_jump ? inside.time : edge;
+}
+
+/// The greatest value on a stretch, on which the quantity is smooth.
+Peak greatest_on(const DrivenMechanism& driven,
+                 const std::function<double(const MotionState&)>& quantity,
+                 const Stretch& stretch) {
   // Much finer than the sharpest peak, that of n = 3, 4 deg from the line of centres.
   constexpr int intervals = 512;
+  const auto at_time = [&](const double at) { return quantity(driven.at_time(at)); };
+  const double begin = stretch.begin;
+  const double end = stretch.end;
   const double step = (end - begin) / intervals;
-  const auto time = [&](const int i) { return i == intervals ? end : begin + step * i; };
+  const auto time = [&](const int i) {
+    return i == 0 ? stretch.first : i == intervals ? stretch.last : begin + step * i;
+  };
   // Differences at the ends reach past them by a rounding, where the pin is in no slot any more.
   const auto value = [&](const double at) {
-    return quantity(driven.at_time(std::clamp(at, begin, end)));
+    return at_time(std::clamp(at, stretch.first, stretch.last));
   };
   Peak best{-std::numeric_limits<double>::infinity(), begin};
   for (int i = 0; i <= intervals; ++i)
@@ -66,22 +90,42 @@ Peak greatest_between(const DrivenMechanism& driven,
   const double h = step / 8.;
   const auto top = summit(value, std::max(begin + 3. * h, best.time - step),
                           std::min(end - 3. * h, best.time + step), h);
-  if (!top || value(*top) < best.value) return best;
-  return {value(*top), *top};
+  if (top && value(*top) >= best.value) return {value(*top), *top};
+  if (best.time == stretch.first) best.time = time_at_edge(at_time, best, begin);
+  if (best.time == stretch.last) best.time = time_at_edge(at_time, best, end);
+  return best;
 }
 
-/// Times that cut an engagement into stretches on which everything is smooth: also the reversal of
-/// the slip cuts, where slot friction changes its sign.
-std::vector<double> cuts(const DrivenMechanism& driven, const TimedEngagement& engagement) {
+/// An engagement cut where a quantity may not be smooth, and midway, so that of two equal maxima of
+/// a symmetric motion each has its own stretch.
+std::vector<Stretch> stretches(const DrivenMechanism& driven, const TimedEngagement& engagement,
+                               const std::vector<double>& breaks) {
+  constexpr double inset = 1e-11;
   std::vector<double> times{engagement.begin};
   for (const double joint : driven.joints(engagement)) times.push_back(joint);
   times.push_back(driven.drive().time_at(engagement.engagement.middle));
+  for (const double at : breaks)
+    times.push_back(driven.drive().time_at(engagement.engagement.middle + at));
   times.push_back(engagement.end);
   std::sort(times.begin(), times.end());
-  return times;
+  const double inside = inset * (engagement.end - engagement.begin);
+  std::vector<Stretch> result;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double begin = times[i];
+    const double end = times[i + 1];
+    if (end - begin <= 4. * inside) continue;
+    result.push_back({begin, end, begin == engagement.begin ? begin : begin + inside,
+                      end == engagement.end ? end : end - inside});
+  }
+  return result;
 }
 
 }  // namespace
+
+double friction_along_wall(const WheelTrain& train) {
+  if (!train.roller) return train.slot_friction;
+  return train.roller->friction * train.roller->diameter / train.pin_diameter;
+}
 
 PinLoad pin_load(const MotionState& state, const WheelTrain& train) {
   if (!state.pin)
@@ -91,7 +135,16 @@ PinLoad pin_load(const MotionState& state, const WheelTrain& train) {
   const double forwards = state.wheel_angle.first < 0. ? -1. : 1.;
   const double moment = (train.wheel_inertia + train.load.load_inertia) * state.wheel_angle.second +
                         train.load.friction_moment * forwards + train.external_torque;
-  const double force = moment / arm(state, train);
+  const Wall wall = wall_of(moment);
+  const double force =
+      moment / (state.pin_distance.value -
+                friction_along_wall(train) * friction_arm(state, train.pin_diameter, wall));
+  const auto slip_on = [&](const Wall on) {
+    return surface_speed(state.slot_position, state.pin_turn, train.pin_diameter, on);
+  };
+  // A roller turns on its stud by the slip that it saves the wall, over its radius.
+  const double rolls = train.roller ? 0. : 1.;
+  const double bore = train.roller ? train.roller->diameter / train.pin_diameter : 0.;
   return {state.time,
           state.driver_angle.value,
           state.driver_angle.first,
@@ -101,11 +154,24 @@ PinLoad pin_load(const MotionState& state, const WheelTrain& train) {
           state.wheel_angle.second,
           state.pin_distance.value,
           state.slot_position.first,
+          state.pin_turn.first,
+          rolls * slip_on(Wall::driving),
+          rolls * slip_on(Wall::braking),
+          rolls * slip_on(wall),
+          bore * std::abs(slip_on(wall)),
           moment,
           force,
-          force > 0.   ? Wall::driving
-          : force < 0. ? Wall::braking
-                       : Wall::none};
+          wall};
+}
+
+void check(const RollerBore& bore, const double pin_diameter) {
+  require_positive_length("bore diameter of the roller", bore.diameter);
+  require_not_negative("coefficient of bore friction", bore.friction, "");
+  if (bore.diameter < pin_diameter) return;
+  throw std::invalid_argument(
+      fmt::format("bore diameter of the roller is {:.6g} mm: it must be less than the roller's own "
+                  "diameter, {:.6g} mm (the pin diameter)",
+                  1e3 * bore.diameter, 1e3 * pin_diameter));
 }
 
 void check(const WheelTrain& train, const DrivenMechanism& driven) {
@@ -114,41 +180,59 @@ void check(const WheelTrain& train, const DrivenMechanism& driven) {
   require_not_negative("friction moment", train.load.friction_moment, "N m");
   require_not_negative("coefficient of slot friction", train.slot_friction, "");
   require_finite("external torque", train.external_torque, "N m");
-  if (train.slot_friction == 0.) return;
-  const Peak steepest = greatest(driven, [&](const MotionState& state) {
-    return friction_arm(state, train.pin_diameter) / state.pin_distance.value;
-  });
-  if (train.slot_friction * steepest.value >= 1.)
-    throw std::invalid_argument(fmt::format(
-        "coefficient of slot friction is {:.6g}: the pin of {:.6g} mm jams in the slot, since "
-        "friction there has a longer arm than the force that turns the wheel; the coefficient must "
-        "be below {:.4g}",
-        train.slot_friction, 1e3 * train.pin_diameter, 1. / steepest.value));
+  if (train.roller) check(*train.roller, train.pin_diameter);
+  const double friction = friction_along_wall(train);
+  if (friction == 0.) return;
+  const std::vector<double> breaks = slip_breaks(driven, train);
+  const auto steepest_on = [&](const Wall wall) {
+    return greatest(
+               driven,
+               [&](const MotionState& state) {
+                 return friction_arm(state, train.pin_diameter, wall) / state.pin_distance.value;
+               },
+               breaks)
+        .value;
+  };
+  const double steepest = std::max(steepest_on(Wall::driving), steepest_on(Wall::braking));
+  if (friction * steepest < 1.) return;
+  const double given = train.roller ? train.roller->friction : train.slot_friction;
+  throw std::invalid_argument(fmt::format(
+      "coefficient of {} friction is {:.6g}: the {} of {:.6g} mm jams in the slot, since friction "
+      "there has a longer arm than the force that turns the wheel; the coefficient must be below "
+      "{:.4g}",
+      train.roller ? "bore" : "slot", given, train.roller ? "roller" : "pin",
+      1e3 * train.pin_diameter, given / (friction * steepest)));
+}
+
+std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain& train) {
+  std::vector<double> angles;
+  for (const SlipReversal& reversal : slip_reversals(driven.mechanism(), train.pin_diameter))
+    angles.push_back(reversal.driver_angle);
+  return angles;
 }
 
 Peak greatest(const DrivenMechanism& driven,
-              const std::function<double(const MotionState&)>& quantity) {
+              const std::function<double(const MotionState&)>& quantity,
+              const std::vector<double>& breaks) {
   // Equal maxima before and after the line of centres differ by roundings: the first one counts.
   constexpr double rounding = 1e-9;
   Peak best{-std::numeric_limits<double>::infinity(), 0.};
-  for (const TimedEngagement& engagement : driven.engagements()) {
-    const std::vector<double> times = cuts(driven, engagement);
-    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-      if (!(times[i + 1] > times[i])) continue;
-      const Peak peak = greatest_between(driven, quantity, times[i], times[i + 1]);
+  for (const TimedEngagement& engagement : driven.engagements())
+    for (const Stretch& stretch : stretches(driven, engagement, breaks)) {
+      const Peak peak = greatest_on(driven, quantity, stretch);
       const bool is_first = !std::isfinite(best.value);
       if (is_first ? peak.value > best.value
                    : peak.value > best.value + rounding * std::abs(best.value))
         best = peak;
     }
-  }
   return best;
 }
 
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train) {
   check(train, driven);
-  const Peak peak =
-      greatest(driven, [&](const MotionState& state) { return pin_load(state, train).force; });
+  const Peak peak = greatest(
+      driven, [&](const MotionState& state) { return pin_load(state, train).force; },
+      slip_breaks(driven, train));
   return driven.drive().driver_angle(peak.time).value;
 }
 

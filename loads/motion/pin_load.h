@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "loads/motion/driven_mechanism.h"
+#include "loads/motion/slip.h"
 
 namespace geneva::loads {
 
@@ -13,21 +14,27 @@ struct WheelLoad {
   double friction_moment;  ///< M_f [N m], >= 0, opposes the motion
 };
 
+/// Where a roller turns on its stud.
+struct RollerBore {
+  double diameter;  ///< d_b [m], > 0, less than the pin's
+  double friction;  ///< coefficient mu_b of roller and stud, >= 0
+};
+
 /// Everything that loads the wheel and its pin at any instant; SI units.
 struct WheelTrain {
   double wheel_inertia;         ///< J_G [kg m^2]
   WheelLoad load;               ///< load inertia, friction moment
   double external_torque = 0.;  ///< on the wheel, against its motion if positive [N m]
-  double slot_friction = 0.;    ///< coefficient mu of pin and slot wall
-  double pin_diameter = 0.;     ///< d [m], which slot friction needs
+  double slot_friction = 0.;    ///< coefficient mu of slot wall and a pin fixed to its carrier
+  double pin_diameter = 0.;     ///< d [m], which friction and slip need
+  std::optional<RollerBore> roller = std::nullopt;  ///< none: the pin is fixed to its carrier
 };
 
-/// Which wall of the slot the pin presses on.
-enum class Wall {
-  none,     ///< no force
-  driving,  ///< the wall ahead in the wheel's sense of rotation
-  braking   ///< the wall behind, where the wheel is slowed down
-};
+/// Force along the wall over the force across it: mu of a fixed pin, mu_b d_b/d of a roller.
+///
+/// A roller that rolls is turned on its stud against the moment mu_b F d_b/2 of its bore, by a
+/// force along the wall at the arm d/2.
+double friction_along_wall(const WheelTrain& train);
 
 /// State of wheel and pin at one driver angle; SI units.
 struct PinLoad {
@@ -39,23 +46,36 @@ struct PinLoad {
   double wheel_speed;          ///< [rad/s]
   double wheel_acceleration;   ///< [rad/s^2]
   double pin_distance;         ///< wheel axis to pin axis, the arm of the pin force [m]
-  double slip_speed;           ///< of the pin along the slot, positive outwards [m/s]
-  double moment;               ///< that the pin exerts on the wheel [N m]
-  double force;                ///< normal to the wall [N]; negative: on the braking wall
+  double travel_speed;         ///< u' of the pin's axis along the slot, positive outwards [m/s]
+  double pin_turn_speed;  ///< psi' of the pin's carrier seen from the wheel, see SlotMotion [rad/s]
+  double slip_driving;    ///< of the pin's surface on the driving wall, positive outwards [m/s]
+  double slip_braking;    ///< of the pin's surface on the braking wall, positive outwards [m/s]
+  double slip_speed;      ///< on the wall that carries; 0 where none does [m/s]
+  double bore_speed;      ///< at which a roller slides on its stud, >= 0; 0 of a fixed pin [m/s]
+  double moment;          ///< that the pin exerts on the wheel [N m]
+  double force;           ///< normal to the wall [N]; negative: on the braking wall
   Wall wall;
 };
 
 /// Pin force from the torque balance about the wheel's axis (Johnson 1956, Eq. 1 at any instant):
-/// F = ((J_G + J_L) a + M_f sign(omega_w) + M_e)/(x - sign(slip) mu d/2).
+/// F = ((J_G + J_L) a + M_f sign(omega_w) + M_e)/(x - sign(v_s) mu d/2).
 ///
-/// Slot friction acts on the wall, d/2 beside the pin's axis, along the pin's slip: it helps the
-/// force while the pin moves inwards and hinders it while it moves outwards, on either wall. The
-/// wheel's friction counts as that of motion forwards where the wheel is just about to move.
+/// Friction acts on the wall, d/2 beside the pin's axis, along the slip v_s of a fixed pin's
+/// surface on the wall that carries: it helps the force while the surface moves inwards and hinders
+/// it while it moves outwards, on either wall. The moment, not the friction, decides which wall
+/// carries, as long as the pin does not jam. A roller's bore friction acts the same way, with
+/// friction_along_wall(), though the roller itself does not slide on the wall. The wheel's friction
+/// counts as that of motion forwards where the wheel is just about to move.
 /// @throws std::invalid_argument unless a pin is in its slot
 PinLoad pin_load(const MotionState& state, const WheelTrain& train);
 
+/// @throws std::invalid_argument unless the bore is greater than nothing and smaller than the
+/// roller, and its coefficient of friction is not negative
+void check(const RollerBore& bore, double pin_diameter);
+
 /// @throws std::invalid_argument if an inertia, the friction moment or the friction coefficient is
-/// negative, or if slot friction jams the pin, with the greatest coefficient at which it does not
+/// negative, where the check of a roller's bore does, or if friction jams the pin on either wall,
+/// with the greatest coefficient at which it does not
 void check(const WheelTrain& train, const DrivenMechanism& driven);
 
 /// A greatest value over the engagements and the time at which it occurs.
@@ -65,9 +85,17 @@ struct Peak {
 };
 
 /// The greatest value of a quantity over the engagements; the first of several equal ones. The time
-/// is that of the maximum to about 1e-10 of the engagement.
+/// is that of the maximum to about 1e-10 of the engagement; where the quantity jumps, it is on the
+/// side of the greater value.
+/// @param breaks driver angles [rad] from the middle of an engagement at which the quantity may
+/// jump or have a kink, besides the mechanism's joints
 Peak greatest(const DrivenMechanism& driven,
-              const std::function<double(const MotionState&)>& quantity);
+              const std::function<double(const MotionState&)>& quantity,
+              const std::vector<double>& breaks = {});
+
+/// Driver angles [rad] from the middle of an engagement at which slip changes its sign on a wall,
+/// and with it friction.
+std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain& train);
 
 /// Driver angle [rad] of the greatest force on the driving wall. With inertia alone it lies between
 /// that of the greatest acceleration and the line of centres, since the arm still shrinks.

@@ -30,7 +30,9 @@ Mechanism spherical_geneva(const int stations, const double shaft_angle, const d
     const Jet y = sine_p * sin(angle);
     const Jet z = cosine_p * cosine + (sine_p * sine) * cos(angle);
     const Jet distance = sqrt(x * x + y * y);
-    return SlotMotion{atan2(y, x), radius * distance, radius * atan2(distance, z), z.value};
+    // From the driver's axis to the direction along the slot, seen along the pin's own axis.
+    const Jet turn = atan2(sine * y, sine * (z * x) - cosine * (distance * distance));
+    return SlotMotion{atan2(y, x), radius * distance, radius * atan2(distance, z), turn, z.value};
   };
   const double exit = std::acos(sine_p / cosine_p * cosine / sine);
   return {fmt::format("spherical Geneva with {} stations and a shaft angle of {:.6g} deg", stations,

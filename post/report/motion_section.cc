@@ -55,6 +55,19 @@ Chart column_chart(const CsvTable& table, const std::string& x_column, const std
   return chart;
 }
 
+/// How the pin slides: its surface on the wall that carries, or a roller on its stud, beside its
+/// axis along the slot.
+Chart slip_chart(const CsvTable& table, const bool is_roller) {
+  Chart chart = is_roller ? column_chart(table, "driver_angle", "driver angle", "bore_speed",
+                                         "sliding speed of the roller on its stud")
+                          : column_chart(table, "driver_angle", "driver angle", "slip_speed",
+                                         "slip speed of the pin on the wall that carries");
+  const Chart travel = column_chart(table, "driver_angle", "driver angle", "travel_speed",
+                                    "speed of the pin's axis along the slot");
+  chart.series.push_back({travel.series[0].name, SeriesStyle::dashed, travel.series[0].points});
+  return chart;
+}
+
 /// Marks the angle that a run of the case analyses on a curve over the driver angle.
 void mark_analysed(const ResultsDirectory& results, Chart& chart) {
   const json* const mechanism = results.document("mechanism");
@@ -158,8 +171,7 @@ ReportPart kinematics_part(const ResultsDirectory& results) {
   const CsvTable& table = *results.table("kinematics");
   std::vector<Chart> charts{
       column_chart(table, "driver_angle", "driver angle", "hertz_pressure", "Hertz pressure"),
-      column_chart(table, "driver_angle", "driver angle", "slip_speed",
-                   "slip speed of the pin along the slot")};
+      slip_chart(table, kinematics.at("pin_type") == "roller")};
   for (Chart& chart : charts) mark_analysed(results, chart);
   return {html_section("kinematics", "Motion over the cycle",
                        unbounded_warnings(kinematics, results.units()) +

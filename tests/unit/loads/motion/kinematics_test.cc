@@ -18,7 +18,7 @@ namespace {
 using test::expect_refused;
 
 constexpr double c = 0.1;
-constexpr WheelTrain inertia_only{2e-3, {1e-3, 0.}};
+constexpr WheelTrain inertia_only{2e-3, {1e-3, 0.}, 0., 0., 0.015};
 const PinContact contact{1.1e11, 0.02, 0.015};
 
 DrivenMechanism steady(const Mechanism& mechanism, double speed = 10.,

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -82,7 +83,8 @@ TEST(PinLoad, IsTheTorqueBalanceAtThePeakOfAcceleration) {
   EXPECT_NEAR(state.force / ((3e-3 * acceleration + 0.2) / arm), 1., 3e-4);
   EXPECT_NEAR(state.wheel_speed, 60. * geneva.speed_ratio(-beta), 1e-12);
   EXPECT_LT(state.wheel_angle, 0.);
-  EXPECT_LT(state.slip_speed, 0.) << "inwards";
+  EXPECT_LT(state.travel_speed, 0.) << "inwards";
+  EXPECT_EQ(state.slip_speed, state.travel_speed) << "a pin without diameter";
 }
 
 TEST(PinLoad, CarriesNothingAtTheLineOfCentresWithoutFriction) {
@@ -111,17 +113,184 @@ TEST(PinLoad, ContainsTheExternalTorque) {
   EXPECT_NEAR(load_at(driven(6), train, 0.).force, 1. / 0.05, 1e-10);
 }
 
-/// Slot friction helps while the pin moves inwards and hinders while it moves outwards.
-TEST(PinLoad, HasTheArmOfSlotFriction) {
+WheelTrain rough_train(double coefficient, double pin_diameter) {
   WheelTrain train = inertia_only;
-  train.slot_friction = 0.1;
-  train.pin_diameter = 0.02;
-  for (const double angle : {-40., -5., 5., 40.}) {
-    const PinLoad smooth = load_at(driven(6), inertia_only, angle * degree);
-    const PinLoad rough = load_at(driven(6), train, angle * degree);
-    const double arm = smooth.pin_distance + (angle < 0. ? 0.001 : -0.001);
+  train.slot_friction = coefficient;
+  train.pin_diameter = pin_diameter;
+  return train;
+}
+
+/// Slot friction helps while the pin's surface moves inwards on the wall that carries and hinders
+/// while it moves outwards. The surface turns back at -8.18 deg on the driving wall and at 8.18 deg
+/// on the braking one (n = 4, d = 0.15 D), not at the line of centres.
+TEST(PinLoad, HasTheArmOfSlotFriction) {
+  const WheelTrain train = rough_train(0.1, 0.15 * std::sqrt(2.) * centre_distance);
+  const double lever = 0.1 * train.pin_diameter / 2.;
+  for (const double angle : {-40., -8.3, -8.1, -2., 2., 8.1, 8.3, 40.}) {
+    const PinLoad smooth = load_at(driven(4), inertia_only, angle * degree);
+    const PinLoad rough = load_at(driven(4), train, angle * degree);
+    const bool is_inwards = angle < -8.1766 || (angle > 0. && angle < 8.1766);
+    EXPECT_EQ(rough.wall, angle < 0. ? Wall::driving : Wall::braking) << angle;
+    EXPECT_EQ(rough.slip_speed < 0., is_inwards) << angle;
+    EXPECT_EQ(rough.slip_speed, angle < 0. ? rough.slip_driving : rough.slip_braking) << angle;
+    const double arm = smooth.pin_distance + (is_inwards ? lever : -lever);
     EXPECT_NEAR(rough.force * arm, smooth.force * smooth.pin_distance, 1e-12) << angle;
   }
+}
+
+/// Johnson's optimum wheel (Example 1, unrounded) about its greatest force: the surface slides
+/// with 14.55 in/s, the axis with 75.09 in/s.
+TEST(PinLoad, KnowsTheSlipOfJohnsonsWheelAtGreatestForce) {
+  const double diameter = 4.53;  // in; speeds in in/s
+  const Mechanism mechanism = external_geneva(4, diameter / std::sqrt(2.));
+  const auto pins = engagements(mechanism, {0.});
+  const DrivenMechanism johnson(mechanism, pins, constant_speed(mechanism, pins, 20. * pi));
+  WheelTrain train{0.00707686, {0.00460658, 0.}};
+  train.pin_diameter = 0.15 * diameter;
+  const PinLoad load = load_at(johnson, train, peak_force_angle(johnson, train));
+  EXPECT_NEAR(load.driver_angle / degree, -9.9436, 5.1e-5);
+  EXPECT_NEAR(load.force, 234.570, 2e-3);
+  train.load.friction_moment = 2.;
+  const PinLoad loaded = load_at(johnson, train, peak_force_angle(johnson, train));
+  EXPECT_NEAR(loaded.driver_angle / degree, -9.9336, 5.1e-5);
+  const PinLoad there = load_at(johnson, train, -9.94 * degree);
+  EXPECT_NEAR(there.slip_speed, -14.55, 1e-2);
+  EXPECT_NEAR(there.travel_speed, -75.09, 1e-2);
+  const std::vector<std::array<double, 3>> rows{// angle, force, slip on the wall that carries
+                                                {-45., 21.247, -120.967},
+                                                {-20., 145.354, -75.812},
+                                                {-5., 178.872, 28.132},
+                                                {0., 2.132, 72.884},
+                                                {20., -142.335, 75.812}};
+  for (const auto& [angle, force_there, slip] : rows) {
+    const PinLoad at = load_at(johnson, train, angle * degree);
+    EXPECT_NEAR(at.force, force_there, 1.1e-3) << angle;
+    EXPECT_NEAR(at.slip_speed, slip, 5.1e-4) << angle;
+  }
+}
+
+/// Wherever the force changes its wall, friction is that of the wall that carries: the balance
+/// holds with it, and with that of no other wall.
+TEST(PinLoad, HasOneWallThatAgreesWithItsOwnFriction) {
+  for (const double moment : {-0.4, -0.02, 0.02, 0.4}) {
+    WheelTrain train = rough_train(0.6, 0.02);
+    train.external_torque = moment;
+    for (double angle = -44.; angle < 45.; angle += 0.25) {
+      const MotionState state = driven(4, 5.).at_engaged_angle(angle * degree);
+      const PinLoad load = pin_load(state, train);
+      int solutions = 0;
+      for (const Wall wall : {Wall::driving, Wall::braking}) {
+        const double slip =
+            surface_speed(state.slot_position, state.pin_turn, train.pin_diameter, wall);
+        const double arm = load.pin_distance - (slip > 0. ? 0.006 : slip < 0. ? -0.006 : 0.);
+        const double there = load.moment / arm;
+        const bool agrees = (there > 0.) == (wall == Wall::driving) && there != 0.;
+        if (!agrees) continue;
+        ++solutions;
+        EXPECT_EQ(load.wall, wall) << angle;
+        EXPECT_NEAR(load.force, there, 1e-12 * std::abs(there)) << angle;
+        EXPECT_EQ(load.slip_speed, slip) << angle;
+      }
+      EXPECT_EQ(solutions, 1) << angle;
+    }
+  }
+}
+
+/// The greatest force lies where friction turns from helping to hindering, on the hindering side.
+TEST(PeakForceAngle, IsOnTheGreaterSideOfAJumpOfFriction) {
+  const WheelTrain train = rough_train(0.1, 0.15 * std::sqrt(2.) * centre_distance);
+  const double angle = peak_force_angle(driven(4), train);
+  EXPECT_NEAR(angle / degree, -8.1766, 5.1e-5);
+  const double peak = load_at(driven(4), train, angle).force;
+  double sampled = 0.;
+  for (double at = -44.9; at < 45.; at += 0.001)
+    sampled = std::max(sampled, load_at(driven(4), train, at * degree).force);
+  EXPECT_GE(peak, sampled);
+  EXPECT_NEAR(peak, sampled, 1e-4 * peak) << "a thousandth of a degree away";
+  EXPECT_LT(load_at(driven(4), train, angle - 1e-9).force, 0.98 * peak);
+}
+
+WheelTrain roller_train(double bore_diameter, double friction) {
+  WheelTrain train{2e-3, {1e-3, 0.2}};
+  train.pin_diameter = 0.02;
+  train.roller = RollerBore{bore_diameter, friction};
+  return train;
+}
+
+TEST(Roller, DoesNotSlideOnTheWallButInItsBore) {
+  WheelTrain fixed = roller_train(0.008, 0.);
+  fixed.roller.reset();
+  for (const double angle : {-40., -8., 0.01, 30.}) {
+    const PinLoad rolling = load_at(driven(4), roller_train(0.008, 0.1), angle * degree);
+    const PinLoad sliding = load_at(driven(4), fixed, angle * degree);
+    EXPECT_EQ(rolling.slip_speed, 0.);
+    EXPECT_EQ(rolling.slip_driving, 0.);
+    EXPECT_EQ(rolling.slip_braking, 0.);
+    EXPECT_EQ(rolling.travel_speed, sliding.travel_speed);
+    EXPECT_EQ(sliding.bore_speed, 0.);
+    EXPECT_NEAR(rolling.bore_speed, 0.4 * std::abs(sliding.slip_speed), 1e-15);
+  }
+}
+
+/// The roller as a body of its own: it turns so that its material point at the wall stands still on
+/// the wheel, its stud turns with the carrier, and the moment of the bore works against the turning
+/// of the one on the other. The force along the wall that this asks for is the program's.
+TEST(Roller, IsTurnedByTheWallAgainstTheFrictionOfItsBore) {
+  const WheelTrain train = roller_train(0.008, 0.25);
+  for (const double angle : {-43., -20., -3., 4., 25., 40.}) {
+    const PinLoad load = load_at(driven(4), train, angle * degree);
+    const double side = load.force > 0. ? 1. : -1.;
+    // counter-clockwise, as seen from the wheel: u' - side (d/2) spin = 0 at the wall
+    const double spin = side * load.travel_speed / 0.01;
+    const double stud = -load.pin_turn_speed;
+    const double bore_moment = 0.25 * std::abs(load.force) * 0.004;
+    EXPECT_NEAR(load.bore_speed, std::abs(spin - stud) * 0.004, 1e-15);
+    // moments on the roller: the bore's, and the wall's force at side d/2
+    const double from_bore = spin > stud ? -bore_moment : bore_moment;
+    const double on_roller = from_bore / (side * 0.01);  // along the slot
+    const double on_wheel = -on_roller;
+    EXPECT_NEAR(load.force * load.pin_distance - side * 0.01 * on_wheel, load.moment,
+                1e-12 * std::abs(load.moment))
+        << angle;
+    EXPECT_NEAR(std::abs(on_wheel), friction_along_wall(train) * std::abs(load.force), 1e-12);
+  }
+}
+
+/// What the driver gives is what the wheel gets and what slides away in the bore.
+TEST(Roller, PowerOfTheDriverIsThatOfTheWheelAndOfTheBore) {
+  const WheelTrain train = roller_train(0.012, 0.2);
+  for (const double angle : {-43., -20., -3., 4., 25., 40.}) {
+    const PinLoad load = load_at(driven(4), train, angle * degree);
+    const double to_wheel = load.moment * load.wheel_speed;
+    const double lost = 0.2 * std::abs(load.force) * load.bore_speed;
+    // the stud takes the wall's force at the pin's axis, and the moment of the bore
+    const double side = load.force > 0. ? 1. : -1.;
+    const double along = (load.force * load.pin_distance - load.moment) / (side * 0.01);
+    const double theta = load.driver_angle;
+    const double phi = load.wheel_angle;
+    const double crank = centre_distance * std::sin(pi / 4.);
+    const double velocity[2] = {crank * load.driver_speed * std::sin(theta),
+                                crank * load.driver_speed * std::cos(theta)};
+    const double force_on_roller[2] = {load.force * -std::sin(phi) + along * std::cos(phi),
+                                       load.force * std::cos(phi) + along * std::sin(phi)};
+    const double spin = side * load.travel_speed / 0.01;
+    const double moment_on_roller =
+        (spin > -load.pin_turn_speed ? -1. : 1.) * 0.2 * std::abs(load.force) * 0.006;
+    const double from_driver = force_on_roller[0] * velocity[0] + force_on_roller[1] * velocity[1] +
+                               moment_on_roller * -load.driver_speed;
+    EXPECT_NEAR(from_driver, to_wheel + lost, 1e-10 * std::abs(from_driver)) << angle;
+  }
+}
+
+TEST(Roller, IsRefusedWithABoreThatCannotBe) {
+  expect_refused([] { check(roller_train(0.02, 0.1), driven(4)); },
+                 {"bore diameter of the roller is 20 mm", "less than", "20 mm"});
+  expect_refused([] { check(roller_train(0., 0.1), driven(4)); }, {"bore diameter of the roller"});
+  expect_refused([] { check(roller_train(0.01, -0.1), driven(4)); },
+                 {"coefficient of bore friction is -0.1"});
+  expect_refused([] { check(roller_train(0.01, 11.), driven(6)); },
+                 {"coefficient of bore friction is 11", "roller of 20 mm jams", "below 10"});
+  EXPECT_NO_THROW(check(roller_train(0.01, 9.9), driven(6)));
 }
 
 /// The forces on driver and wheel at the point of contact, and their power: what the driver gives
@@ -131,7 +300,7 @@ TEST(PinLoad, PowerOfTheDriverIsThatOfTheWheelAndOfFriction) {
   WheelTrain train{2e-3, {1e-3, 0.2}};
   train.slot_friction = 0.15;
   train.pin_diameter = 0.02;
-  for (const double angle : {-55., -20., -3., 4., 25., 50.}) {
+  for (const double angle : {-55., -20., -12., -3., 4., 12., 25., 50.}) {
     const PinLoad load = load_at(driven(6), train, angle * degree);
     // The wheel's axis is the origin, the driver's at (c, 0); the wheel turns counter-clockwise.
     const double phi = load.wheel_angle;
@@ -144,12 +313,14 @@ TEST(PinLoad, PowerOfTheDriverIsThatOfTheWheelAndOfFriction) {
     const double driver[2] = {load.driver_speed * y, -load.driver_speed * (x - centre_distance)};
     const double slide[2] = {driver[0] - wheel[0], driver[1] - wheel[1]};
     EXPECT_NEAR(slide[0] * normal[0] + slide[1] * normal[1], 0., 1e-12) << "no penetration";
+    EXPECT_NEAR(slide[0] * along[0] + slide[1] * along[1], load.slip_speed, 1e-12) << angle;
     const double friction = 0.15 * std::abs(load.force) * (load.slip_speed > 0. ? 1. : -1.);
     const double f[2] = {load.force * normal[0] + friction * along[0],
                          load.force * normal[1] + friction * along[1]};
     const double to_wheel = f[0] * wheel[0] + f[1] * wheel[1];
     const double from_driver = f[0] * driver[0] + f[1] * driver[1];
     const double lost = friction * (slide[0] * along[0] + slide[1] * along[1]);
+    EXPECT_GT(lost, 0.) << "friction gives no work, at " << angle;
     EXPECT_NEAR(to_wheel, load.moment * load.wheel_speed, 1e-10 * std::abs(to_wheel)) << angle;
     EXPECT_NEAR(from_driver, to_wheel + lost, 1e-10 * std::abs(from_driver)) << angle;
   }
@@ -196,6 +367,26 @@ std::vector<DrivenMechanism> every_mechanism() {
   return all;
 }
 
+/// Time at which the moment on the wheel changes its sign for the first time; the begin if it does
+/// not.
+double wall_change(const DrivenMechanism& mechanism, const WheelTrain& train) {
+  const TimedEngagement& engagement = mechanism.engagements().front();
+  const auto moment = [&](double time) { return pin_load(mechanism.at_time(time), train).moment; };
+  constexpr int intervals = 1000;
+  const double step = (engagement.end - engagement.begin) / intervals;
+  for (int i = 0; i + 1 < intervals; ++i) {
+    double before = engagement.begin + step * i;
+    double after = before + step;
+    if ((moment(before) > 0.) == (moment(after) > 0.)) continue;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (before + after) / 2.;
+      ((moment(middle) > 0.) == (moment(before) > 0.) ? before : after) = middle;
+    }
+    return before;
+  }
+  return engagement.begin;
+}
+
 /// Work of the pin's normal force and friction against the change of kinetic energy, the work of
 /// friction and of the external torque. The force comes from the torque balance, the speed from the
 /// mechanism; the work is taken to the middle of the engagement, where the wheel is fast.
@@ -208,7 +399,9 @@ TEST(Energy, WorkOfThePinIsKineticEnergyAndFriction) {
     const TimedEngagement& engagement = mechanism.engagements().front();
     std::vector<double> times{engagement.begin};
     for (const double joint : mechanism.joints(engagement)) times.push_back(joint);
-    times.push_back(mechanism.drive().time_at(0.));
+    for (const SlipReversal& reversal : slip_reversals(mechanism.mechanism(), train.pin_diameter))
+      times.push_back(mechanism.drive().time_at(reversal.driver_angle));
+    times.push_back(wall_change(mechanism, train));
     times.push_back(engagement.end);
     std::sort(times.begin(), times.end());
     const auto power = [&](double time) {
@@ -281,7 +474,9 @@ RC_GTEST_PROP(PinLoadProperty, ForceIsPositiveBeforeTheLineOfCentres, ()) {
 }
 
 RC_GTEST_PROP(PinLoadProperty, NoForceExceedsThatOfThePeakForceAngle, ()) {
-  const WheelTrain train{2e-3, {between(0., 1e-2), between(0., 10.)}};
+  WheelTrain train{2e-3, {between(0., 1e-2), between(0., 10.)}};
+  train.slot_friction = between(0., 0.5);
+  train.pin_diameter = between(0., 0.02);
   const double speed = between(1., 100.);
   const DrivenMechanism mechanism =
       driven(random_stations(), speed, between(-.2, .2) * speed * speed);
