@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/case_content.h"
 #include "app/case_models.h"
 #include "app/case_values.h"
 #include "app/parameter_text.h"
@@ -113,6 +114,23 @@ std::map<std::string, SectionPath> materials_of(const Case& given) {
   return sections;
 }
 
+/// Files of the case directory that the case names.
+std::vector<fs::path> named_files(const CaseValues& values, const Case& given) {
+  std::vector<fs::path> files;
+  const auto add = [&](const SectionPath& section, const char* parameter) {
+    const std::string name = CaseSection(values, section).text(parameter);
+    if (!name.empty()) files.push_back(given.directory / name);
+  };
+  if (given.mechanism) {
+    add({names::mechanism}, "Motion table");
+    add({names::mechanism, names::pin}, "Profile table");
+  }
+  if (given.geometry) files.push_back(given.geometry->file);
+  if (given.synthesis)
+    if (const auto* path = std::get_if<PathCase>(&*given.synthesis)) files.push_back(path->file);
+  return files;
+}
+
 post::Allowables read_allowables(const CaseValues& values, const Case& given) {
   const CaseSection section(values, {names::allowable});
   post::Allowables result{section.optional_value("Contact pressure"),
@@ -155,6 +173,10 @@ Case read_case(const fs::path& directory) {
     result.allowed = read_allowables(values, result);
   }
   result.completed = values.completed();
+  const std::vector<fs::path> others = named_files(values, result);
+  result.inputs = {result.directory / "case.prm"};
+  result.inputs.insert(result.inputs.end(), others.begin(), others.end());
+  result.content = content_of(result.completed, model, others);
   return result;
 }
 
@@ -165,7 +187,8 @@ std::string name_of(const Case& given) {
 
 post::CaseHeader header_of(const Case& given) {
   return {name_of(given), given.title,
-          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units};
+          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units,
+          given.content};
 }
 
 void refuse_model(const Case& given, const std::string& reason, const std::string& command,

@@ -140,7 +140,9 @@ struct Case {
   post::Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
-  std::string completed;  ///< the case file with every default filled in
+  std::string completed;                      ///< the case file with every default filled in
+  std::vector<std::filesystem::path> inputs;  ///< files that the case reads, case.prm first
+  std::string content;                        ///< mark of what the case is about, see content_of()
 };
 
 /// Reads case.prm of a case directory.

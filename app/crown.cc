@@ -184,11 +184,16 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given,
   return report;
 }
 
-void write_results(const Case& given, const post::CrownReport& report, const fs::path& directory) {
-  write_and_rename(directory / "crown.json", post::crown_summary(report).dump(2) + "\n");
-  write_and_rename(directory / "crown.csv", post::crown_csv(report, given.units));
-  write_and_rename(directory / "mechanism.json", mechanism_text(*given.mechanism));
+/// @return names of the files of other cases that it removed
+std::vector<std::string> write_crown(const Case& given, const post::CrownReport& report,
+                                     const fs::path& directory) {
+  std::vector<std::string> removed =
+      write_results(directory, given, "crown",
+                    {{"crown.json", post::crown_summary(report).dump(2) + "\n"},
+                     {"crown.csv", post::crown_csv(report, given.units)},
+                     {"mechanism.json", mechanism_text(*given.mechanism)}});
   write_report(directory);
+  return removed;
 }
 
 }  // namespace
@@ -213,9 +218,11 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
     report.after = after.load;
     report.drop = drop_at_faces(changed);
     progress.line("\n" + post::crown_table(report, given.units));
+    std::vector<std::string> removed;
     together(communicator, [&] {
-      if (is_first) write_results(given, report, directory);
+      if (is_first) removed = write_crown(given, report, directory);
     });
+    if (!removed.empty()) progress.line(removal_notice(removed));
     progress.line("crown.json, crown.csv and report.html in " + shown_path(directory));
     const bool is_accurate = before.is_accurate && after.is_accurate;
     if (!is_accurate) progress.line("not converged: the accuracy wanted was not reached");

@@ -162,10 +162,13 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
       std::cout << "note: " << (all.size() > 1 ? reports[i].about.name + ": " : "") << notice
                 << '\n';
   for (std::size_t i = 0; i < all.size(); ++i) {
-    write_and_rename(targets[i] / "design.json", post::design_summary(reports[i]).dump(2) + "\n");
-    write_and_rename(targets[i] / "design.csv", post::design_csv(reports[i], all[i].units));
-    write_and_rename(targets[i] / "mechanism.json", mechanism_text(*all[i].mechanism));
+    const auto removed =
+        write_results(targets[i], all[i], "design",
+                      {{"design.json", post::design_summary(reports[i]).dump(2) + "\n"},
+                       {"design.csv", post::design_csv(reports[i], all[i].units)},
+                       {"mechanism.json", mechanism_text(*all[i].mechanism)}});
     write_report(targets[i]);
+    if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
     std::cout << "design.json, design.csv and report.html in " << shown_path(targets[i]) << '\n';
   }
   return 0;

@@ -40,10 +40,13 @@ int kinematics_of_case(const std::filesystem::path& case_directory,
   for (const std::string& notice : notices_of(*given.mechanism, given.units))
     std::cout << "note: " << notice << '\n';
   const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
-  write_and_rename(target / "kinematics.json", post::kinematics_summary(report).dump(2) + "\n");
-  write_and_rename(target / "kinematics.csv", post::kinematics_csv(report, given.units));
-  write_and_rename(target / "mechanism.json", mechanism_text(*given.mechanism));
+  const auto removed =
+      write_results(target, given, "kinematics",
+                    {{"kinematics.json", post::kinematics_summary(report).dump(2) + "\n"},
+                     {"kinematics.csv", post::kinematics_csv(report, given.units)},
+                     {"mechanism.json", mechanism_text(*given.mechanism)}});
   write_report(target);
+  if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
   std::cout << "kinematics.json, kinematics.csv and report.html in " << shown_path(target) << '\n';
   return 0;
 }

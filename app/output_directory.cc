@@ -3,31 +3,25 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "post/json_values.h"
 #include "post/output_file.h"
+#include "post/result_files.h"
 
 namespace geneva::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Files that this program writes; a later run may remove them.
-bool is_result_file(const fs::path& file) {
-  static const std::set<std::string> names{"solution.pvd", "solution.pvtu", "contact.vtu",
-                                           "contact.csv",  "sections.csv",  "depth.csv",
-                                           "results.h5",   "results.xdmf",  "summary.json",
-                                           "case.prm",     "log.txt",       "report.html"};
-  const std::string name = file.filename().string();
-  return names.count(name) > 0 || (name.rfind("solution.", 0) == 0 && file.extension() == ".vtu");
-}
 
 [[noreturn]] void refuse_unwritable(const fs::path& directory, const std::error_code& error) {
   throw std::invalid_argument(
@@ -42,6 +36,54 @@ bool is_result_file(const fs::path& file) {
 
 fs::path working_name(const fs::path& final) {
   return final.parent_path() / fmt::format(".{}.partial", final.filename().string());
+}
+
+/// Whether a document in a directory is of a case, and in this program's format.
+bool is_of_case(const fs::path& directory, const std::string& document, const Case& given) {
+  using nlohmann::json;
+  std::ifstream stream(directory / (document + ".json"));
+  const json found = json::parse(stream, nullptr, false);
+  if (!found.is_object()) return false;
+  const json about = found.value("case", json::object());
+  const json versions = found.value("versions", json::object());
+  return about.is_object() && versions.is_object() &&
+         about.value("content", json()) == given.content &&
+         versions.value("results", json()) == post::results_format;
+}
+
+/// Whether a file is one that the case reads: its directory may hold the results.
+bool is_input(const fs::path& file, const Case& given) {
+  std::error_code ignored;
+  return std::any_of(given.inputs.begin(), given.inputs.end(),
+                     [&](const fs::path& input) { return fs::equivalent(file, input, ignored); });
+}
+
+/// Removes the program's own files that are not of what was written.
+std::vector<std::string> remove_stale(const fs::path& directory, const Case& given,
+                                      const std::string& document,
+                                      const std::set<std::string>& written) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(directory)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  // A case.prm alone is a user's, not the copy that a run makes.
+  const bool has_run = fs::exists(directory / "summary.json");
+  std::set<std::string> kept;
+  for (const post::ResultFiles& results : post::result_files())
+    if (results.document != document && is_of_case(directory, results.document, given))
+      kept.insert(results.document);
+  std::vector<std::string> removed;
+  for (const fs::path& file : files) {
+    const std::string name = file.filename().string();
+    if (written.count(name) > 0 || is_input(file, given) || (name == "case.prm" && !has_run))
+      continue;
+    if (post::is_shared_file(name)) fs::remove(file);
+    for (const post::ResultFiles& results : post::result_files()) {
+      if (!post::belongs_to(results, name) || kept.count(results.document) > 0) continue;
+      fs::remove(file);
+      if (results.document != document) removed.push_back(name);
+    }
+  }
+  return removed;
 }
 
 }  // namespace
@@ -81,6 +123,23 @@ void write_and_rename(const fs::path& file, const std::string& text) {
   }
 }
 
+std::vector<std::string> write_results(const fs::path& directory, const Case& given,
+                                       const std::string& document,
+                                       const std::map<std::string, std::string>& texts) {
+  std::set<std::string> written;
+  for (const auto& [name, text] : texts) {
+    write_and_rename(post::own_file(directory, name), text);
+    written.insert(name);
+  }
+  return remove_stale(directory, given, document, written);
+}
+
+std::string removal_notice(const std::vector<std::string>& removed) {
+  if (removed.empty()) return "";
+  return fmt::format("removed results of another case, or of this one before it was changed: {}",
+                     fmt::join(removed, ", "));
+}
+
 OutputDirectory::OutputDirectory(const fs::path& final, const bool is_owner)
     : final_(fs::absolute(final).lexically_normal()), is_owner_(is_owner) {
   if (final_.filename().empty()) final_ = final_.parent_path();
@@ -112,8 +171,8 @@ OutputDirectory::~OutputDirectory() {
   for (const fs::path& parent : made_) fs::remove(parent, ignored);  // those still empty
 }
 
-void OutputDirectory::publish() {
-  if (!is_owner_) return;
+std::vector<std::string> OutputDirectory::publish(const Case& given) {
+  if (!is_owner_) return {};
   fs::create_directories(final_);
   std::set<std::string> written;
   std::vector<fs::path> files;
@@ -122,10 +181,7 @@ void OutputDirectory::publish() {
     fs::rename(file, final_ / file.filename());
     written.insert(file.filename().string());
   }
-  files.clear();
-  for (const auto& entry : fs::directory_iterator(final_)) files.push_back(entry.path());
-  for (const fs::path& file : files)
-    if (is_result_file(file) && written.count(file.filename().string()) == 0) fs::remove(file);
+  return remove_stale(final_, given, "summary", written);
 }
 
 }  // namespace geneva::app

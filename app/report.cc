@@ -7,6 +7,7 @@
 
 #include "app/output_directory.h"
 #include "post/report/report.h"
+#include "post/result_files.h"
 
 namespace geneva::app {
 
@@ -37,8 +38,9 @@ fs::path write_comparison(const std::vector<fs::path>& directories, const fs::pa
 void write_report(const fs::path& results, const fs::path& file) {
   const post::ResultsDirectory read = post::read_results(results);
   const post::Report report = post::make_report(read, libraries_with_warnings());
-  if (report.picture) write_and_rename(results / "stress.svg", *report.picture);
-  write_and_rename(fs::absolute(file.empty() ? results / "report.html" : file), report.html);
+  if (report.picture) write_and_rename(post::own_file(results, "stress.svg"), *report.picture);
+  write_and_rename(fs::absolute(file.empty() ? post::own_file(results, "report.html") : file),
+                   report.html);
 }
 
 int make_report(const std::vector<fs::path>& results, const fs::path& file) {

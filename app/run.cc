@@ -27,6 +27,7 @@
 #include "post/contact_output.h"
 #include "post/field_output.h"
 #include "post/output_file.h"
+#include "post/result_files.h"
 #include "post/results.h"
 #include "post/summary.h"
 #include "post/view/view_output.h"
@@ -213,24 +214,26 @@ void present(const Case& given, const fem::Solution<dim>& solution,
 }
 
 /// Writes what rank 0 writes alone, and puts everything in its place.
+/// @return names of the files of other cases that it removed
 template <int dim>
-void publish(const Case& given, const fem::Solution<dim>& solution,
-             const post::Results<dim>& results, const post::RunReport& report,
-             const Model<dim>& model, const nlohmann::json& view, const std::string& log,
-             OutputDirectory& directory) {
+std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& solution,
+                                 const post::Results<dim>& results, const post::RunReport& report,
+                                 const Model<dim>& model, const nlohmann::json& view,
+                                 const std::string& log, OutputDirectory& directory) {
   const fs::path& working = directory.working();
-  if (!view.is_null()) write_text(working / "view.json", view.dump() + "\n");
+  if (!view.is_null()) write_text(post::own_file(working, "view.json"), view.dump() + "\n");
   if (model.mechanism)
-    write_text(working / "mechanism.json",
+    write_text(post::own_file(working, "mechanism.json"),
                post::mechanism_document(
                    mechanism_picture(*given.mechanism, *model.mechanism, model.mechanism->load))
                        .dump() +
                    "\n");
   post::write_contact(solution, results, given.units, working);
-  write_text(working / "summary.json", post::summary(solution, results, report).dump(2) + "\n");
-  write_text(working / "case.prm", given.completed);
-  write_text(working / "log.txt", log);
-  directory.publish();
+  write_text(post::own_file(working, "summary.json"),
+             post::summary(solution, results, report).dump(2) + "\n");
+  write_text(post::own_file(working, "case.prm"), given.completed);
+  write_text(post::own_file(working, "log.txt"), log);
+  return directory.publish(given);
 }
 
 /// Mesh, solution, results and files of a case.
@@ -263,11 +266,13 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   report.solve_seconds = solve_seconds;
   report.post_seconds = timer.wall_time();
   report.total_seconds = total.wall_time();
+  std::vector<std::string> removed;
   together(communicator, [&] {
     if (!is_first) return;
-    publish(given, solution, results, report, model, view, progress.log(), directory);
+    removed = publish(given, solution, results, report, model, view, progress.log(), directory);
     write_report(directory.final());
   });
+  if (!removed.empty()) progress.line(removal_notice(removed));
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",
                             shown_path(directory.final()), total.wall_time(),
                             report.peak_memory / 1e6));

@@ -103,8 +103,11 @@ int synthesize_case(const std::filesystem::path& case_directory,
   std::cout << report.case_name << (report.title.empty() ? "" : ": " + report.title) << '\n'
             << post::synthesis_table(report, given.units);
   const std::filesystem::path target = output.empty() ? given.directory / "results" : output;
-  write_and_rename(target / "synthesis.json", post::synthesis_summary(report).dump(2) + "\n");
-  write_and_rename(target / "synthesis.csv", post::synthesis_csv(report, given.units));
+  const auto removed =
+      write_results(target, given, "synthesis",
+                    {{"synthesis.json", post::synthesis_summary(report).dump(2) + "\n"},
+                     {"synthesis.csv", post::synthesis_csv(report, given.units)}});
+  if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
   std::cout << "synthesis.json and synthesis.csv in " << shown_path(target) << '\n';
   const std::string why = shortfall(report, given.units);
   if (why.empty()) return 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "post/output_file.h"
+#include "post/result_files.h"
 
 namespace geneva::post {
 
@@ -214,8 +215,8 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
       [&](const std::size_t pair) {
         return contact_columns(solution.contacts[pair], results.contacts[pair], units);
       },
-      directory / "contact.csv");
-  write_contact_vtu(solution, results, units, directory / "contact.vtu");
+      own_file(directory, "contact.csv"));
+  write_contact_vtu(solution, results, units, own_file(directory, "contact.vtu"));
   write_csv(
       solution,
       [&](const std::size_t pair) {
@@ -224,7 +225,7 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
         else
           return depth_columns(results.contacts[pair], units);
       },
-      directory / (dim == 3 ? "sections.csv" : "depth.csv"));
+      own_file(directory, dim == 3 ? "sections.csv" : "depth.csv"));
 }
 
 template void write_contact(const fem::Solution<2>&, const Results<2>&, UnitSystem,

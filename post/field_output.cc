@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "post/output_file.h"
+#include "post/result_files.h"
 
 namespace geneva::post {
 
@@ -245,18 +246,18 @@ void write_vtu(const ScaledDataOut<dim>& data, const MPI_Comm communicator,
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const auto piece_name = [](const unsigned int i) { return fmt::format("solution.{}.vtu", i); };
-  const fs::path piece = directory / piece_name(rank);
+  const fs::path piece = own_file(directory, piece_name(rank));
   std::ofstream stream = open_output(piece);
   data.write_vtu(stream);
   close_output(stream, piece);
   if (rank != 0) return;
   std::vector<std::string> pieces;
   for (unsigned int i = 0; i < ranks; ++i) pieces.push_back(piece_name(i));
-  const fs::path record = directory / "solution.pvtu";
+  const fs::path record = own_file(directory, "solution.pvtu");
   stream = open_output(record);
   data.write_pvtu_record(stream, pieces);
   close_output(stream, record);
-  const fs::path collection = directory / "solution.pvd";
+  const fs::path collection = own_file(directory, "solution.pvd");
   stream = open_output(collection);
   dealii::DataOutBase::write_pvd_record(stream, {{0., "solution.pvtu"}});
   close_output(stream, collection);
@@ -288,13 +289,13 @@ void write_hdf5(const ScaledDataOut<dim>& data, const std::vector<fem::LevelReco
   // stresses.
   dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(false, true));
   data.write_filtered_data(filter);
-  const fs::path file = directory / "results.h5";
+  const fs::path file = own_file(directory, "results.h5");
   data.write_hdf5_parallel(filter, file.string(), communicator);
   const dealii::XDMFEntry entry = data.create_xdmf_entry(filter, "results.h5", 0., communicator);
-  data.write_xdmf_file({entry}, (directory / "results.xdmf").string(), communicator);
+  data.write_xdmf_file({entry}, (own_file(directory, "results.xdmf")).string(), communicator);
   append_history(levels, communicator, file);
 } catch (const dealii::ExceptionBase&) {
-  throw std::runtime_error("cannot write all of " + (directory / "results.h5").string() +
+  throw std::runtime_error("cannot write all of " + (own_file(directory, "results.h5")).string() +
                            ": is the disk full?");
 }
 

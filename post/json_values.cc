@@ -26,7 +26,8 @@ json case_section(const CaseHeader& header) {
   return {{"name", header.name},
           {"title", header.title},
           {"date", header.date},
-          {"output_units", name_of(header.units)}};
+          {"output_units", name_of(header.units)},
+          {"content", header.content}};
 }
 
 json versions_section(const std::string& geneva_version) {

@@ -22,13 +22,15 @@ struct CaseHeader {
   std::string title;
   std::string date;  ///< local date and time at which the document was made, ISO 8601
   UnitSystem units;  ///< of the other files
+  std::string
+      content;  ///< mark of what the case is about; documents with equal ones belong together
 };
 
 /// Section "case" of a document.
 nlohmann::json case_section(const CaseHeader& header);
 
 /// Of the files that the program writes; grows whenever a reader of the files must know.
-constexpr int results_format = 1;
+constexpr int results_format = 2;
 
 /// Section "versions" of a document: the program's and results_format.
 nlohmann::json versions_section(const std::string& geneva_version);

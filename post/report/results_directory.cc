@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
 
 #include "post/json_values.h"
+#include "post/result_files.h"
 
 namespace geneva::post {
 
@@ -15,22 +15,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-/// A document and the tables that were written with it.
-struct DocumentFiles {
-  const char* name;
-  const char* command;
-  std::vector<const char*> tables;
-};
-
-const std::vector<DocumentFiles>& all_documents() {
-  static const std::vector<DocumentFiles> documents{
-      {"summary", "geneva run", {"contact"}},
-      {"kinematics", "geneva kinematics", {"kinematics"}},
-      {"design", "geneva design", {"design"}},
-      {"crown", "geneva design --crown", {"crown"}}};
-  return documents;
-}
 
 json read_json(const fs::path& file) {
   std::ifstream stream(file);
@@ -65,8 +49,8 @@ const CsvTable* ResultsDirectory::table(const std::string& name) const {
 }
 
 const json& ResultsDirectory::leading() const {
-  for (const DocumentFiles& files : all_documents())
-    if (const json* found = document(files.name)) return *found;
+  for (const ResultFiles& files : result_files())
+    if (const json* found = document(files.document)) return *found;
   throw std::logic_error("a results directory without results");
 }
 
@@ -81,13 +65,13 @@ ResultsDirectory read_results(const fs::path& directory) try {
     throw std::invalid_argument(
         fmt::format("{}: there is no such directory; give one with results", directory.string()));
   ResultsDirectory results{directory, {}, {}};
-  for (const DocumentFiles& files : all_documents()) {
-    const fs::path file = directory / (std::string(files.name) + ".json");
-    if (!fs::exists(file)) continue;
+  for (const ResultFiles& files : result_files()) {
+    const fs::path file = directory / (std::string(files.document) + ".json");
+    if (!files.is_reported || !fs::exists(file)) continue;
     json document = read_json(file);
     check_format(document, file, files.command);
     std::vector<const char*> tables = files.tables;
-    if (std::string(files.name) == "summary")
+    if (std::string(files.document) == "summary")
       tables.push_back(document.at("case").at("dimension") == 3 ? "sections" : "depth");
     for (const char* const table : tables) {
       const fs::path csv = directory / (std::string(table) + ".csv");
@@ -98,7 +82,7 @@ ResultsDirectory read_results(const fs::path& directory) try {
                         csv.string(), file.filename().string(), files.command));
       results.tables[table] = read_csv(csv);
     }
-    results.documents[files.name] = std::move(document);
+    results.documents[files.document] = std::move(document);
   }
   if (results.documents.empty())
     throw std::invalid_argument(fmt::format(

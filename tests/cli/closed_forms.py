@@ -10,7 +10,7 @@ import json
 import math
 
 import closed_motion
-from closed_motion import greatest, slope, value
+from closed_motion import greatest, slope, value, zero
 
 # Definitions of the units, exact.
 INCH = 0.0254
@@ -220,6 +220,20 @@ def load_values(mover, at, drawn=None):
     return result
 
 
+def slip_reversals(mover):
+    """Where the surface of a fixed pin turns back, on the driving wall first."""
+    motion, count = mover.motion, 1000
+    margin = 1e-3 * (motion.end - motion.begin)  # formulas may be 0/0 at the very ends
+    grid = [motion.begin + margin + (motion.end - motion.begin - 2 * margin) * i / count for i in range(count + 1)]
+    found = []
+    for wall in (1, -1):
+        def slip(at, wall=wall):
+            return complex(motion.place(at).slip(mover.pin, wall)).real
+
+        found += [zero(slip, before, after) for before, after in zip(grid, grid[1:]) if slip(before) * slip(after) < 0]
+    return found
+
+
 def kinematics_values(mover):
     """Keys of kinematics.json; the driver runs at its reference speed between the engagements."""
     motion, speed, mechanism = mover.motion, mover.speed, mover.mechanism
@@ -232,7 +246,7 @@ def kinematics_values(mover):
 
     def wear(at, sign):
         """Square of pressure times slip over a constant, on one wall."""
-        return sign * mover.force(at) * place(at).slip**2
+        return sign * mover.force(at) * place(at).slip(mover.pin, sign)**2
 
     walls = {sign: mover.greatest(lambda at, sign=sign: wear(at, sign)) for sign in (1, -1)}
     wall = max(walls, key=lambda sign: (round(math.log(value(lambda at: wear(at, sign), walls[sign])), 9), sign))
@@ -242,7 +256,8 @@ def kinematics_values(mover):
         return mover.hertz(value(mover.force, at))["peak_pressure"]
 
     def pressure_slip(at):
-        return pressure(at) * abs(value(lambda here: place(here).slip, at))
+        wall = math.copysign(1, value(mover.force, at))
+        return pressure(at) * abs(value(lambda here: place(here).slip(mover.pin, wall), at))
 
     per_engagement = complex(motion.time(motion.end) - motion.time(motion.begin)).real
     turn = mechanism.exit - mechanism.entry
@@ -267,7 +282,9 @@ def kinematics_values(mover):
             "peak_hertz_pressure_ratio": pressure(strongest) / pressure(peak),
             "peak_pressure_times_slip": pressure_slip(worn),
             "peak_pressure_times_slip_angle": motion.driver_angle(worn),
-            "peak_pressure_times_slip_ratio": pressure_slip(worn) / pressure_slip(peak)}
+            "peak_pressure_times_slip_ratio": pressure_slip(worn) / pressure_slip(peak),
+            **{f"slip_reversals.{i}.driver_angle": motion.driver_angle(at)
+               for i, at in enumerate(slip_reversals(mover))}}
 
 
 def drawn_ring_inertia(stations, diameter, density, proportions):

@@ -2,7 +2,8 @@
 program, and nothing is differentiated as the program does it.
 
 A mechanism gives, at a driver angle theta per unit of driver speed, a Place: wheel angle, its first two derivatives,
-the pin's distance x from the wheel's axis and the slip. All formulas are analytic in theta, so that a slope is the
+the pin's distance x from the wheel's axis, the speed of its axis along the slot and the speed at which what carries it
+turns against the wheel. All formulas are analytic in theta, so that a slope is the
 imaginary part of the value a tiny step beside the real axis (complex step), exact to rounding.
 """
 
@@ -20,7 +21,13 @@ class Place:
     speed: complex
     acceleration: complex
     pin_distance: complex
-    slip: complex
+    travel: complex
+    spin: complex  # against the wheel's sense of rotation
+
+    def slip(self, pin, wall):
+        """Of the surface of a pin of that diameter on the driving (1) or the braking (-1) wall: its material point is
+        d/2 ahead of the pin's axis or behind it, and goes with the turning carrier."""
+        return self.travel + wall * pin / 2 * self.spin
 
 
 @dataclasses.dataclass
@@ -48,7 +55,8 @@ def external(stations, centre_distance):
         square = 1 + s**2 - 2 * s * cosine
         x = centre_distance * cmath.sqrt(square)
         return Place(arctan2(s * sine, 1 - s * cosine), s * (cosine - s) / square,
-                     -s * (1 - s**2) * sine / square**2, x, centre_distance**2 * s * sine / x)
+                     -s * (1 - s**2) * sine / square**2, x, centre_distance**2 * s * sine / x,
+                     1 + s * (cosine - s) / square)
 
     half = math.pi / 2 - math.pi / stations
     return Mechanism(stations, -half, half, 2 * math.pi, place)
@@ -63,7 +71,8 @@ def internal(stations, centre_distance):
         square = 1 + s**2 + 2 * s * cosine
         x = centre_distance * cmath.sqrt(square)
         return Place(arctan2(s * sine, 1 + s * cosine), s * (cosine + s) / square,
-                     -s * (1 - s**2) * sine / square**2, x, -centre_distance**2 * s * sine / x)
+                     -s * (1 - s**2) * sine / square**2, x, -centre_distance**2 * s * sine / x,
+                     s * (cosine + s) / square - 1)
 
     half = math.pi / 2 + math.pi / stations
     return Mechanism(stations, -half, half, 2 * math.pi, place)
@@ -72,7 +81,8 @@ def internal(stations, centre_distance):
 def spherical_right_angle(stations, radius):
     """Lecture 4, shafts at right angles: tan(phi) = t sin(theta) with t = tan(pi/n).
 
-    The cosine of the angle between the pin and the wheel's axis is sin(pi/n) cos(theta).
+    The cosine of the angle between the pin and the wheel's axis is sin(pi/n) cos(theta), that between the pin and the
+    driver's axis cos(pi/n): with these shares of both speeds the driver turns against the wheel about the pin.
     """
     t, s = math.tan(math.pi / stations), math.sin(math.pi / stations)
 
@@ -82,7 +92,7 @@ def spherical_right_angle(stations, radius):
         across = cmath.sqrt(1 - (s * cosine)**2)
         return Place(arctan2(t * sine, 1.0), t * cosine / square,
                      -t * sine * (1 + t**2 * sine**2 + 2 * t**2 * cosine**2) / square**2, radius * across,
-                     radius * s * sine / across)
+                     radius * s * sine / across, t * cosine / square * s * cosine + math.sqrt(1 - s**2))
 
     return Mechanism(stations, -math.pi / 2, math.pi / 2, 2 * math.pi, place)
 
@@ -177,10 +187,14 @@ def four_bar(stations, links, direction, near, far):
         (x, y), (u, v), (p, q) = wheel.seen(middle + theta)
         square = x * x + y * y
         moment, radial = x * v - y * u, x * u + y * v
+        pin = links[4]
+        crank = (links[0] * cmath.cos(middle + theta), links[0] * cmath.sin(middle + theta))
+        arm = (x + wheel.axis[0] - crank[0], y + wheel.axis[1] - crank[1])  # from the end of the crank, which turns by 1
+        coupler = (arm[0] * (v - crank[0]) - arm[1] * (u + crank[1])) / pin**2
         turned = arctan2(y * math.cos(towards) - x * math.sin(towards), x * math.cos(towards) + y * math.sin(towards))
         return Place(sign * turned, sign * moment / square,
                      sign * ((x * q - y * p) / square - 2 * moment * radial / square**2), cmath.sqrt(square),
-                     radial / cmath.sqrt(square))
+                     radial / cmath.sqrt(square), sign * (moment / square - coupler))
 
     return distance, Mechanism(stations, begin - middle, end - middle, 2 * math.pi, place)
 
@@ -204,7 +218,8 @@ def steady(mechanism, speed):
 
     def place(theta):
         at = mechanism.place(theta)
-        return Place(at.wheel_angle, at.speed * speed, at.acceleration * speed**2, at.pin_distance, at.slip * speed)
+        return Place(at.wheel_angle, at.speed * speed, at.acceleration * speed**2, at.pin_distance, at.travel * speed,
+                     at.spin * speed)
 
     return Timed(mechanism.entry, 0.0, mechanism.exit, lambda theta: theta / speed, lambda theta: theta, place)
 
@@ -233,7 +248,7 @@ def law_on_cross(stations, centre_distance, law, motion_time):
     """External Geneva whose wheel follows a law (Kolomiets et al., Eq. 4 to 7); the parameter is the relative time k.
 
     With sin(beta) = sin(phi)/s the carrier stands at beta - phi, and x = c cos(phi) - r cos(beta), so that dx/dphi =
-    x c sin(phi)/(r cos(beta)). The square of cos(beta) is sin(alpha - phi) sin(alpha + phi)/s^2.
+    x c sin(phi)/(r cos(beta)); carrier and wheel turn against each other with dbeta/dt. The square of cos(beta) is sin(alpha - phi) sin(alpha + phi)/s^2.
     """
     alpha = math.pi / stations
     s = math.sin(alpha)
@@ -254,10 +269,12 @@ def law_on_cross(stations, centre_distance, law, motion_time):
         speed = 2 * alpha * first / motion_time
         x = centre_distance * cmath.cos(phi) - crank * cosine
         if k in (0, 1):
-            slip = math.copysign(crank * end_speed(stations, law) / motion_time, k - 0.5)
+            spin = end_speed(stations, law) / motion_time
+            travel = math.copysign(crank * spin, k - 0.5)
         else:
-            slip = speed * x * centre_distance * cmath.sin(phi) / (crank * cosine)
-        return Place(phi, speed, 2 * alpha * second / motion_time**2, x, slip)
+            spin = speed * cmath.cos(phi) / (s * cosine)
+            travel = speed * x * centre_distance * cmath.sin(phi) / (crank * cosine)
+        return Place(phi, speed, 2 * alpha * second / motion_time**2, x, travel, spin)
 
     return Timed(0.0, 0.5, 1.0, lambda k: (k - 0.5) * motion_time, driver_angle, place)
 

@@ -13,7 +13,8 @@ DEGREE = math.pi / 180
 OWN_FILES = ["kinematics.csv", "kinematics.json"]
 FILES = [*OWN_FILES, "mechanism.json", "report.html"]
 COLUMNS = ["driver_angle", "wheel_angle", "speed_ratio", "acceleration_ratio", "jerk_ratio", "pin_distance",
-           "slip_speed", "pin_force", "hertz_pressure", "wall", "time", "driver_speed", "driver_acceleration"]
+           "slip_speed", "pin_force", "hertz_pressure", "wall", "time", "driver_speed", "driver_acceleration",
+           "travel_speed", "slip_speed_driving", "slip_speed_braking", "bore_speed"]
 SIX, INTERNAL, SPHERE = "six-station-360rpm", "internal-six-station", "spherical-eight-station"
 PINS, LINKAGE = "irregular-two-pin", "four-bar-geneva"
 HARMONIC, CYCLOIDAL = "servo-harmonic", "servo-cycloidal"
@@ -280,7 +281,7 @@ class Curves(Kinematics):
             wheel = [entry * DEGREE for entry in curves["wheel_angle [deg]"]]
             pairs = ((wheel, curves["speed_ratio"]), (curves["speed_ratio"], curves["acceleration_ratio"]),
                      (curves["acceleration_ratio"], curves["jerk_ratio"]),
-                     (curves["pin_distance [mm]"], [entry / speed for entry in curves["slip_speed [mm/s]"]]),
+                     (curves["pin_distance [mm]"], [entry / speed for entry in curves["travel_speed [mm/s]"]]),
                      ([entry * DEGREE for entry in curves["driver_angle [deg]"]],
                       [entry * RPM / speed for entry in curves["driver_speed [rpm]"]]),
                      ([entry * RPM / speed for entry in curves["driver_speed [rpm]"]],
@@ -361,23 +362,70 @@ class Loads(Kinematics):
             self.assert_close(number(torque[key]), number(friction[key]), 1e-10, key)
 
     def test_slot_friction_shortens_and_lengthens_the_arm(self):
-        """x + mu d/2 while the pin moves inwards, x - mu d/2 while it moves outwards; on a sphere times the cosine."""
+        """x + mu d/2 while the pin's surface moves inwards on the wall that carries, x - mu d/2 while it moves outwards."""
         coefficient, pin = 0.1, 0.0168
         plain, rough = self.copy_case(SIX), self.changed(SIX, {"Slot friction": coefficient})
         for case in (plain, rough):
             self.kinematics(case)
         without, curves = self.curves(plain), self.curves(rough)
-        compared = 0
+        mover = closed_forms.movers()[SIX]
+        compared = against = 0
         for i, wall in enumerate(curves["wall"]):
-            slip = curves["slip_speed [mm/s]"][i]
-            if wall == "none" or abs(slip) < 1e-6:
+            if wall == "none":
                 continue
+            side = 1 if wall == "driving" else -1
+            slip = mover.motion.place(curves["driver_angle [deg]"][i] * DEGREE).slip(pin, side).real
+            self.assertAlmostEqual(curves["slip_speed [mm/s]"][i], 1e3 * slip, delta=1e-7)
+            self.assertEqual(curves["slip_speed [mm/s]"][i], curves[f"slip_speed_{wall} [mm/s]"][i])
+            against += slip * curves["travel_speed [mm/s]"][i] < 0  # the surface moves against the pin's axis
             arm = curves["pin_distance [mm]"][i] / 1e3
             lever = -math.copysign(coefficient * pin / 2, slip)
             moment = without["pin_force [N]"][i] * arm
             self.assert_close(curves["pin_force [N]"][i] * (arm + lever), moment, 1e-8, "moment")
             compared += 1
         self.assertGreater(compared, 200)
+        self.assertGreater(against, 40)
+
+    ROLLER = {"Pin type": "roller", "Roller bore diameter": "8.4 mm", "Roller bore friction": "0.2"}
+
+    def test_a_roller_slides_in_its_bore_only(self):
+        """On the wall it is as rough as a fixed pin with mu_b d_b/d; on its stud it slides with d_b/d of that pin's slip."""
+        fixed, roller = self.changed(SIX, {"Slot friction": "0.1"}), self.changed(SIX, self.ROLLER)
+        sliding, rolling = self.kinematics(fixed), self.kinematics(roller)
+        self.assertEqual((sliding["pin_type"], rolling["pin_type"]), ("fixed", "roller"))
+        for key in ("peak_force", "peak_force_angle", "peak_braking_force", "peak_hertz_pressure"):
+            self.assert_close(number(rolling[key]), number(sliding[key]), 1e-12, key)
+        self.assertEqual(number(rolling["peak_pressure_times_slip"]), 0)
+        self.assertIsNone(rolling["peak_pressure_times_slip_angle"])
+        self.assertEqual(number(sliding["peak_bore_pressure_times_speed"]), 0)
+        without, curves = self.curves(fixed), self.curves(roller)
+        greatest = 0.0
+        for i, slip in enumerate(without["slip_speed [mm/s]"]):
+            for name in ("slip_speed", "slip_speed_driving", "slip_speed_braking"):
+                self.assertEqual(curves[f"{name} [mm/s]"][i], 0)
+            self.assertEqual(without["bore_speed [mm/s]"][i], 0)
+            self.assertAlmostEqual(curves["bore_speed [mm/s]"][i], abs(slip) / 2, delta=1e-8)
+            mean = abs(curves["pin_force [N]"][i]) / (8.4 * 16.8)  # MPa
+            greatest = max(greatest, mean * curves["bore_speed [mm/s]"][i])
+        self.assert_close(number(rolling["peak_bore_pressure_times_speed"]) / 1e3, greatest, 1e-4, "in the bore")
+
+    def test_a_roller_without_friction_has_the_force_of_a_smooth_pin(self):
+        smooth, roller = self.copy_case(SIX), self.changed(SIX, {**self.ROLLER, "Roller bore friction": "0"})
+        self.kinematics(smooth)
+        self.kinematics(roller)
+        self.assertEqual(self.curves(smooth)["pin_force [N]"], self.curves(roller)["pin_force [N]"])
+
+    def test_the_force_jumps_where_the_slip_reverses(self):
+        """The greatest force of a rough pin is the limit from the hindered side, (x + mu d/2)/(x - mu d/2) of the other."""
+        mover = closed_forms.movers()["johnson-optimum-wheel"]
+        case = self.changed("johnson-optimum-wheel", {"Slot friction": "0.3"})
+        values = self.kinematics(case)
+        at = closed_forms.slip_reversals(mover)[0]
+        self.assertAlmostEqual(at / DEGREE, -8.1766, 4)
+        self.assertAlmostEqual(number(values["peak_force_angle"]), at, delta=1e-8)
+        place = mover.motion.place(at)
+        smooth = mover.force(at).real * place.pin_distance.real
+        self.assert_value(values, "peak_force", smooth / (place.pin_distance.real - 0.3 * mover.pin / 2), 1e-8)
 
     def test_an_accelerated_driver_adds_its_own_term(self):
         """The equation before ME341, 5.29: a = epsilon dphi/dtheta + omega^2 d2phi/dtheta2."""
@@ -496,6 +544,19 @@ class KinematicsRefusals(Refusals):
         self.assert_change_refused(SIX, {"Slot friction": "-0.1"}, "'Slot friction' = '-0.1'", "0 or greater")
         jammed = {"Slot friction": "5"}
         self.assert_change_refused(SIX, jammed, "line", "'Slot friction' = '5'", "16.8 mm", "must be below")
+
+    def test_rollers_that_cannot_be(self):
+        bore = {"Roller bore diameter": "8 mm"}
+        self.assert_change_refused(SIX, bore, "'Roller bore diameter' = '8 mm'", "Pin type = roller only")
+        self.assert_change_refused(SIX, {"Roller bore friction": "0.1"}, "'Roller bore friction'", "Pin type = roller only")
+        self.assert_change_refused(SIX, {"Pin type": "roller"}, "'Roller bore diameter' is missing", "'roller' needs it")
+        roller = {"Pin type": "roller", **bore}
+        self.assert_change_refused(SIX, {**roller, "Slot friction": "0.1"}, "'Slot friction' = '0.1'", "Pin type = fixed only")
+        self.assert_change_refused(SIX, {**roller, "Roller bore diameter": "17 mm"}, "line",
+                                   "'Roller bore diameter' = '17 mm'", "less than", "16.8 mm")
+        self.assert_change_refused(SIX, {**roller, "Roller bore friction": "11"}, "line", "'Roller bore friction' = '11'",
+                                   "roller of 16.8 mm jams", "must be below")
+        self.assert_change_refused(SIX, {"Pin type": "loose"}, "'Pin type' = 'loose'", "fixed", "roller")
 
     def test_laws_of_motion_without_their_time(self):
         changes = {"Driver speed": None, "Driver motion": "harmonic on the carrier"}

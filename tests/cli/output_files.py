@@ -383,6 +383,90 @@ class Output(FinishedRuns):
             self.assertIn(command, usage.out)
 
 
+class StaleFiles(CliTest):
+    """A results directory holds results of one case only."""
+
+    OWN = ("summary.json", "contact.csv", "sections.csv", "depth.csv", "contact.vtu", "solution.pvd", "solution.pvtu",
+           "solution.0.vtu", "solution.17.vtu", "results.h5", "results.xdmf", "view.json", "stress.svg", "case.prm",
+           "log.txt", "kinematics.json", "kinematics.csv", "design.json", "design.csv", "crown.json", "crown.csv",
+           "synthesis.json", "synthesis.csv", "mechanism.json", "report.html")
+    FOREIGN = ("notes.txt", "summary.json.bak", "my-contact.csv", "solution.vtu", "geometry.geo", "kinematics.json~")
+
+    def filled(self, name):
+        """A results directory with a file of every name, the program's own and others."""
+        directory = self.directory / name
+        directory.mkdir()
+        for file in self.OWN + self.FOREIGN:
+            (directory / file).write_text("old")
+        return directory
+
+    def test_a_geometry_after_a_mechanism_draws_no_mechanism(self):
+        results = self.directory / "results"
+        case = self.copy_case(MECHANISM)
+        for command in ("run", "kinematics", "design"):
+            self.assertEqual(self.geneva(command, case, "--output", results).code, 0)
+        self.assertIn("id=\"mechanism\"", (results / "report.html").read_text())
+        run = self.geneva("run", self.copy_case(GEOMETRY), "--output", results)
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertEqual(sorted(file.name for file in results.iterdir()),
+                         sorted({*RESULT_FILES, "view.json", "stress.svg", "report.html"}))
+        self.assertNotIn("id=\"mechanism\"", (results / "report.html").read_text())
+        self.assertIn("design.csv, design.json, kinematics.csv, kinematics.json", run.out)
+
+    def test_every_command_removes_all_own_files_that_it_does_not_write(self):
+        written = {("run", GEOMETRY): {*RESULT_FILES, "view.json", "stress.svg", "report.html"},
+                   ("run", MECHANISM): {*RESULT_FILES, "view.json", "stress.svg", "report.html", "mechanism.json"},
+                   ("kinematics", MECHANISM): {"kinematics.json", "kinematics.csv", "mechanism.json", "report.html"},
+                   ("design", MECHANISM): {"design.json", "design.csv", "mechanism.json", "report.html"},
+                   ("synthesize", "synthesis-quick-return"): {"synthesis.json", "synthesis.csv"}}
+        for (command, name), files in written.items():
+            with self.subTest(f"{command} {name}"):
+                results = self.filled(f"{command}-{name}")
+                run = self.geneva(command, self.source / "cases" / name, "--output", results)
+                self.assertEqual(run.code, 0, run.describe())
+                found = {file.name for file in results.iterdir()}
+                self.assertEqual(found, files | set(self.FOREIGN))
+                self.assertEqual([name for name in found if (results / name).read_bytes() == b"old"
+                                  and name not in self.FOREIGN], [])
+
+    def test_a_changed_case_keeps_nothing_of_the_old_one(self):
+        case = self.copy_case(MECHANISM)
+        self.assertEqual(self.geneva("kinematics", case).code, 0)
+        self.run_case(case)
+        geneva_cli.change_case(case, {"Title": "the same, with another title", "Accuracy": "1 %"})
+        run = self.geneva("design", case)
+        self.assertNotIn("removed", run.out)
+        results = case / "results"
+        for name in ("summary.json", "kinematics.json", "design.json", "solution.pvtu"):
+            self.assertTrue((results / name).exists(), name)
+        geneva_cli.change_case(case, {"Mechanism/Friction moment": "3 lbf.in"})
+        run = self.geneva("kinematics", case)
+        self.assertIn("removed results of another case, or of this one before it was changed: case.prm, contact.csv",
+                      run.out)
+        self.assertEqual(sorted(file.name for file in results.iterdir()),
+                         ["kinematics.csv", "kinematics.json", "mechanism.json", "report.html"])
+
+    def test_the_case_s_own_files_stay_where_it_gets_its_results(self):
+        """A motion table may bear the name of a result, and its case directory be the results directory."""
+        case = self.copy_case("six-station-360rpm")
+        geneva_cli.change_case(case, {"Mechanism/Driver motion": "table", "Mechanism/Motion table": "contact.csv",
+                                      "Mechanism/Driver speed": None})
+        rows = [f"{1e3 * angle / 360 / 6:.17g}, {angle}" for angle in range(-180, 181, 15)]
+        (case / "contact.csv").write_text("\n".join(["time [ms], angle [deg]", *rows, ""]))
+        (case / "summary.json").write_text("{}")  # as if case.prm were a run's copy
+        before = {name: (case / name).read_text() for name in ("case.prm", "contact.csv")}
+        for _ in range(2):
+            self.assertEqual(self.geneva("kinematics", case, "--output", case).code, 0)
+            self.assertEqual({name: (case / name).read_text() for name in before}, before)
+        self.assertFalse((case / "summary.json").exists())
+
+    def test_another_case_s_case_file_stays(self):
+        case, other = self.copy_case(MECHANISM), self.copy_case(GEOMETRY)
+        text = (other / "case.prm").read_text()
+        self.assertEqual(self.geneva("kinematics", case, "--output", other).code, 0)
+        self.assertEqual((other / "case.prm").read_text(), text)
+
+
 class ParameterReference(CliTest):
 
     def test_parameters_are_printed_with_explanations(self):
