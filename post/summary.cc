@@ -220,17 +220,15 @@ json safety_section(const fem::Solution<dim>& solution, const Results<dim>& resu
     const auto number_if = [](const std::optional<double>& value) {
       return value ? json(*value) : json();
     };
-    rows.push_back(
-        {{"quantity", row.quantity},
-         {"dimension", name_of(row.dimension)},
-         {"computed", quantity_if(row.computed, row.dimension)},
-         {"computed_factor", number_if(row.computed_factor())},
-         {"cycle", row.cycle ? json({{"value", quantity(row.cycle->value, row.dimension)},
-                                     {"driver_angle", quantity(row.cycle->driver_angle, "rad")}})
-                             : json()},
-         {"allowed", quantity(row.allowed, row.dimension)},
-         {"factor", number_if(row.factor())},
-         {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)}});
+    rows.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"computed", quantity_if(row.computed, row.dimension)},
+                    {"computed_factor", number_if(row.computed_factor())},
+                    {"cycle", row.cycle ? quantity(row.cycle->value, row.dimension) : json()},
+                    {"cycle_angle", row.cycle ? quantity(row.cycle->driver_angle, "rad") : json()},
+                    {"allowed", quantity(row.allowed, row.dimension)},
+                    {"factor", number_if(row.factor())},
+                    {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)}});
   }
   return rows;
 }

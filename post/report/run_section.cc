@@ -95,14 +95,14 @@ std::string safety_table(const json& summary, const UnitSystem units) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const bool is_known = !row.at("factor").is_null();
     const double factor = number_of(row.at("factor"));
-    table.rows.push_back(
-        {escaped(labelled(row.at("quantity"), dimension, units)),
-         is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
-         row.at("cycle").is_null() ? "–" : shown(row.at("cycle").at("value"), dimension, units),
-         shown(row.at("allowed"), dimension, units), is_known ? significant(factor, 3) : "–",
-         shown(row.at("driver_angle"), Dimension::angle, units),
-         is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
-                                  : "<span class=\"fail\">✗ exceeded</span>"});
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+                          is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
+                          shown(row.at("cycle"), dimension, units),
+                          shown(row.at("allowed"), dimension, units),
+                          is_known ? significant(factor, 3) : "–",
+                          shown(row.at("driver_angle"), Dimension::angle, units),
+                          is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
+                                                   : "<span class=\"fail\">✗ exceeded</span>"});
   }
   return table.html();
 }
