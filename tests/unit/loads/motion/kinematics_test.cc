@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "loads/motion/external_geneva.h"
+#include "loads/motion/four_bar_geneva.h"
 #include "loads/motion/internal_geneva.h"
 #include "loads/motion/long_dwell_geneva.h"
 #include "loads/motion/spherical_geneva.h"
@@ -106,6 +108,50 @@ TEST(Johnson1956, Eq1LeavesOutThatTheArmStillShrinks) {
     EXPECT_NEAR(values.pressure_ratio, std::sqrt(values.force_ratio), 1e-9);
     EXPECT_GT(values.pressure_times_slip_ratio, 1.);
   }
+}
+
+/// Friction jumps where slip reverses, and slip where a chain link stops turning: the greatest
+/// values are those of the side on which they are greater.
+TEST(Characteristics, AreExceededAtNoInstant) {
+  WheelTrain train{2e-3, {1e-3, 0.2}, 0., 0.3, 0.015};
+  const std::vector<Mechanism> mechanisms{
+      external_geneva(4, c),
+      internal_geneva(6, c),
+      spherical_geneva(5, 1.2, c),
+      long_dwell_geneva(6, 0.04, 0.012, SprocketLine::across_line_of_centres),
+      long_dwell_geneva(5, 0.04, 0.06, SprocketLine::along_line_of_centres),
+      four_bar_geneva(6, {{0., 0.}, {0.1, 0.}, 0.04, 0.12, 0.12, 0.12, pi / 2.}, Assembly::open,
+                      {150. * degree, std::nullopt})
+          .mechanism};
+  for (const bool is_roller : {false, true})
+    for (const Mechanism& mechanism : mechanisms) {
+      if (is_roller) train.roller = RollerBore{0.008, 0.4};
+      const DrivenMechanism driven = steady(mechanism, 20.);
+      const Characteristics values = characteristics(driven, train, contact);
+      PlacedPeak force{}, braking{}, slip{}, bore{};
+      const auto raise = [](PlacedPeak& peak, double value) {
+        peak.value = std::max(peak.value, value);
+      };
+      for (const KinematicsRow& row : kinematics_rows(driven, train, contact, 40000)) {
+        raise(force, row.load.force);
+        raise(braking, -row.load.force);
+        raise(slip, row.pressure * std::abs(row.load.slip_speed));
+        raise(bore, bore_pressure(contact, train, row.load.force) * row.load.bore_speed);
+      }
+      const auto expect_peak = [&](const PlacedPeak& found, const PlacedPeak& sampled) {
+        EXPECT_GE(found.value, sampled.value * (1. - 1e-12)) << mechanism.name;
+        EXPECT_LE(found.value, sampled.value * (1. + 1e-3)) << mechanism.name << ": not attained";
+      };
+      expect_peak(values.force, force);
+      expect_peak(values.braking_force, braking);
+      expect_peak(values.pressure_times_slip, slip);
+      expect_peak(values.bore_pressure_times_speed, bore);
+      EXPECT_EQ(values.pressure_times_slip.value > 0., !is_roller);
+      EXPECT_EQ(values.bore_pressure_times_speed.value > 0., is_roller);
+      // the place is on the side of the greater value
+      const PinLoad there = pin_load(driven.at_engaged_angle(values.force.driver_angle), train);
+      EXPECT_NEAR(there.force, values.force.value, 1e-8 * values.force.value) << mechanism.name;
+    }
 }
 
 TEST(Characteristics, OfUnequalPinsHaveEachDwell) {
