@@ -13,8 +13,7 @@ namespace geneva::app {
 
 namespace {
 
-/// CRC-64 of ECMA-182 as XZ uses it: two states of a case differ in it for certain, as far as a
-/// user can tell.
+/// CRC-64 of ECMA-182 with the conventions of XZ.
 using Checksum = boost::crc_optimal<64, 0x42F0E1EBA9EA3693, ~0ULL, ~0ULL, true, true>;
 
 void add(Checksum& sum, const std::string& text) { sum.process_bytes(text.data(), text.size()); }
@@ -37,8 +36,7 @@ std::string content_of(const std::string& completed, const std::string& model,
     line = boost::algorithm::trim_copy(line.substr(0, line.find('#')));
     if (line.rfind("subsection ", 0) == 0 && depth++ == 0) section = line.substr(11);
     const bool is_models = depth > 0 && boost::algorithm::to_lower_copy(section) == model;
-    if (!line.empty() && (is_models || (depth == 0 && line.rfind("set Output units", 0) == 0)))
-      add(sum, line + '\n');
+    if (!line.empty() && is_models) add(sum, line + '\n');
     if (line == "end") --depth;
   }
   for (const std::filesystem::path& file : inputs) add(sum, bytes_of(file));

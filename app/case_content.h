@@ -6,8 +6,8 @@
 
 namespace geneva::app {
 
-/// A short mark of what a case is about: its model, its output units, the model's subsection and
-/// the files named there. Results with equal marks belong together.
+/// A short mark of what a case is about: its model, the model's subsection and the files named
+/// there. Results with equal marks and output units belong together.
 /// @param completed the case file with every default filled in
 /// @param model "mechanism", "geometry" or "synthesis"
 /// @param inputs files that the case reads, beside case.prm

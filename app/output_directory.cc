@@ -48,6 +48,7 @@ bool is_of_case(const fs::path& directory, const std::string& document, const Ca
   const json versions = found.value("versions", json::object());
   return about.is_object() && versions.is_object() &&
          about.value("content", json()) == given.content &&
+         about.value("output_units", json()) == post::name_of(given.units) &&
          versions.value("results", json()) == post::results_format;
 }
 

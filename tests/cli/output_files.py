@@ -439,6 +439,9 @@ class StaleFiles(CliTest):
         results = case / "results"
         for name in ("summary.json", "kinematics.json", "design.json", "solution.pvtu"):
             self.assertTrue((results / name).exists(), name)
+        geneva_cli.change_case(case, {"Output units": "mm-N"})
+        self.assertIn("removed", self.geneva("design", case).out)  # tables in other units
+        self.run_case(case)
         geneva_cli.change_case(case, {"Mechanism/Friction moment": "3 lbf.in"})
         run = self.geneva("kinematics", case)
         self.assertIn("removed results of another case, or of this one before it was changed: case.prm, contact.csv",
