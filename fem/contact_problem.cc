@@ -277,6 +277,7 @@ class NestedIteration {
       refined_ = Refined::surroundings;
       grading_ *= grading_step<dim>;
     }
+    const double flagged = flag(state_.displacement);
     if (flagged == 0. && refined_ == Refined::surroundings) {
       surroundings_are_fine_ = true;
       solution_.error_estimate = zone_error_;

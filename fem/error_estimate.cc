@@ -115,7 +115,7 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double ratio = values[i - 1].size_measure / values[i].size_measure;
     if (values[i].refined != Refined::surroundings || ratio < least_ratio) continue;
-    result.correction = taken * (values[i].value / values[i - 1].value - 1.) / (ratio - 1.);
+    result.correction = taken * (1. - values[i - 1].value / values[i].value) / (ratio - 1.);
     result.surroundings_error = doubt * std::abs(result.correction);
   }
   return result;

@@ -104,8 +104,9 @@ void visit_cells(const dealii::DoFHandler<dim>& dof_handler,
 /// Greatest size of a cell at a distance from a contact.
 template <int dim>
 double size_at(const double distance, const ZoneOutline<dim>& zone, const double grading) {
-  if (dim == 3 || distance < zone.width) return grading * distance;
-  return grading * distance * std::sqrt(distance / zone.width);
+  const double even = 2. * zone.width;  // as far as stresses of the contact's own field matter
+  if (dim == 3 || distance < even) return grading * distance;
+  return grading * distance * std::sqrt(distance / even);
 }
 
 template <int dim>

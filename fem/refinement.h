@@ -15,10 +15,10 @@ namespace geneva::fem {
 /// What is to be refined.
 struct Wanted {
   bool zone;  ///< the contact zones; else only the cells around them
-  /// Greatest ratio of a cell's size to its distance from the contact; in the plane that at a
-  /// contact's width from it, and beyond in proportion to the root of the distance. Nothing while
-  /// the contact is not resolved well enough for sizes and energy norm to make sense: then only the
-  /// zones are refined.
+  /// Greatest ratio of a cell's size to its distance from the contact; in the plane that up
+  /// to two widths of the contact from it, and beyond in proportion to the root of the distance.
+  /// Nothing while the contact is not resolved well enough for sizes and energy norm to make sense:
+  /// then only the zones are refined.
   std::optional<double> grading;
 };
 

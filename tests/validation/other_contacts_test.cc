@@ -193,7 +193,8 @@ TEST(Limits, OfUnknownsIsSaidAndKept) {
   EXPECT_NE(solution.message.find("the limit is 2000"), std::string::npos) << solution.message;
   EXPECT_NE(solution.message.find("'Maximum unknowns'"), std::string::npos) << solution.message;
   EXPECT_LE(solution.history.back().dofs, 2000U);
-  EXPECT_EQ(solution.dof_handler->n_dofs(), solution.history.back().dofs);
+  EXPECT_GE(solution.dof_handler->n_dofs(), solution.history.back().dofs)
+      << "a mesh that came out too large is not solved, and shows the one before";
   EXPECT_GT(solution.error_estimate, settings.accuracy);
   EXPECT_TRUE(post::analyse(solution).contacts[0].hertz.has_value());
 }

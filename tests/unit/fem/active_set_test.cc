@@ -226,30 +226,27 @@ TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
   EXPECT_EQ(contact_result({"a", "b"}, interface, state, {1., 1.}).max_penetration, 0.2);
 }
 
-TEST(ErrorEstimate, SaysNothingBelowSixNodes) {
-  EXPECT_EQ(error_estimate<2>(1e-6, 1e-6, 0., {with_active({false, true, true, true, true, true})}),
-            1.);
-}
-
-TEST(ErrorEstimate, IsNeverSmallerThanTheLastChangeOrWhatTheOneBeforeLeaves) {
-  std::vector<bool> active(1001, true);
-  active.front() = false;
-  const std::vector<ContactInterface<2>> interfaces{with_active(active)};
-  EXPECT_GE(error_estimate<2>(0.01, 0., 0., interfaces), 0.01);
-  EXPECT_GE(error_estimate<2>(0., 0.01, 0., interfaces), 0.01);
-  EXPECT_GE(error_estimate<2>(0., 0., 0.1, interfaces), 0.0003) << "3 % of the grading's square";
-  EXPECT_LE(error_estimate<2>(5., 5., 0.3, interfaces), 1.);
-}
-
 TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
   const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, true, false};
   const std::vector<bool> one_end{true, true, true, true, true, true, true, true, false};
   const std::vector<bool> no_end(8, true);
-  const double with_two = error_estimate<2>(0., 0., 0., {with_active(free_ends)});
+  const double with_two = end_error<2>({with_active(free_ends)}, {1.});
   EXPECT_GT(with_two, 0.5 / 64.) << "of the order 1/N^2 with 8 nodes";
-  EXPECT_NEAR(error_estimate<2>(0., 0., 0., {with_active(one_end)}), with_two / 4., 1e-15)
+  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {1.}), with_two / 4., 1e-15)
       << "half a contact with twice as many nodes";
-  EXPECT_EQ(error_estimate<2>(0., 0., 0., {with_active(no_end)}), 0.);
+  EXPECT_EQ(end_error<2>({with_active(no_end)}, {1.}), 0.);
+  EXPECT_FALSE(has_free_ends<2>({with_active(no_end)}));
+  EXPECT_TRUE(has_free_ends<2>({with_active(one_end)}));
+}
+
+TEST(ErrorEstimate, OfSeveralPairsCountsEachAsItsPeakAndNotOpenOnes) {
+  const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
+  const std::vector<bool> two{false, true, true, false};
+  const std::vector<bool> open(4, false);
+  const double of_eight = end_error<2>({with_active(eight)}, {1.});
+  const double of_two = end_error<2>({with_active(two)}, {1.});
+  EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(open)}, {3., 0.}), of_eight);
+  EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(two)}, {4., 2.}), of_two / 2.);
 }
 
 std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsigned int nodes) {
@@ -258,6 +255,8 @@ std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsi
     LevelRecord record{};
     record.peak_pressure = peak;
     record.nodes_across = nodes;
+    record.active_nodes = nodes;
+    record.refined = history.empty() ? Refined::nothing : Refined::zone;
     history.push_back(record);
   }
   return history;
@@ -274,10 +273,60 @@ TEST(UnboundedPressure, GrowsOnThreeMeshesInARow) {
   EXPECT_FALSE(grows_without_bound({}));
 }
 
+TEST(UnboundedPressure, IsNotTakenFromMeshesThatOnlyRefineTheSurroundings) {
+  auto history = history_of({1., 1.2, 1.4, 1.7}, 20);
+  history[2].refined = Refined::surroundings;
+  EXPECT_FALSE(grows_without_bound(history));
+}
+
+TEST(NoProgress, IsSeenWhereNeitherNodesNorPressureChangeOnThreeMeshes) {
+  EXPECT_TRUE(stands_still(history_of({4., 1., 1., 1., 1.}, 1)));
+  EXPECT_FALSE(stands_still(history_of({1., 1., 1.}, 1))) << "two meshes";
+  EXPECT_FALSE(stands_still(history_of({1., 2., 4., 8.}, 1))) << "a load on one node";
+  auto growing = history_of({1., 1., 1., 1.}, 5);
+  for (std::size_t i = 0; i < growing.size(); ++i) growing[i].active_nodes <<= i;
+  EXPECT_FALSE(stands_still(growing)) << "a flat face in contact";
+}
+
+TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
+  // 1 + 0.08 h^2 + 0.05 s with the cells' size h in the zone and the size measure s around it
+  const auto value = [](const double h, const double s) { return 1. + 0.08 * h * h + 0.05 * s; };
+  const std::vector<MeshValue> values{{value(1., 1.), Refined::nothing, 0, 1.},
+                                      {value(0.5, 1.), Refined::zone, 1, 1.},
+                                      {value(0.25, 1.), Refined::zone, 1, 1.},
+                                      {value(0.25, 0.2), Refined::surroundings, 0, 0.2}};
+  const Extrapolation found = extrapolate<2>(values, 0.2);
+  EXPECT_NEAR(found.correction, -0.05 * 0.2, 2e-4);
+  EXPECT_NEAR(found.surroundings_error, 0.5 * 0.01, 2e-4);
+  EXPECT_NEAR(found.zone_error, 0.08 / 16., 2e-4);
+}
+
+TEST(Extrapolation, OfFirstOrderLeavesAsMuchAsTheLastChange) {
+  const std::vector<MeshValue> values{
+      {1.4, Refined::nothing, 0, 1.}, {1.2, Refined::zone, 1, 1.}, {1.1, Refined::zone, 1, 1.}};
+  EXPECT_NEAR(extrapolate<2>(values, 0.2).zone_error, 0.1 / 1.1, 1e-12);
+}
+
+TEST(Extrapolation, DoesNotTrustTwoMeshesThatAgree) {
+  const std::vector<MeshValue> values{
+      {1.6, Refined::nothing, 0, 1.}, {1.2, Refined::zone, 1, 1.}, {1.2, Refined::zone, 1, 1.}};
+  EXPECT_NEAR(extrapolate<2>(values, 0.2).zone_error, 0.4 / 1.2 / 3. / 4., 1e-12)
+      << "what the change before leaves at second order";
+}
+
+TEST(Extrapolation, SaysNothingSmallOfCellsThatWereNeverRefined) {
+  EXPECT_EQ(extrapolate<2>({{1., Refined::nothing, 0, 1.}}, 0.5).zone_error, 1.);
+  EXPECT_GT(extrapolate<2>({{1., Refined::nothing, 0, 1.}, {1., Refined::zone, 1, 1.}}, 0.5)
+                .surroundings_error,
+            0.05);
+}
+
 TEST(ErrorEstimate, GradingGetsFinerWithTheAccuracyAndStaysInItsRange) {
-  EXPECT_LE(grading_for(1.), 0.3);
-  EXPECT_GT(grading_for(1e-6), 0.);
-  EXPECT_NEAR(grading_for(1e-4) / grading_for(1e-6), 10., 1e-12) << "an error of second order";
+  EXPECT_LE(first_grading<2>(1.), 0.5);
+  EXPECT_LE(first_grading<3>(1.), 0.5);
+  EXPECT_GT(first_grading<2>(1e-6), 0.);
+  EXPECT_NEAR(first_grading<2>(1e-4) / first_grading<2>(1e-6), 10., 1e-12)
+      << "an error of second order";
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ LevelRecord level(const double middle, const double end, const unsigned int halv
   record.end_pressure = end;
   record.peak_pressure = std::max(middle, end);
   record.halvings = halvings;
+  record.refined = Refined::zone;
   return record;
 }
 
@@ -29,6 +30,14 @@ TEST(EdgePressure, GrowsByThePowerOfASquareEdge) {
 TEST(EdgePressure, ExponentIsPerHalvingOfTheCells) {
   const EdgePressure edge = edge_pressure({level(1., 1.5), level(1., 1.5 * 4., 4)});
   EXPECT_NEAR(edge.growth_exponent, 0.5, 1e-14);
+}
+
+TEST(EdgePressure, IsThatOfTheLastMeshThatRefinedTheContact) {
+  LevelRecord around = level(1., 3.1, 0);
+  around.refined = Refined::surroundings;
+  const EdgePressure edge = edge_pressure({level(1., 1.5), level(1., 3.), around});
+  EXPECT_NEAR(edge.growth_exponent, 1., 1e-14);
+  EXPECT_DOUBLE_EQ(edge.pressure, 3.1);
 }
 
 TEST(EdgePressure, IsBoundedWhereItSettlesOrIsNotTheGreatest) {
