@@ -11,6 +11,7 @@
 #include "app/together.h"
 #include "fem/problem_check.h"
 #include "loads/pi.h"
+#include "mesh/compact_cells.h"
 #include "mesh/extrusion.h"
 #include "mesh/filled_hole.h"
 #include "mesh/gmsh_mesher.h"
@@ -84,6 +85,19 @@ mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
   return mesh::broadcast(communicator, mesh);
 }
 
+/// The user's mesh, in the plane with cells that suit the contact.
+template <int dim>
+mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Problem<dim>& problem) {
+  mesh::MeshData<dim> mesh = mesh::read_geometry<dim>(geometry.file, geometry.length_unit);
+  if constexpr (dim == 2) {
+    std::vector<std::string> surfaces;
+    for (const fem::ContactPair& pair : problem.pairs)
+      surfaces.insert(surfaces.end(), {pair.source, pair.target});
+    mesh = mesh::with_compact_cells(mesh, surfaces);
+  }
+  return mesh;
+}
+
 /// Where the pin force is greater than at the analysed angle, if it is by a tenth of a per cent.
 std::string greater_force(const MechanismState& state) {
   constexpr double worth_saying = 1e-3;
@@ -117,10 +131,9 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
     model.problem = mechanism_problem(*given.mechanism, state, model.mesh, geometry.held_surface);
     return model;
   }
-  model.mesh = on_rank_zero<dim>(communicator, [&] {
-    return mesh::read_geometry<dim>(given.geometry->file, given.geometry->length_unit);
-  });
   model.problem = std::get<fem::Problem<dim>>(given.geometry->problem);
+  model.mesh = on_rank_zero<dim>(communicator,
+                                 [&] { return geometry_mesh(*given.geometry, model.problem); });
   fem::order_bodies(model.problem, model.mesh);
   return model;
 }
