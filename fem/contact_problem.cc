@@ -96,6 +96,17 @@ class NestedIteration {
 
   /// @return false if the active set did not settle: the last good mesh's result then stands
   bool solve() {
+    while (solve_mesh()) {
+      if (n_active_nodes() > 0) {
+        keep_result();
+        return true;
+      }
+      refine_open_contact();
+    }
+    return false;
+  }
+
+  bool solve_mesh() {
     std::optional<LevelState> state;
     try {
       state = try_level();
@@ -116,14 +127,33 @@ class NestedIteration {
           "active-set steps', or check that supports and contact pairs hold every body",
           settings_.max_active_set_steps, solution_.dof_handler->n_dofs()));
     state_ = std::move(*state);
-    if (n_active_nodes() == 0)
-      throw std::invalid_argument(
-          fmt::format("contact pair {} stays open under this load: there is no contact to analyse; "
-                      "check the load and the "
-                      "distance of the bodies",
-                      open_pair()));
-    keep_result();
     return true;
+  }
+
+  /// A node's gap is a mean over its edges: on long edges a contact may look open. The zone is
+  /// refined until that gap is the one between the surfaces: three meshes with the same, since a
+  /// refinement may change it little by chance.
+  /// @throws std::invalid_argument if it is open indeed
+  void refine_open_contact() {
+    constexpr double same = 0.01;
+    constexpr unsigned int settled = 3;
+    double gap = std::numeric_limits<double>::max();
+    for (const ContactState& contact : state_.contacts)
+      for (const double of_node : contact.gap) gap = std::min(gap, of_node);
+    same_open_gaps_ = std::abs(gap - open_gap_) < same * gap ? same_open_gaps_ + 1 : 0;
+    if (same_open_gaps_ == settled || n_refinements_ >= settings_.max_levels)
+      throw std::invalid_argument(fmt::format(
+          "contact pair {} stays open under this load, by {:.3g} m where it is nearest: "
+          "there is no contact to analyse; check the load and the distance of the "
+          "bodies",
+          open_pair(), gap * solution_.scales.length));
+    open_gap_ = gap;
+    for (ContactInterface<dim>& interface : level_.interfaces)
+      interface.active = first_touch(interface.rows, interface.source.length);
+    refined_ = Refined::zone;
+    flag(state_.displacement);
+    refine_flagged(state_.displacement);
+    ++n_refinements_;
   }
 
   [[nodiscard]] unsigned int n_active_nodes() const {
@@ -180,12 +210,11 @@ class NestedIteration {
     if (progress_.level) progress_.level(solution_.history.back());
   }
 
-  /// Greatest pressures of the pairs [Pa].
+  /// Greatest pressures of the pairs [Pa], as the mesh gives them.
   [[nodiscard]] std::vector<double> peaks() const {
     std::vector<double> result;
-    for (const ContactState& contact : state_.contacts)
-      result.push_back(solution_.scales.stress *
-                       *std::max_element(contact.pressure.begin(), contact.pressure.end()));
+    for (const ContactResult<dim>& contact : solution_.contacts)
+      result.push_back(contact.peak_pressure);
     return result;
   }
 
@@ -340,7 +369,8 @@ class NestedIteration {
   }
 
   double flag(const Vector& displacement) {
-    const bool is_resolved = solution_.history.back().nodes_across >= nodes_for_grading;
+    const bool is_resolved =
+        !solution_.history.empty() && solution_.history.back().nodes_across >= nodes_for_grading;
     return flag_cells(
         *solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
         {refined_ == Refined::zone, is_resolved ? std::optional(grading_) : std::nullopt});
@@ -458,6 +488,8 @@ class NestedIteration {
   double zone_error_ = 1.;  ///< of the pressure that solution_.error_estimate speaks of
   double surroundings_error_ = 1.;
   bool surroundings_are_fine_ = false;  ///< no cell around the contact is larger than asked for
+  double open_gap_ = std::numeric_limits<double>::max();  ///< least gap of the last open mesh
+  unsigned int same_open_gaps_ = 0;  ///< meshes in a row that left it as it was
   bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
   double memory_at_start_ = peak_memory();
 };

@@ -1,8 +1,11 @@
 #include "fem/linear_system.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_cg.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "fem/assembly.h"
@@ -101,10 +104,24 @@ template <int dim>
 unsigned int LinearSystem<dim>::solve(Vector& displacement, const double tolerance,
                                       const double reduction) const {
   constexpr unsigned int most_iterations = 1000;
-  double goal = tolerance * load_.l2_norm();
+  double goal = std::max(tolerance * load_.l2_norm(), rounding(displacement));
   if (reduction > 0.) goal = std::max(goal, reduction * residual_norm(displacement));
   dealii::SolverControl control(most_iterations, goal);
   return iterate(displacement, *multigrid_, control);
+}
+
+template <int dim>
+double LinearSystem<dim>::rounding(const Vector& displacement) const {
+  constexpr double accumulated = 4.;  // roundings of a row add up as the root of its entries
+  const std::vector<double> diagonal = matrix_.diagonal();
+  const double* const values = displacement.trilinos_vector()[0];
+  double square = 0.;
+  for (std::size_t i = 0; i < diagonal.size(); ++i) {
+    const double force = diagonal[i] * values[i];
+    square += force * force;
+  }
+  return accumulated * std::numeric_limits<double>::epsilon() *
+         std::sqrt(dealii::Utilities::MPI::sum(square, communicator_));
 }
 
 template <int dim>

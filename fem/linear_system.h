@@ -59,6 +59,9 @@ class LinearSystem {
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   void distribute(Vector& displacement) const;
+  /// Residual that roundings leave: a stiff body on a soft one is displaced by far more than it is
+  /// strained.
+  [[nodiscard]] double rounding(const Vector& displacement) const;
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
   template <typename Preconditioner>
   unsigned int iterate(Vector& displacement, const Preconditioner& preconditioner,

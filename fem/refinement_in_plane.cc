@@ -26,27 +26,30 @@ double edge_length(const Surface<2>& surface, const SurfaceFace<2>& face) {
   return surface.nodes[face.nodes[0]].position.distance(surface.nodes[face.nodes[1]].position);
 }
 
+/// Arc lengths of an edge's ends; the last edge of a closed surface ends at its beginning.
+std::pair<double, double> span(const Surface<2>& surface, const SurfaceFace<2>& face) {
+  const double from = surface.nodes[face.nodes[0]].arc_length;
+  const double to = surface.nodes[face.nodes[1]].arc_length;
+  return {from, to > from ? to : surface.length};
+}
+
 /// Edges of a surface within the margin of an interval of arc length.
 void add_zone_edges(const Surface<2>& surface, const std::pair<double, double>& interval,
                     std::vector<ZoneEdge>& edges) {
   const auto [begin, end] = interval;
-  const auto span = [&](const SurfaceFace<2>& face) {
-    const double from = surface.nodes[face.nodes[0]].arc_length;
-    return std::pair{from, from + edge_length(surface, face)};
-  };
   double longest = 0.;
   const double slack = 1e-9 * surface.length;
   for (const SurfaceFace<2>& face : surface.faces) {
-    const auto [from, to] = span(face);
+    const auto [from, to] = span(surface, face);
     if (from <= end + slack && to >= begin - slack) longest = std::max(longest, to - from);
   }
   // A little more than the margin: on even meshes a node may stand exactly at its end, and
   // round-off must not decide.
   const double margin = std::max(margin_of_length * (end - begin), 0.5 * longest) + 1e-3 * longest;
   for (const SurfaceFace<2>& face : surface.faces) {
-    const auto [from, to] = span(face);
+    const auto [from, to] = span(surface, face);
     if (from < end + margin && to > begin - margin)
-      edges.push_back({surface.nodes[face.nodes[0]].dofs[0], to - from});
+      edges.push_back({surface.nodes[face.nodes[0]].dofs[0], edge_length(surface, face)});
   }
 }
 
