@@ -52,9 +52,11 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
   const bool is_bounded = !solution.edge || solution.edge->is_bounded;
   std::vector<ComparisonRow> rows;
   if (!analysis.sections.empty())
-    rows.push_back(row_of("pressure in the middle", Dimension::stress,
-                          middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
-                          peak));
+    rows.push_back(
+        row_of("pressure in the middle", Dimension::stress,
+               (1. + solution.correction) *
+                   middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
+               peak));
   rows.push_back(row_of(is_bounded ? "peak contact pressure" : "edge pressure, not bounded",
                         Dimension::stress, contact.peak_pressure, peak));
   rows.push_back(row_of("half-width", Dimension::length, analysis.half_width, width));

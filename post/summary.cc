@@ -60,6 +60,7 @@ json common_contact_section(const fem::Solution<dim>& solution,
           {"force", quantity(parts * fem::magnitude(contact.force), "N")},
           {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
           {"peak_pressure_error", solution.error_estimate},
+          {"peak_pressure_correction", solution.correction},
           {"max_penetration", quantity(contact.max_penetration, "m")},
           {"active_nodes", contact.active_nodes}};
 }
@@ -74,7 +75,9 @@ json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
   if (!analysis.sections.empty())
     section["mid_length_pressure"] =
-        quantity(middle_section(contact, analysis.frame, analysis.sections).peak_pressure, "Pa");
+        quantity((1. + solution.correction) *
+                     middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
+                 "Pa");
   if (solution.edge)
     section["edge"] = {{"bounded", solution.edge->is_bounded},
                        {"growth_exponent", solution.edge->growth_exponent},

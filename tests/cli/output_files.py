@@ -43,8 +43,8 @@ MECHANISM_QUANTITIES = {
     "equilibrium": {"bore_torque": "N m", "expected_bore_torque": "N m"},
     "published": {"peak_pressure": "Pa"},
 }
-PLAIN = ("case.name", "case.title", "contact.peak_pressure_error", "contact.active_nodes", "equilibrium.force_defect",
-         "equilibrium.moment_defect", "mesh.levels", "mesh.cells", "mesh.dofs", "solver.converged", "versions.geneva",
+PLAIN = ("case.name", "case.title", "contact.peak_pressure_error", "contact.peak_pressure_correction",
+         "contact.active_nodes", "equilibrium.force_defect", "equilibrium.moment_defect", "mesh.levels", "mesh.cells", "mesh.dofs", "solver.converged", "versions.geneva",
          "versions.deal\\.II", "versions.gmsh")
 
 
@@ -218,9 +218,11 @@ class Contact(FinishedRuns):
     @for_both
     def test_the_peak_is_that_of_the_summary(self, name, results):
         columns, units = self.columns(name)
-        peak = number(read_summary(results)["contact"]["peak_pressure"])
-        self.assert_close(max(columns["contact_pressure"]), peak * STRESS_FACTOR[units["contact_pressure"]],
-                          1e-10, "peak pressure")
+        contact = read_summary(results)["contact"]
+        of_mesh = number(contact["peak_pressure"]) / (1. + contact["peak_pressure_correction"])
+        # That of the summary is a fit through the nodes around the greatest one, which scatter by less than 0.1 %.
+        self.assert_close(max(columns["contact_pressure"]), of_mesh * STRESS_FACTOR[units["contact_pressure"]],
+                          1e-3, "peak pressure")
 
     @for_both
     def test_pressure_stands_where_the_contact_is_closed_only(self, name, _):
