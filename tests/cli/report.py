@@ -208,7 +208,8 @@ class ReportTest(CliTest):
         pictures = {}
         for field in fields:
             self.choose("field", field)
-            self.assertGreater(self.colours_in_picture(), 30, field)
+            # A blank picture has one or two; a field that is flat but for a few cells some twenty.
+            self.assertGreater(self.colours_in_picture(), 20, field)
             pictures[self.field_picture()] = field
         self.assertEqual(set(pictures.values()), set(fields))
         self.choose("field", "von_mises")
@@ -275,13 +276,13 @@ class PlaneReport(ReportTest):
 
     def test_tells_the_same_figures_as_the_summary(self):
         text = read_report(self.results / "report.html").text
-        for figure in ("232.39", "72775", "72675", "72600", "+0.14 %", "0.28 %"):
+        for figure in ("232.39", "72658", "72675", "72600", "-0.02 %", "0.17 %"):
             self.assertIn(figure, text)
         self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
 
     def test_draws_the_pressure_of_the_summary(self):
         drawn = max(point["y"] for point in self.chart("chart-pressure")["this program"])
-        self.assert_close(drawn * PSI, self.summary["contact"]["peak_pressure"]["value"], 1e-9, "pressure")
+        self.assert_close(drawn * PSI, self.peak_of_mesh(), 1e-3, "pressure")
         hertz = max(point["y"] for point in self.chart("chart-pressure")["Hertz"])
         self.assert_close(hertz * PSI, self.summary["hertz"]["peak_pressure"]["value"], 1e-3, "Hertz's")
 
@@ -320,7 +321,12 @@ class PlaneReport(ReportTest):
     def test_draws_the_greatest_contact_pressure(self):
         self.choose("field", "contact_pressure")
         self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * PSI,
-                          self.summary["contact"]["peak_pressure"]["value"], 1e-6, "colour bar")
+                          self.peak_of_mesh(), 1e-3, "colour bar")
+
+    def peak_of_mesh(self):
+        """The peak without its correction: nodes scatter about it by less than 0.1 %."""
+        contact = self.summary["contact"]
+        return contact["peak_pressure"]["value"] / (1. + contact["peak_pressure_correction"])
 
     def test_slider_turns_the_mechanism(self):
         self.check_slider()
@@ -481,7 +487,7 @@ class Reporting(CliTest):
         self.assertIn("libjs-chart.js", run.err)
         outline = read_report(results / "report.html")
         self.assertIn("libjs-chart.js", outline.text)
-        self.assertIn("72775", outline.text)
+        self.assertIn("72658", outline.text)
 
     LIMITS = """
 subsection Allowable
@@ -497,7 +503,7 @@ end
         run = self.geneva("run", case)
         self.assertEqual(run.code, 0, run.describe())
         self.assertIn("peak contact pressure: 73303 of 80000 psi allowed, safety factor 1.09 at -9.9336 deg "
-                      "(as analysed at -11.464 deg: 72775, 1.1)", run.out)
+                      "(as analysed at -11.464 deg: 72658, 1.1)", run.out)
         summary = read_summary(case / "results")
         rows = {row["quantity"]: row for row in summary["safety"]}
         self.assertEqual(len(rows), 3)
@@ -593,7 +599,7 @@ end
         page = read_report(self.directory / "both.html")
         self.assertEqual(page.open, [])
         self.assertEqual(len(page.ids), len(set(page.ids)))
-        self.assertEqual(page.text.count("72775"), 2)
+        self.assertEqual(page.text.count("72658"), 2)
         self.assertNotIn("[MPa]", page.text)
         charts = re.search(r'id="charts">\s*(.*?)\s*</script>', (self.directory / "both.html").read_text()).group(1)
         (pressure,) = [chart for chart in json.loads(charts) if chart["id"] == "chart-pressure"]
