@@ -548,15 +548,17 @@ end
         self.assertIn("✗ exceeded", report)
         self.assertIn("-22.8", report)
 
-    def test_the_analysis_decides_where_it_is_greater_than_hertz(self):
-        """At the greatest pin force the computed pressure of a finite wheel exceeds Hertz's of the whole cycle."""
+    def test_the_greater_of_analysis_and_cycle_decides(self):
+        """At the greatest pin force the computed pressure and Hertz's of the whole cycle differ by 0.02 % only."""
         case = self.copy_case("johnson-optimum-wheel")
         (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)
         change_case(case, {"Mechanism/Driver angle": "at maximum pin force"})
         self.run_case(case)
         row = read_summary(case / "results")["safety"][0]
-        self.assertGreater(row["computed"]["value"], row["cycle"]["value"])
-        self.assertEqual(row["factor"], row["computed_factor"])
+        computed, cycle = row["computed"]["value"], row["cycle"]["value"]
+        self.assertAlmostEqual(computed / cycle, 1., delta=0.005)
+        allowed = computed * row["computed_factor"]
+        self.assert_close(row["factor"], allowed / max(computed, cycle), 1e-12, "factor")
 
     def test_a_roller_is_judged_in_its_bore(self):
         case = self.copy_case("johnson-optimum-wheel")
