@@ -130,7 +130,7 @@ class ReportTest(CliTest):
             self.assertAlmostEqual(canvas[2] / ratio, 1., delta=0.01, msg=name)  # whole pixels of 200 or more
         self.browser.protocol("Emulation.setEmulatedMedia", media="")
         pages = len(re.findall(rb"/Type\s*/Page[^s]", self.browser.pdf()))
-        self.assertTrue(1 <= pages <= 6, f"{pages} pages")
+        self.assertTrue(1 <= pages <= 7, f"{pages} pages")
 
     def choose(self, control, value):
         """Sets a control of the field view as a user would."""
