@@ -198,7 +198,8 @@ class NestedIteration {
     record_lengthwise(record);
     record.refined = refined_;
     record.halvings = last_halvings_;
-    record.size_measure = size_measure(*solution_.dof_handler, level_.interfaces);
+    record.size_measure = size_measure(*solution_.dof_handler, level_.interfaces, surface_ids(),
+                                       size_decay(solution_.problem));
     record.active_nodes = n_active_nodes();
     for (const ContactInterface<dim>& interface : level_.interfaces)
       record.nodes_across += nodes_across(interface);
@@ -243,7 +244,17 @@ class NestedIteration {
       if (level.*pressure > 0.)
         values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
     if (values.empty()) return {0., 1., 1.};
-    return extrapolate<dim>(values, grading_);
+    return extrapolate(values, grading_, convergence());
+  }
+
+  [[nodiscard]] Convergence convergence() const {
+    const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
+    const bool is_on_axis =
+        solution_.problem.plane == PlaneKind::axisymmetric &&
+        std::any_of(level_.interfaces.begin(), level_.interfaces.end(), [](const auto& interface) {
+          return !interface.active.empty() && (interface.active.front() || interface.active.back());
+        });
+    return {forces_are_given, forces_are_given && is_on_axis};
   }
 
   /// Pressures in the middle half of each contact's length and at its ends.
@@ -297,27 +308,57 @@ class NestedIteration {
   }
 
   /// Flags what is worth more: the contact zone until its part of the error is small, then the
-  /// cells around it.
+  /// cells around it. In space, where the zone takes most of the cells, the latter once before.
   /// @return whether a limit forbids the next mesh
   bool choose_refinement() {
     constexpr double share_of_zone = 0.6;
-    refined_ = Refined::zone;
-    if (surroundings_error_ > 0. && zone_error_ <= share_of_zone * settings_.accuracy) {
+    const bool zone_is_fine = zone_error_ <= share_of_zone * settings_.accuracy;
+    double flagged = 0.;
+    if (surroundings_error_ > 0. && (zone_is_fine || surroundings_come_first())) {
       refined_ = Refined::surroundings;
       grading_ *= grading_step<dim>;
+      flagged = flag(state_.displacement);
+      if (flagged == 0. && zone_is_fine) return surroundings_are_fine();
     }
-    const double flagged = flag(state_.displacement);
-    if (flagged == 0. && refined_ == Refined::surroundings) {
-      surroundings_are_fine_ = true;
-      solution_.error_estimate = zone_error_;
-      surroundings_error_ = 0.;
-      solution_.history.back().error_estimate = zone_error_;
-      return finished();
+    if (flagged == 0.) {
+      refined_ = Refined::zone;
+      flagged = flag(state_.displacement);
     }
-    const LevelRecord& now = solution_.history.back();
-    const double growth = 1. + grading_overhead * ((1 << dim) - 1) * flagged / now.cells;
-    if (growth * now.dofs > settings_.max_dofs) return end_at_unknowns(growth * now.dofs);
+    const double growth = growth_by(flagged);
+    const double next = growth * solution_.history.back().dofs;
+    if (next > settings_.max_dofs) return end_at_unknowns(next);
     return out_of_memory(growth) || out_of_time(growth);
+  }
+
+  /// Whether the part of the surroundings is still to be measured, on a mesh where the pressure is
+  /// of use or because a finer zone is dear.
+  bool surroundings_come_first() {
+    constexpr double dear = 4.;
+    const bool is_measured = std::any_of(
+        solution_.history.begin(), solution_.history.end(),
+        [](const LevelRecord& level) { return level.refined == Refined::surroundings; });
+    if (dim == 2 || is_measured || !is_resolved()) return false;
+    if (zone_error_ < 1.) return true;
+    refined_ = Refined::zone;
+    const bool result = growth_by(flag(state_.displacement)) > dear;
+    for (const auto& cell : solution_.triangulation->active_cell_iterators())
+      cell->clear_refine_flag();
+    return result;
+  }
+
+  /// No cell around the contact is larger than asked for: only the zone's part of the error is
+  /// left.
+  bool surroundings_are_fine() {
+    surroundings_are_fine_ = true;
+    surroundings_error_ = 0.;
+    solution_.error_estimate = zone_error_;
+    solution_.history.back().error_estimate = zone_error_;
+    return finished();
+  }
+
+  /// How many times as many cells the next mesh will have.
+  [[nodiscard]] double growth_by(const double flagged) const {
+    return 1. + grading_overhead * ((1 << dim) - 1) * flagged / solution_.history.back().cells;
   }
 
   bool end_at_unknowns(const double next) {
@@ -368,12 +409,14 @@ class NestedIteration {
     return true;
   }
 
+  [[nodiscard]] bool is_resolved() const {
+    return !solution_.history.empty() && solution_.history.back().nodes_across >= nodes_for_grading;
+  }
+
   double flag(const Vector& displacement) {
-    const bool is_resolved =
-        !solution_.history.empty() && solution_.history.back().nodes_across >= nodes_for_grading;
     return flag_cells(
         *solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
-        {refined_ == Refined::zone, is_resolved ? std::optional(grading_) : std::nullopt});
+        {refined_ == Refined::zone, is_resolved() ? std::optional(grading_) : std::nullopt});
   }
 
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no

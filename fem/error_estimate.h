@@ -25,26 +25,41 @@ struct MeshValue {
 
 /// Where a figure tends to on ever finer meshes; all relative to its value on the last one.
 struct Extrapolation {
-  double correction;          ///< to be added: what the cells around the contact are worth
+  double correction;          ///< to be added
   double zone_error;          ///< >= 0, of the resolution of the contact itself
   double surroundings_error;  ///< >= 0, what may be left of the correction
+};
+
+/// What is known beforehand of how a figure converges.
+struct Convergence {
+  /// Whether loads alone decide how great the contact's force is and where along its length it
+  /// goes: then the figure falls with the size measure as a whole.
+  bool forces_are_given;
+  /// Whether the zone's part has a sign, as it has on an axis of revolution (on a sphere -0.6/N^2
+  /// of the peak with N nodes from the axis); elsewhere the places of the free ends between the
+  /// nodes change it more than the mesh's fineness.
+  bool zone_has_sign;
 };
 
 /// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
 /// meshes that reduced it.
 ///
 /// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
-/// the older one leaves at second order, lest two meshes agree by chance. The part of the cells
-/// around the contact is proportional to their size measure: when that falls from q to 1, the
-/// change is q - 1 times what is left. This is corrected, and half of the correction stays in
-/// doubt.
+/// the older one leaves at second order, lest two meshes agree by chance. If it has a sign, what is
+/// left at second order is corrected, and half of the part stays in doubt.
+///
+/// The part of the cells around the contact is proportional to their size measure: when that falls
+/// from q to 1, the change is q - 1 times what is left. This is corrected, and half of it stays in
+/// doubt. Unless the forces are given, changes fall faster than the measure, since hanging faces
+/// and long cells go as well, or cells far away count less than assumed: what is left lies between
+/// nothing and that, and the middle is taken.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
-template <int dim>
-Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading);
+Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
+                          const Convergence& convergence);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 1.2/N^2 with N nodes across; of every pair as its peak is to the greatest.
+/// an edge: 0.8/N^2 with N nodes across; of every pair as its peak is to the greatest.
 /// @param peaks of the pairs; the error of open pairs is none
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -102,6 +103,15 @@ struct Problem {
   std::vector<RigidTie<dim>> ties;
   std::vector<ContactPair> pairs;
 };
+
+/// Whether a support moves, so that not loads alone decide the forces.
+template <int dim>
+bool has_prescribed_displacement(const Problem<dim>& problem) {
+  return std::any_of(problem.supports.begin(), problem.supports.end(), [](const auto& support) {
+    return std::any_of(support.displacement.begin(), support.displacement.end(),
+                       [](const auto& component) { return component.value_or(0.) != 0.; });
+  });
+}
 
 /// When to stop refining, and what limits the effort.
 struct Settings {

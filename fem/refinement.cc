@@ -19,6 +19,9 @@ namespace {
 /// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
 constexpr double energy_share = 0.8;
 
+/// Cells are not quite square: by so much one may be longer than asked for.
+constexpr double size_slack = 1.1;
+
 template <int dim>
 double shortest_edge(const Surface<dim>& surface, const SurfaceFace<dim>& face) {
   double shortest = std::numeric_limits<double>::max();
@@ -112,13 +115,12 @@ double size_at(const double distance, const ZoneOutline<dim>& zone, const double
 template <int dim>
 unsigned int flag_surroundings(dealii::DoFHandler<dim>& dof_handler,
                                const std::vector<ZoneOutline<dim>>& zones, const double grading) {
-  constexpr double slack = 1.1;  // cells are not quite square
   unsigned int flagged = 0;
   visit_cells(
       dof_handler, zones,
       [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
         const double wanted = std::max(size_at(distance, zone, grading), zone.next_size);
-        if (cell->refine_flag_set() || size_of<dim>(cell, zone.elongation) <= slack * wanted)
+        if (cell->refine_flag_set() || size_of<dim>(cell, zone.elongation) <= size_slack * wanted)
           return;
         cell->set_refine_flag();
         ++flagged;
@@ -139,19 +141,33 @@ std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> unflagged(
   return cells;
 }
 
+/// Outlines whose size is that of the zones' greatest cells, and these cells.
+template <int dim>
+struct ZoneCells {
+  std::vector<ZoneOutline<dim>> zones;
+  std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> cells;
+};
+
+template <int dim>
+ZoneCells<dim> zones_with_cells(dealii::DoFHandler<dim>& dof_handler,
+                                const std::vector<ContactInterface<dim>>& interfaces,
+                                const SurfaceIds& surface_ids) {
+  flag_zone(dof_handler, interfaces, surface_ids, false);
+  ZoneCells<dim> result{zone_outlines(interfaces, false), unflagged(dof_handler)};
+  for (ZoneOutline<dim>& zone : result.zones) {
+    for (const auto& cell : result.cells)
+      zone.next_size = std::max(zone.next_size, size_of<dim>(cell, zone.elongation));
+    zone.next_size = dealii::Utilities::MPI::max(zone.next_size, dof_handler.get_communicator());
+  }
+  return result;
+}
+
 /// Flags cells around the zones, none of the zones and none that is not larger than theirs.
 template <int dim>
 unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
                                     const std::vector<ContactInterface<dim>>& interfaces,
                                     const SurfaceIds& surface_ids, const double grading) {
-  auto zones = zone_outlines(interfaces, false);
-  flag_zone(dof_handler, interfaces, surface_ids, false);
-  const auto zone_cells = unflagged(dof_handler);
-  for (ZoneOutline<dim>& zone : zones) {
-    for (const auto& cell : zone_cells)
-      zone.next_size = std::max(zone.next_size, size_of<dim>(cell, zone.elongation));
-    zone.next_size = dealii::Utilities::MPI::max(zone.next_size, dof_handler.get_communicator());
-  }
+  const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
   unsigned int flagged = flag_surroundings(dof_handler, zones, grading);
   for (const auto& cell : zone_cells)
     if (cell->refine_flag_set()) {
@@ -199,15 +215,23 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
 }
 
 template <int dim>
-double size_measure(const dealii::DoFHandler<dim>& dof_handler,
-                    const std::vector<ContactInterface<dim>>& interfaces) {
-  constexpr int decay = dim == 2 ? 6 : 4;
+int size_decay(const Problem<dim>& problem) {
+  if (dim == 3) return 4;
+  const int of_given_force = problem.plane == PlaneKind::axisymmetric ? 7 : 6;
+  return has_prescribed_displacement(problem) ? of_given_force - 2 : of_given_force;
+}
+
+template <int dim>
+double size_measure(dealii::DoFHandler<dim>& dof_handler,
+                    const std::vector<ContactInterface<dim>>& interfaces,
+                    const SurfaceIds& surface_ids, const int decay) {
   double sum = 0.;
-  visit_cells(dof_handler, zone_outlines(interfaces, false),
+  visit_cells(dof_handler, zones_with_cells(dof_handler, interfaces, surface_ids).zones,
               [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
                 const double size = size_of<dim>(cell, zone.elongation);
-                sum += size * size * cell->measure() /
-                       std::pow(std::max(distance, zone.width / 2.), decay);
+                if (size > size_slack * zone.next_size)
+                  sum += size * size * cell->measure() /
+                         std::pow(std::max(distance, zone.width / 2.), decay);
               });
   return dealii::Utilities::MPI::sum(sum, dof_handler.get_communicator());
 }
@@ -224,8 +248,12 @@ template unsigned int flag_cells(dealii::DoFHandler<2>&,
                                  const dealii::TrilinosWrappers::MPI::Vector&,
                                  const std::vector<ContactInterface<2>>&, const SurfaceIds&,
                                  const Wanted&);
-template double size_measure(const dealii::DoFHandler<2>&, const std::vector<ContactInterface<2>>&);
-template double size_measure(const dealii::DoFHandler<3>&, const std::vector<ContactInterface<3>>&);
+template int size_decay(const Problem<2>&);
+template int size_decay(const Problem<3>&);
+template double size_measure(dealii::DoFHandler<2>&, const std::vector<ContactInterface<2>>&,
+                             const SurfaceIds&, int);
+template double size_measure(dealii::DoFHandler<3>&, const std::vector<ContactInterface<3>>&,
+                             const SurfaceIds&, int);
 template unsigned int flag_uneven_edges(dealii::DoFHandler<2>&,
                                         const std::vector<ContactInterface<2>>&, const SurfaceIds&);
 template unsigned int flag_cells(dealii::DoFHandler<3>&,

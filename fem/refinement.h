@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fem/contact/active_set.h"
+#include "fem/problem.h"
 #include "fem/refinement_zone.h"
 
 namespace geneva::fem {
@@ -33,18 +34,25 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
                         const std::vector<ContactInterface<dim>>& interfaces,
                         const SurfaceIds& surface_ids, const Wanted& wanted);
 
-/// What the error of the peak pressure that comes from the cells' sizes h is proportional to: the
-/// sum over the cells of h^2 V/max(r, b)^m, r being the distance from the nearest contact and b its
-/// half-width.
+/// The power m of the distance in size_measure().
 ///
 /// A linear cell is off by h^2 times the second derivatives of the displacement, and that counts as
 /// much as those of the dual solution of the peak pressure. Under a line load the former fall as
-/// 1/r^2. In the plane the force of a contact is given, and what is left of the dual solution is
-/// a double couple, with b^2/r^4: m = 6. In space the cells also decide where along its length the
-/// force goes, and the dual solution is a force, with 1/r^2: m = 4.
+/// 1/r^2. In the plane, where loads give the force of a contact, what is left of the dual solution
+/// is a double couple, with b^2/r^4: m = 6; around an axis 1/r^3, b^2/r^5 and cells of the volume
+/// r dA: m = 7. Under a prescribed displacement the cells decide how great the force is, in space
+/// where along the length it goes, and the dual solution is a force: m is less by 2.
 template <int dim>
-double size_measure(const dealii::DoFHandler<dim>& dof_handler,
-                    const std::vector<ContactInterface<dim>>& interfaces);
+int size_decay(const Problem<dim>& problem);
+
+/// What the error of the peak pressure that comes from the cells around the contacts is
+/// proportional to: the sum over those larger than the cells of the contact zones of h^2 V/max(r,
+/// b)^m, h being the size, r the distance from the nearest contact and b its half-width.
+/// @param decay m, see size_decay()
+template <int dim>
+double size_measure(dealii::DoFHandler<dim>& dof_handler,
+                    const std::vector<ContactInterface<dim>>& interfaces,
+                    const SurfaceIds& surface_ids, int decay);
 
 /// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
 /// the contact pressure ripples where edges change their length. In space those of lower levels

@@ -288,6 +288,8 @@ TEST(NoProgress, IsSeenWhereNeitherNodesNorPressureChangeOnThreeMeshes) {
   EXPECT_FALSE(stands_still(growing)) << "a flat face in contact";
 }
 
+constexpr Convergence forces_given{true, false};
+
 TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
   // 1 + 0.08 h^2 + 0.05 s with the cells' size h in the zone and the size measure s around it
   const auto value = [](const double h, const double s) { return 1. + 0.08 * h * h + 0.05 * s; };
@@ -295,7 +297,7 @@ TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
                                       {value(0.5, 1.), Refined::zone, 1, 1.},
                                       {value(0.25, 1.), Refined::zone, 1, 1.},
                                       {value(0.25, 0.2), Refined::surroundings, 0, 0.2}};
-  const Extrapolation found = extrapolate<2>(values, 0.2);
+  const Extrapolation found = extrapolate(values, 0.2, forces_given);
   EXPECT_NEAR(found.correction, -0.05 * 0.2, 2e-4);
   EXPECT_NEAR(found.surroundings_error, 0.5 * 0.01, 2e-4);
   EXPECT_NEAR(found.zone_error, 0.08 / 16., 2e-4);
@@ -304,21 +306,43 @@ TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
 TEST(Extrapolation, OfFirstOrderLeavesAsMuchAsTheLastChange) {
   const std::vector<MeshValue> values{
       {1.4, Refined::nothing, 0, 1.}, {1.2, Refined::zone, 1, 1.}, {1.1, Refined::zone, 1, 1.}};
-  EXPECT_NEAR(extrapolate<2>(values, 0.2).zone_error, 0.1 / 1.1, 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).zone_error, 0.1 / 1.1, 1e-12);
 }
 
 TEST(Extrapolation, DoesNotTrustTwoMeshesThatAgree) {
   const std::vector<MeshValue> values{
       {1.6, Refined::nothing, 0, 1.}, {1.2, Refined::zone, 1, 1.}, {1.2, Refined::zone, 1, 1.}};
-  EXPECT_NEAR(extrapolate<2>(values, 0.2).zone_error, 0.4 / 1.2 / 3. / 4., 1e-12)
+  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).zone_error, 0.4 / 1.2 / 3. / 4., 1e-12)
       << "what the change before leaves at second order";
 }
 
+TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
+  const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
+                                      {1.1, Refined::zone, 1, 1.},
+                                      {1.02, Refined::surroundings, 0, 0.2}};
+  const double left = -0.08 / 1.02 / 4.;
+  EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).correction, left / 2., 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).surroundings_error, -left / 2., 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, {true, false}).correction, left, 1e-12);
+}
+
+TEST(Extrapolation, CorrectsTheZoneOnAnAxisOfRevolution) {
+  const auto value = [](const double h) { return 1. - 0.08 * h * h; };
+  const std::vector<MeshValue> values{{value(1.), Refined::nothing, 0, 1.},
+                                      {value(0.5), Refined::zone, 1, 1.},
+                                      {value(0.25), Refined::zone, 1, 1.}};
+  const Extrapolation found = extrapolate(values, 0.2, {true, true});
+  EXPECT_NEAR(values.back().value * (1. + found.correction), 1., 1e-12);
+  EXPECT_NEAR(found.zone_error, 0.08 / 16. / 2., 1e-4);
+  EXPECT_EQ(extrapolate(values, 0.2, forces_given).correction, 0.);
+}
+
 TEST(Extrapolation, SaysNothingSmallOfCellsThatWereNeverRefined) {
-  EXPECT_EQ(extrapolate<2>({{1., Refined::nothing, 0, 1.}}, 0.5).zone_error, 1.);
-  EXPECT_GT(extrapolate<2>({{1., Refined::nothing, 0, 1.}, {1., Refined::zone, 1, 1.}}, 0.5)
-                .surroundings_error,
-            0.05);
+  EXPECT_EQ(extrapolate({{1., Refined::nothing, 0, 1.}}, 0.5, forces_given).zone_error, 1.);
+  EXPECT_GT(
+      extrapolate({{1., Refined::nothing, 0, 1.}, {1., Refined::zone, 1, 1.}}, 0.5, forces_given)
+          .surroundings_error,
+      0.05);
 }
 
 TEST(ErrorEstimate, GradingGetsFinerWithTheAccuracyAndStaysInItsRange) {
