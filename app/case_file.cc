@@ -87,9 +87,10 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   return parameters;
 }
 
-fem::Settings read_settings(const CaseSection& section) {
+fem::Settings read_settings(const CaseSection& section, const int dimension) {
+  const double accuracy_by_dimension = dimension == 3 ? 0.05 : 0.005;
   fem::Settings settings;
-  settings.accuracy = section.value("Accuracy");
+  settings.accuracy = section.optional_value("Accuracy").value_or(accuracy_by_dimension);
   settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
   settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
   settings.max_memory = section.value("Maximum memory");
@@ -162,7 +163,7 @@ Case read_case(const fs::path& directory) {
     result.synthesis = read_synthesis(values, result.directory);
   } else {
     result.dimension = general.text("Dimension") == "3" ? 3 : 2;
-    result.settings = read_settings(general);
+    result.settings = read_settings(general, result.dimension);
     const CaseSection published(values, {names::published});
     result.published_peak_pressure = published.optional_value("Peak pressure");
     result.published_source = published.text("Source");

@@ -502,7 +502,7 @@ std::vector<Parameter> general_parameters() {
 }
 
 std::vector<Parameter> settings_parameters() {
-  const Range accuracy{0., 0.2, false, true, "greater than 0 and at most 20 %"};
+  const Range accuracy{0., greatest_accuracy, false, true, "greater than 0 and at most 20 %"};
   return {
       {{},
        "Dimension",
@@ -513,10 +513,10 @@ std::vector<Parameter> settings_parameters() {
        "of hexahedra."},
       {{},
        "Accuracy",
-       "0.5 %",
-       quantity(Dimension::dimensionless, accuracy),
+       "by dimension",
+       quantity(Dimension::dimensionless, accuracy, {"by dimension"}),
        "Wanted relative error of the peak contact pressure: the mesh is refined until its "
-       "estimate is smaller."},
+       "estimate is smaller. 'by dimension': 0.5 % in the plane, 5 % in space."},
       {{},
        "Maximum refinement levels",
        "20",

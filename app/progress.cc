@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <numeric>
 
 namespace geneva::app {
@@ -18,13 +17,19 @@ void ProgressDisplay::clear_status() {
   has_status_ = false;
 }
 
-void ProgressDisplay::line(const std::string& text) {
+void ProgressDisplay::write(const std::string& text, const std::string& prefix,
+                            std::FILE* const stream) {
   if (!is_speaking_) return;
   clear_status();
-  std::fputs((text + "\n").c_str(), stdout);
   std::fflush(stdout);
+  std::fputs((prefix + text + "\n").c_str(), stream);
+  std::fflush(stream);
   log_ += text + "\n";
 }
+
+void ProgressDisplay::line(const std::string& text) { write(text, "", stdout); }
+
+void ProgressDisplay::warning(const std::string& text) { write(text, "geneva: ", stderr); }
 
 void ProgressDisplay::step(const fem::StepReport& report) {
   if (!is_speaking_ || !is_terminal_) return;

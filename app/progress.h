@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdio>
 #include <string>
 
 #include "fem/contact_problem.h"
@@ -16,6 +17,8 @@ class ProgressDisplay {
   ProgressDisplay(bool is_speaking, post::UnitSystem units);
 
   void line(const std::string& text);
+  /// Goes to the standard error instead.
+  void warning(const std::string& text);
   void step(const fem::StepReport& report);
   void level(const fem::LevelRecord& record);
 
@@ -23,6 +26,7 @@ class ProgressDisplay {
   [[nodiscard]] const std::string& log() const { return log_; }
 
  private:
+  void write(const std::string& text, const std::string& prefix, std::FILE* stream);
   void clear_status();
 
   bool is_speaking_;
