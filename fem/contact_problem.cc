@@ -37,6 +37,8 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 constexpr unsigned int nodes_for_grading = 3;
 /// With fewer active nodes the pressure is of no use.
 constexpr unsigned int fewest_active_nodes = 6;
+/// Zones are made more even as long as that lowers their unevenness by this factor.
+constexpr double least_gain = 0.9;
 /// Cells that a refinement makes beyond the flagged ones' children, to keep the mesh graded.
 constexpr double grading_overhead = 1.3;
 
@@ -84,6 +86,7 @@ class NestedIteration {
                              solution_.scales, origins_);
     for (std::size_t i = 0; i < solution_.contacts.size(); ++i)
       level_.interfaces[i].active = inherited_set(i);
+    for (std::size_t i = 0; i < smooth_.size(); ++i) level_.interfaces[i].smooth = smooth_[i];
   }
 
   [[nodiscard]] std::vector<bool> inherited_set(const std::size_t i) const {
@@ -137,16 +140,14 @@ class NestedIteration {
   void refine_open_contact() {
     constexpr double same = 0.01;
     constexpr unsigned int settled = 3;
-    double gap = std::numeric_limits<double>::max();
-    for (const ContactState& contact : state_.contacts)
-      for (const double of_node : contact.gap) gap = std::min(gap, of_node);
+    const auto [pair, gap] = nearest_pair();
     same_open_gaps_ = std::abs(gap - open_gap_) < same * gap ? same_open_gaps_ + 1 : 0;
     if (same_open_gaps_ == settled || n_refinements_ >= settings_.max_levels)
       throw std::invalid_argument(fmt::format(
           "contact pair {} stays open under this load, by {:.3g} m where it is nearest: "
           "there is no contact to analyse; check the load and the distance of the "
           "bodies",
-          open_pair(), gap * solution_.scales.length));
+          quoted(pair), gap * solution_.scales.length));
     open_gap_ = gap;
     for (ContactInterface<dim>& interface : level_.interfaces)
       interface.active = first_touch(interface.rows, interface.source.length);
@@ -154,6 +155,20 @@ class NestedIteration {
     flag(state_.displacement);
     refine_flagged(state_.displacement);
     ++n_refinements_;
+  }
+
+  /// The contact pair with the least gap, and that gap.
+  [[nodiscard]] std::pair<std::size_t, double> nearest_pair() const {
+    std::pair<std::size_t, double> nearest{0, std::numeric_limits<double>::max()};
+    for (std::size_t i = 0; i < state_.contacts.size(); ++i)
+      for (const double gap : state_.contacts[i].gap)
+        if (gap < nearest.second) nearest = {i, gap};
+    return nearest;
+  }
+
+  [[nodiscard]] std::string quoted(const std::size_t pair) const {
+    const ContactPair& names = solution_.problem.pairs[pair];
+    return fmt::format("'{} -> {}'", names.source, names.target);
   }
 
   [[nodiscard]] unsigned int n_active_nodes() const {
@@ -167,9 +182,7 @@ class NestedIteration {
   [[nodiscard]] std::string open_pair() const {
     for (std::size_t i = 0; i < level_.interfaces.size(); ++i) {
       const auto& active = level_.interfaces[i].active;
-      const ContactPair& pair = solution_.problem.pairs[i];
-      if (std::count(active.begin(), active.end(), true) == 0)
-        return fmt::format("'{} -> {}'", pair.source, pair.target);
+      if (std::count(active.begin(), active.end(), true) == 0) return quoted(i);
     }
     return "";
   }
@@ -189,7 +202,20 @@ class NestedIteration {
                        });
   }
 
+  void find_smooth_parts() {
+    if constexpr (dim == 2) {
+      constexpr double share_of_accuracy = 0.1;
+      smooth_.clear();
+      for (std::size_t i = 0; i < level_.interfaces.size(); ++i) {
+        smooth_.push_back(smooth_intervals(level_.interfaces[i], state_.contacts[i],
+                                           share_of_accuracy * settings_.accuracy));
+        level_.interfaces[i].smooth = smooth_.back();
+      }
+    }
+  }
+
   void record() {
+    find_smooth_parts();
     LevelRecord record{};
     record.cells = solution_.triangulation->n_global_active_cells();
     record.dofs = solution_.dof_handler->n_dofs();
@@ -226,9 +252,10 @@ class NestedIteration {
     const bool is_bounded = !solution_.edge || solution_.edge->is_bounded;
     Extrapolation found = extrapolation_of(is_bounded ? &LevelRecord::peak_pressure
                                                       : &LevelRecord::mid_length_pressure);
-    zone_error_ = std::max(found.zone_error, end_error(level_.interfaces, peaks()));
+    zone_error_ =
+        std::max(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
     surroundings_error_ = found.surroundings_error;
-    if (now.nodes_across < fewest_active_nodes) zone_error_ = 1.;
+    if (now.nodes_across < fewest_active_nodes || has_spread()) zone_error_ = 1.;
     if (!has_free_ends(level_.interfaces) || surroundings_are_fine_) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
     solution_.error_estimate = std::min(1., zone_error_ + surroundings_error_);
@@ -244,17 +271,9 @@ class NestedIteration {
       if (level.*pressure > 0.)
         values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
     if (values.empty()) return {0., 1., 1.};
-    return extrapolate(values, grading_, convergence());
-  }
-
-  [[nodiscard]] Convergence convergence() const {
-    const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
-    const bool is_on_axis =
-        solution_.problem.plane == PlaneKind::axisymmetric &&
-        std::any_of(level_.interfaces.begin(), level_.interfaces.end(), [](const auto& interface) {
-          return !interface.active.empty() && (interface.active.front() || interface.active.back());
-        });
-    return {forces_are_given, forces_are_given && is_on_axis};
+    return extrapolate(
+        values, grading_,
+        {dim == 2 && !has_prescribed_displacement(solution_.problem), reaches_axis()});
   }
 
   /// Pressures in the middle half of each contact's length and at its ends.
@@ -312,6 +331,7 @@ class NestedIteration {
   /// @return whether a limit forbids the next mesh
   bool choose_refinement() {
     constexpr double share_of_zone = 0.6;
+    if (has_spread()) return level_off();
     const bool zone_is_fine = zone_error_ <= share_of_zone * settings_.accuracy;
     double flagged = 0.;
     if (surroundings_error_ > 0. && (zone_is_fine || surroundings_come_first())) {
@@ -327,6 +347,24 @@ class NestedIteration {
     const double growth = growth_by(flagged);
     const double next = growth * solution_.history.back().dofs;
     if (next > settings_.max_dofs) return end_at_unknowns(next);
+    return out_of_memory(growth) || out_of_time(growth);
+  }
+
+  /// Whether the contact has become wider than the zone that was refined: edges of very different
+  /// lengths, whose pressure is of no use, and that can be made more equal.
+  [[nodiscard]] bool has_spread() const {
+    constexpr double greatest_ratio = 4.;
+    return unevenness_now() > greatest_ratio &&
+           unevenness_now() < least_gain * unevenness_levelled_;
+  }
+
+  /// Flags the longest edges of the zones only; how wide they must be is known after the next
+  /// solve.
+  bool level_off() {
+    refined_ = Refined::nothing;
+    unevenness_levelled_ = unevenness_now();
+    const double growth = growth_by(flag_zone_part(*solution_.dof_handler, level_.interfaces,
+                                                   surface_ids(), ZonePart::longest));
     return out_of_memory(growth) || out_of_time(growth);
   }
 
@@ -426,6 +464,8 @@ class NestedIteration {
     last_halvings_ = refined_ == Refined::zone ? 1 : 0;
     ++n_refinements_;
     refine_flagged(state_.displacement);
+    is_ahead_ = true;
+    if (refined_ == Refined::nothing) return true;
     if (solution_.history.back().nodes_across < fewest_active_nodes &&
         n_refinements_ < settings_.max_levels) {
       const Vector guess = ghosted_guess();
@@ -435,30 +475,26 @@ class NestedIteration {
       last_halvings_ = 2;
     }
     make_zones_even();
-    is_ahead_ = true;
     return solution_.dof_handler->n_dofs() <= settings_.max_dofs ||
            !end_at_unknowns(solution_.dof_handler->n_dofs());
   }
 
-  /// Ends where it does not help: cells that share a vertex differ by one level at most, so that
+  /// Ends where it helps little: cells that share a vertex differ by one level at most, so that
   /// neighbours whose sizes differ by more cannot be made equal.
   void make_zones_even() {
     double before = std::numeric_limits<double>::max();
-    double now = unevenness_now();
-    while (now < before &&
-           flag_uneven_edges(*solution_.dof_handler, level_.interfaces, surface_ids()) > 0) {
+    for (double now = unevenness_now(); now < least_gain * before; now = unevenness_now()) {
+      if (flag_zone_part(*solution_.dof_handler, level_.interfaces, surface_ids(),
+                         ZonePart::uneven) == 0)
+        return;
       refine_flagged(ghosted_guess());
-      before = now;
-      now = unevenness_now();
+      if (dim == 2) before = now;  // in space the levels of a zone can always be made equal
     }
   }
 
-  /// In space the levels of a zone can always be made equal: nothing can fail to help.
   [[nodiscard]] double unevenness_now() const {
-    if constexpr (dim == 2)
-      return unevenness(level_.interfaces);
-    else
-      return -static_cast<double>(solution_.dof_handler->n_dofs());
+    if constexpr (dim == 2) return unevenness(level_.interfaces);
+    return 1.;
   }
 
   [[nodiscard]] Vector ghosted_guess() const {
@@ -489,6 +525,16 @@ class NestedIteration {
     guess_.reinit(dof_handler.locally_owned_dofs(), communicator_);
     transfer.interpolate(guess_);
     make_level();
+  }
+
+  /// Whether a contact begins on the axis of revolution.
+  [[nodiscard]] bool reaches_axis() const {
+    return solution_.problem.plane == PlaneKind::axisymmetric &&
+           std::any_of(level_.interfaces.begin(), level_.interfaces.end(),
+                       [](const auto& interface) {
+                         const auto& active = interface.active;
+                         return !active.empty() && active.front() != active.back();
+                       });
   }
 
   void keep_result() {
@@ -524,6 +570,7 @@ class NestedIteration {
   unsigned int n_refinements_ = 0;
   Refined refined_ = Refined::nothing;  ///< by the last refinement
   unsigned int last_halvings_ = 0;      ///< of the contact's cells between the last two meshes
+  std::vector<ArcIntervals> smooth_;    ///< by pair, see ContactInterface
   VertexPlaces<dim> moved_vertices_;
   Level<dim> level_;
   LevelState state_;
@@ -533,6 +580,7 @@ class NestedIteration {
   bool surroundings_are_fine_ = false;  ///< no cell around the contact is larger than asked for
   double open_gap_ = std::numeric_limits<double>::max();  ///< least gap of the last open mesh
   unsigned int same_open_gaps_ = 0;  ///< meshes in a row that left it as it was
+  double unevenness_levelled_ = std::numeric_limits<double>::max();  ///< before the last levelling
   bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
   double memory_at_start_ = peak_memory();
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace geneva::fem {
@@ -25,26 +26,45 @@ constexpr double greatest_grading_coefficient = 0.35;
 /// the meshes, with 6 to 100 nodes and fine cells around: 0.22 +- 0.25, at most 0.83.
 constexpr double coefficient = 0.8;
 
-double end_uncertainty(const ContactInterface<2>& interface) {
+bool has_free_end(const ContactInterface<2>& interface) {
+  const auto& active = interface.active;
+  return std::adjacent_find(active.begin(), active.end(), std::not_equal_to<>()) != active.end();
+}
+
+bool has_free_end(const ContactInterface<3>& interface) { return nodes_across(interface) > 0; }
+
+double greatest_of(const std::vector<double>& pressures) {
+  return pressures.empty() ? 0. : *std::max_element(pressures.begin(), pressures.end());
+}
+
+/// The uncertainty of each run of nodes times its greatest pressure, which a single node beyond the
+/// end of a contact has little of.
+double end_uncertainty(const ContactInterface<2>& interface, const std::vector<double>& pressures,
+                       const bool is_on_axis) {
   double uncertainty = 0.;
   const auto& active = interface.active;
-  for (std::size_t begin = 0; begin < active.size(); ++begin) {
-    if (!active[begin] || (begin > 0 && active[begin - 1])) continue;
+  const std::vector<bool> in_zone = zone_rows(interface);
+  for (std::size_t begin = 0; begin < in_zone.size(); ++begin) {
+    if (!in_zone[begin] || (begin > 0 && in_zone[begin - 1])) continue;
     std::size_t end = begin;
-    while (end < active.size() && active[end]) ++end;
-    const bool starts_free = begin > 0;
-    const bool ends_free = end < active.size();
+    double peak = 0.;
+    for (; end < in_zone.size() && in_zone[end]; ++end) peak = std::max(peak, pressures[end]);
+    const bool starts_free = begin > 0 && !active[begin - 1];
+    const bool ends_free = end < active.size() && !active[end];
     if (!starts_free && !ends_free) continue;
-    // A contact with one free end is half of one: the other end is a plane or axis of symmetry.
-    const double nodes = static_cast<double>(end - begin) * (starts_free && ends_free ? 1. : 2.);
-    uncertainty = std::max(uncertainty, coefficient / (nodes * nodes));
+    // A zone with one free end is half of one: the other end is a plane of symmetry, or lies in the
+    // smooth middle of the contact.
+    const bool is_half = !is_on_axis && !(starts_free && ends_free);
+    const double nodes = static_cast<double>(end - begin) * (is_half ? 2. : 1.);
+    uncertainty = std::max(uncertainty, coefficient * peak / (nodes * nodes));
   }
   return uncertainty;
 }
 
-double end_uncertainty(const ContactInterface<3>& interface) {
+double end_uncertainty(const ContactInterface<3>& interface, const std::vector<double>& pressures,
+                       const bool /*is_on_axis*/) {
   const double nodes = nodes_across(interface);
-  return nodes > 0. ? coefficient / (nodes * nodes) : 0.;
+  return nodes > 0. ? coefficient * greatest_of(pressures) / (nodes * nodes) : 0.;
 }
 
 /// A change of a figure from one mesh to the next, relative to the newest value.
@@ -113,39 +133,37 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   const auto zone_changes = changes(values, Refined::zone);
   Extrapolation result{0., std::min(1., zone_error(zone_changes)),
                        std::min(1., greatest_grading_coefficient * grading * grading)};
-  if (convergence.zone_has_sign && zone_changes.size() > 1) {
-    const Change& now = zone_changes.back();
-    result.correction = now.size * still_to_come(now.halvings, 2.);
-    result.zone_error /= 2.;
-  }
-  double surroundings = 0.;
+  const bool zone_has_sign = convergence.is_on_axis && convergence.forces_are_given;
+  if (zone_has_sign && zone_changes.size() > 1)
+    result.correction = zone_changes.back().size * still_to_come(zone_changes.back().halvings, 2.);
+  double of_surroundings = 0.;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double ratio = values[i - 1].size_measure / values[i].size_measure;
     if (values[i].refined != Refined::surroundings || !(ratio >= least_ratio)) continue;
     const double left = (1. - values[i - 1].value / values[i].value) / (ratio - 1.);
-    surroundings = taken * left;
+    of_surroundings = taken * left;
     result.surroundings_error = doubt * std::abs(left);
   }
-  result.correction += surroundings;
+  result.correction += of_surroundings;
   return result;
 }
 
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
-                 const std::vector<double>& peaks) {
-  const double greatest = *std::max_element(peaks.begin(), peaks.end());
+                 const std::vector<ContactState>& states, const bool is_on_axis) {
+  double greatest = 0.;
   double error = 0.;
-  for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (peaks[i] > 0.)
-      error = std::max(error, peaks[i] / greatest * end_uncertainty(interfaces[i]));
-  return error;
+  for (std::size_t i = 0; i < interfaces.size(); ++i) {
+    greatest = std::max(greatest, greatest_of(states[i].pressure));
+    error = std::max(error, end_uncertainty(interfaces[i], states[i].pressure, is_on_axis));
+  }
+  return greatest > 0. ? error / greatest : 0.;
 }
 
 template <int dim>
 bool has_free_ends(const std::vector<ContactInterface<dim>>& interfaces) {
-  return std::any_of(interfaces.begin(), interfaces.end(), [](const auto& interface) {
-    return nodes_across(interface) > 0 && end_uncertainty(interface) > 0.;
-  });
+  return std::any_of(interfaces.begin(), interfaces.end(),
+                     [](const auto& interface) { return has_free_end(interface); });
 }
 
 bool grows_without_bound(const std::vector<LevelRecord>& history) {
@@ -195,8 +213,10 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
 
 template double first_grading<2>(double);
 template double first_grading<3>(double);
-template double end_error(const std::vector<ContactInterface<2>>&, const std::vector<double>&);
-template double end_error(const std::vector<ContactInterface<3>>&, const std::vector<double>&);
+template double end_error(const std::vector<ContactInterface<2>>&, const std::vector<ContactState>&,
+                          bool);
+template double end_error(const std::vector<ContactInterface<3>>&, const std::vector<ContactState>&,
+                          bool);
 template bool has_free_ends(const std::vector<ContactInterface<2>>&);
 template bool has_free_ends(const std::vector<ContactInterface<3>>&);
 

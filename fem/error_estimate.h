@@ -30,23 +30,19 @@ struct Extrapolation {
   double surroundings_error;  ///< >= 0, what may be left of the correction
 };
 
-/// What is known beforehand of how a figure converges.
+/// What is known beforehand of how the peak pressure converges.
 struct Convergence {
-  /// Whether loads alone decide how great the contact's force is and where along its length it
-  /// goes: then the figure falls with the size measure as a whole.
-  bool forces_are_given;
-  /// Whether the zone's part has a sign, as it has on an axis of revolution (on a sphere -0.6/N^2
-  /// of the peak with N nodes from the axis); elsewhere the places of the free ends between the
-  /// nodes change it more than the mesh's fineness.
-  bool zone_has_sign;
+  bool forces_are_given;  ///< whether loads alone decide how great the contact's force is and where
+                          ///< along its length it goes
+  bool is_on_axis;  ///< of revolution: the nodes beside it are off, by a share of the order 1/N^2
 };
 
 /// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
 /// meshes that reduced it.
 ///
 /// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
-/// the older one leaves at second order, lest two meshes agree by chance. If it has a sign, what is
-/// left at second order is corrected, and half of the part stays in doubt.
+/// the older one leaves at second order, lest two meshes agree by chance. On an axis what the
+/// last change leaves at second order is corrected.
 ///
 /// The part of the cells around the contact is proportional to their size measure: when that falls
 /// from q to 1, the change is q - 1 times what is left. This is corrected, and half of it stays in
@@ -59,11 +55,12 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
                           const Convergence& convergence);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 0.8/N^2 with N nodes across; of every pair as its peak is to the greatest.
-/// @param peaks of the pairs; the error of open pairs is none
+/// an edge: 0.8/N^2 with N nodes across; of every run of nodes as its pressure is to the greatest.
+/// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
+/// it
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
-                 const std::vector<double>& peaks);
+                 const std::vector<ContactState>& states, bool is_on_axis);
 
 /// Whether any contact ends within the surfaces: others do not depend on the cells around them.
 template <int dim>

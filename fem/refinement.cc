@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "fem/refinement_zone.h"
 
@@ -58,11 +59,22 @@ double size_of(const typename dealii::DoFHandler<dim>::active_cell_iterator& cel
 /// A contact zone as seen from the cells around it.
 template <int dim>
 struct ZoneOutline {
-  std::vector<dealii::Point<dim>> nodes;  ///< in contact
+  std::vector<dealii::Point<dim>> nodes;  ///< in contact, of both sides: a gap may have been wide
   double next_size;                       ///< edge length in the zone after this refinement
   double elongation;                      ///< greatest ratio of a face's edges in the zone
   double width;  ///< of the contact; in space its edges times the nodes across
 };
+
+template <int dim>
+void add_target_nodes(const ContactInterface<dim>& interface,
+                      std::vector<dealii::Point<dim>>& nodes) {
+  const std::vector<bool> in_zone = zone_rows(interface);
+  std::set<std::size_t> opposite;
+  for (std::size_t i = 0; i < in_zone.size(); ++i)
+    if (in_zone[i])
+      for (const auto& [node, coupling] : interface.rows[i].coupling) opposite.insert(node);
+  for (const std::size_t node : opposite) nodes.push_back(interface.target.nodes[node].position);
+}
 
 template <int dim>
 std::vector<ZoneOutline<dim>> zone_outlines(const std::vector<ContactInterface<dim>>& interfaces,
@@ -70,19 +82,23 @@ std::vector<ZoneOutline<dim>> zone_outlines(const std::vector<ContactInterface<d
   std::vector<ZoneOutline<dim>> zones;
   for (const ContactInterface<dim>& interface : interfaces) {
     ZoneOutline<dim> zone{{}, 0., 1., 0.};
-    const std::vector<bool> active = active_nodes(interface);
+    const std::vector<bool> in_zone = zone_nodes(interface);
     double shortest = std::numeric_limits<double>::max();
     for (const SurfaceFace<dim>& face : interface.source.faces)
       if (std::any_of(face.nodes.begin(), face.nodes.end(),
-                      [&](const unsigned int node) { return active[node]; })) {
+                      [&](const unsigned int node) { return in_zone[node]; })) {
         const double edge = shortest_edge(interface.source, face);
         shortest = std::min(shortest, edge);
         zone.elongation = std::max(zone.elongation, longest_edge(interface.source, face) / edge);
       }
-    for (std::size_t node = 0; node < active.size(); ++node)
-      if (active[node]) zone.nodes.push_back(interface.source.nodes[node].position);
+    for (std::size_t node = 0; node < in_zone.size(); ++node)
+      if (in_zone[node]) zone.nodes.push_back(interface.source.nodes[node].position);
+    const std::size_t across_source = zone.nodes.size();
+    add_target_nodes(interface, zone.nodes);
     zone.next_size = zone_is_refined ? shortest / 2. : shortest;
-    zone.width = nodes_across(interface) * shortest;
+    const auto across =
+        dim == 2 ? across_source : static_cast<std::size_t>(nodes_across(interface));
+    zone.width = static_cast<double>(across) * shortest;
     if (!zone.nodes.empty()) zones.push_back(zone);
   }
   return zones;
@@ -152,7 +168,7 @@ template <int dim>
 ZoneCells<dim> zones_with_cells(dealii::DoFHandler<dim>& dof_handler,
                                 const std::vector<ContactInterface<dim>>& interfaces,
                                 const SurfaceIds& surface_ids) {
-  flag_zone(dof_handler, interfaces, surface_ids, false);
+  flag_zone(dof_handler, interfaces, surface_ids, ZonePart::all);
   ZoneCells<dim> result{zone_outlines(interfaces, false), unflagged(dof_handler)};
   for (ZoneOutline<dim>& zone : result.zones) {
     for (const auto& cell : result.cells)
@@ -204,7 +220,7 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
                         const SurfaceIds& surface_ids, const Wanted& wanted) {
   unsigned int flagged = 0;
   if (wanted.zone) {
-    flagged += flag_zone(dof_handler, interfaces, surface_ids, false);
+    flagged += flag_zone(dof_handler, interfaces, surface_ids, ZonePart::all);
     if (wanted.grading)
       flagged += flag_surroundings(dof_handler, zone_outlines(interfaces, true), *wanted.grading);
   } else if (wanted.grading) {
@@ -237,10 +253,10 @@ double size_measure(dealii::DoFHandler<dim>& dof_handler,
 }
 
 template <int dim>
-unsigned int flag_uneven_edges(dealii::DoFHandler<dim>& dof_handler,
-                               const std::vector<ContactInterface<dim>>& interfaces,
-                               const SurfaceIds& surface_ids) {
-  return dealii::Utilities::MPI::sum(flag_zone(dof_handler, interfaces, surface_ids, true),
+unsigned int flag_zone_part(dealii::DoFHandler<dim>& dof_handler,
+                            const std::vector<ContactInterface<dim>>& interfaces,
+                            const SurfaceIds& surface_ids, const ZonePart part) {
+  return dealii::Utilities::MPI::sum(flag_zone(dof_handler, interfaces, surface_ids, part),
                                      dof_handler.get_communicator());
 }
 
@@ -254,13 +270,15 @@ template double size_measure(dealii::DoFHandler<2>&, const std::vector<ContactIn
                              const SurfaceIds&, int);
 template double size_measure(dealii::DoFHandler<3>&, const std::vector<ContactInterface<3>>&,
                              const SurfaceIds&, int);
-template unsigned int flag_uneven_edges(dealii::DoFHandler<2>&,
-                                        const std::vector<ContactInterface<2>>&, const SurfaceIds&);
+template unsigned int flag_zone_part(dealii::DoFHandler<2>&,
+                                     const std::vector<ContactInterface<2>>&, const SurfaceIds&,
+                                     ZonePart);
 template unsigned int flag_cells(dealii::DoFHandler<3>&,
                                  const dealii::TrilinosWrappers::MPI::Vector&,
                                  const std::vector<ContactInterface<3>>&, const SurfaceIds&,
                                  const Wanted&);
-template unsigned int flag_uneven_edges(dealii::DoFHandler<3>&,
-                                        const std::vector<ContactInterface<3>>&, const SurfaceIds&);
+template unsigned int flag_zone_part(dealii::DoFHandler<3>&,
+                                     const std::vector<ContactInterface<3>>&, const SurfaceIds&,
+                                     ZonePart);
 
 }  // namespace geneva::fem

@@ -54,14 +54,13 @@ double size_measure(dealii::DoFHandler<dim>& dof_handler,
                     const std::vector<ContactInterface<dim>>& interfaces,
                     const SurfaceIds& surface_ids, int decay);
 
-/// Flags the cells along the contact zones whose edges are long beside the shortest of their zone:
-/// the contact pressure ripples where edges change their length. In space those of lower levels
-/// than the highest of their side.
+/// Flags a part of the cells along the contact zones: the contact pressure ripples where edges
+/// change their length.
 /// @return number of flagged cells on all ranks
 template <int dim>
-unsigned int flag_uneven_edges(dealii::DoFHandler<dim>& dof_handler,
-                               const std::vector<ContactInterface<dim>>& interfaces,
-                               const SurfaceIds& surface_ids);
+unsigned int flag_zone_part(dealii::DoFHandler<dim>& dof_handler,
+                            const std::vector<ContactInterface<dim>>& interfaces,
+                            const SurfaceIds& surface_ids, ZonePart part);
 
 /// The longest edge of a contact zone over its shortest one, on both sides together; the greatest
 /// of all zones.

@@ -53,12 +53,13 @@ void add_zone_edges(const Surface<2>& surface, const std::pair<double, double>& 
   }
 }
 
-/// Arc-length intervals of the target over the active source nodes.
-std::vector<std::pair<double, double>> target_intervals(const ContactInterface<2>& interface) {
-  std::vector<std::pair<double, double>> intervals;
+/// Arc-length intervals of the target over the source nodes of the zone.
+ArcIntervals target_intervals(const ContactInterface<2>& interface) {
+  const std::vector<bool> in_zone = zone_rows(interface);
+  ArcIntervals intervals;
   bool open = false;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
-    if (interface.active[i]) {
+    if (in_zone[i]) {
       if (!open) intervals.emplace_back(interface.target.length, 0.);
       for (const auto& [node, coupling] : interface.rows[i].coupling) {
         const double at = interface.target.nodes[node].arc_length;
@@ -66,7 +67,7 @@ std::vector<std::pair<double, double>> target_intervals(const ContactInterface<2
         intervals.back().second = std::max(intervals.back().second, at);
       }
     }
-    open = interface.active[i];
+    open = in_zone[i];
   }
   return intervals;
 }
@@ -100,21 +101,32 @@ struct ZoneSides {
 
 ZoneSides zone_sides(const ContactInterface<2>& interface) {
   ZoneSides sides;
-  for (const auto& interval : active_intervals(interface))
+  for (const auto& interval : zone_intervals(interface))
     add_zone_edges(interface.source, interval, sides.source);
   for (const auto& interval : target_intervals(interface))
     add_zone_edges(interface.target, interval, sides.target);
   return sides;
 }
 
-/// @param only_uneven only edges that are long for their zone
+/// Greatest length of an edge that does not belong to the part.
+double limit_of(const ZonePart part, const ZoneSides& sides) {
+  switch (part) {
+    case ZonePart::uneven:
+      return evenness * std::min(shortest(sides.source), shortest(sides.target));
+    case ZonePart::longest:
+      return std::max(longest(sides.source), longest(sides.target)) / evenness;
+    case ZonePart::all:
+      break;
+  }
+  return 0.;
+}
+
 Zone zone_edges(const std::vector<ContactInterface<2>>& interfaces, const SurfaceIds& surface_ids,
-                const bool only_uneven) {
+                const ZonePart part) {
   Zone zone;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const ZoneSides sides = zone_sides(interfaces[i]);
-    const double limit =
-        only_uneven ? evenness * std::min(shortest(sides.source), shortest(sides.target)) : 0.;
+    const double limit = limit_of(part, sides);
     add_longer(zone, surface_ids[i].first, sides.source, limit);
     add_longer(zone, surface_ids[i].second, sides.target, limit);
   }
@@ -142,8 +154,8 @@ unsigned int flag_edges(dealii::DoFHandler<2>& dof_handler, const Zone& zone) {
 
 unsigned int flag_zone(dealii::DoFHandler<2>& dof_handler,
                        const std::vector<ContactInterface<2>>& interfaces,
-                       const SurfaceIds& surface_ids, const bool only_uneven) {
-  return flag_edges(dof_handler, zone_edges(interfaces, surface_ids, only_uneven));
+                       const SurfaceIds& surface_ids, const ZonePart part) {
+  return flag_edges(dof_handler, zone_edges(interfaces, surface_ids, part));
 }
 
 double unevenness(const std::vector<ContactInterface<2>>& interfaces) {

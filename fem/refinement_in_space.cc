@@ -72,7 +72,8 @@ unsigned int flag_side(dealii::DoFHandler<3>& dof_handler, const unsigned int su
 
 unsigned int flag_zone(dealii::DoFHandler<3>& dof_handler,
                        const std::vector<ContactInterface<3>>& interfaces,
-                       const SurfaceIds& surface_ids, const bool only_uneven) {
+                       const SurfaceIds& surface_ids, const ZonePart part) {
+  const bool only_uneven = part == ZonePart::uneven;
   unsigned int flagged = 0;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const ContactInterface<3>& interface = interfaces[i];

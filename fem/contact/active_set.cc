@@ -90,6 +90,32 @@ double pressure_of(const SurfaceNode<dim>& node, const MortarRow<dim>& row,
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
 }
 
+/// Which nodes of the source belong to the chosen rows.
+template <int dim>
+std::vector<bool> nodes_of(const ContactInterface<dim>& interface, const std::vector<bool>& rows) {
+  std::vector<bool> chosen(interface.source.nodes.size(), false);
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    if (rows[i]) chosen[interface.rows[i].node] = true;
+  return chosen;
+}
+
+/// How far a node's pressure is off the straight line between its neighbours, as a share of the
+/// greatest pressure. At the end of a surface, a plane or axis of symmetry, they are equal.
+double bend_of_pressure(const ContactInterface<2>& interface, const ContactState& state,
+                        const std::size_t row) {
+  const auto at = [&](const std::size_t i) {
+    return interface.source.nodes[interface.rows[i].node].arc_length;
+  };
+  const std::size_t last = interface.rows.size() - 1;
+  const std::size_t before = row == 0 ? std::min<std::size_t>(1, last) : row - 1;
+  const std::size_t after = row == last ? last - std::min<std::size_t>(1, last) : row + 1;
+  const double share = before == after ? 0.5 : (at(row) - at(before)) / (at(after) - at(before));
+  const double straight =
+      state.pressure[before] + share * (state.pressure[after] - state.pressure[before]);
+  return std::abs(state.pressure[row] - straight) /
+         *std::max_element(state.pressure.begin(), state.pressure.end());
+}
+
 }  // namespace
 
 template <int dim>
@@ -150,10 +176,45 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
 
 template <int dim>
 std::vector<bool> active_nodes(const ContactInterface<dim>& interface) {
-  std::vector<bool> active(interface.source.nodes.size(), false);
-  for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (interface.active[i]) active[interface.rows[i].node] = true;
-  return active;
+  return nodes_of(interface, interface.active);
+}
+
+template <int dim>
+std::vector<bool> zone_rows(const ContactInterface<dim>& interface) {
+  std::vector<bool> in_zone = interface.active;
+  for (std::size_t i = 0; i < in_zone.size(); ++i) {
+    const double at = interface.source.nodes[interface.rows[i].node].arc_length;
+    for (const auto& [from, to] : interface.smooth)
+      if (at >= from && at <= to) in_zone[i] = false;
+  }
+  return in_zone;
+}
+
+template <int dim>
+std::vector<bool> zone_nodes(const ContactInterface<dim>& interface) {
+  return nodes_of(interface, zone_rows(interface));
+}
+
+ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const ContactState& state,
+                              const double tolerance) {
+  constexpr std::size_t reach = 8;  // edges between a rough node and the first smooth one
+  const std::size_t count = interface.rows.size();
+  std::vector<bool> is_near_rough(count, false);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!interface.active[i] || bend_of_pressure(interface, state, i) > tolerance)
+      for (std::size_t j = i - std::min(i, reach); j < std::min(count, i + reach + 1); ++j)
+        is_near_rough[j] = true;
+  ArcIntervals intervals;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_near_rough[i]) continue;
+    const double at = interface.source.nodes[interface.rows[i].node].arc_length;
+    if (i == 0 || is_near_rough[i - 1]) intervals.emplace_back(at, at);
+    intervals.back().second = at;
+  }
+  const auto n_active = std::count(interface.active.begin(), interface.active.end(), true);
+  const auto n_smooth = std::count(is_near_rough.begin(), is_near_rough.end(), false);
+  const bool pays = n_smooth < n_active && 4 * n_smooth > 3 * n_active;
+  return pays ? intervals : ArcIntervals();
 }
 
 unsigned int nodes_across(const ContactInterface<2>& interface) {
@@ -170,15 +231,15 @@ unsigned int nodes_across(const ContactInterface<3>& interface) {
   return depth == 0 ? 0 : 2 * depth - 1;
 }
 
-std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface) {
-  const std::vector<bool> node_active = active_nodes(interface);
-  std::vector<std::pair<double, double>> intervals;
+ArcIntervals zone_intervals(const ContactInterface<2>& interface) {
+  const std::vector<bool> in_zone = zone_nodes(interface);
+  ArcIntervals intervals;
   bool open = false;
-  for (std::size_t i = 0; i < node_active.size(); ++i) {
+  for (std::size_t i = 0; i < in_zone.size(); ++i) {
     const double at = interface.source.nodes[i].arc_length;
-    if (node_active[i] && open) intervals.back().second = at;
-    if (node_active[i] && !open) intervals.emplace_back(at, at);
-    open = node_active[i];
+    if (in_zone[i] && open) intervals.back().second = at;
+    if (in_zone[i] && !open) intervals.emplace_back(at, at);
+    open = in_zone[i];
   }
   return intervals;
 }
@@ -244,5 +305,9 @@ template ContactState evaluate(const ContactInterface<3>&,
 template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
 template std::vector<bool> active_nodes(const ContactInterface<2>&);
 template std::vector<bool> active_nodes(const ContactInterface<3>&);
+template std::vector<bool> zone_rows(const ContactInterface<2>&);
+template std::vector<bool> zone_rows(const ContactInterface<3>&);
+template std::vector<bool> zone_nodes(const ContactInterface<2>&);
+template std::vector<bool> zone_nodes(const ContactInterface<3>&);
 
 }  // namespace geneva::fem

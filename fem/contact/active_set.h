@@ -12,6 +12,9 @@
 
 namespace geneva::fem {
 
+/// From and to, of arc length on a surface.
+using ArcIntervals = std::vector<std::pair<double, double>>;
+
 /// One contact pair on one mesh, the same on every rank.
 template <int dim>
 struct ContactInterface {
@@ -19,6 +22,7 @@ struct ContactInterface {
   Surface<dim> target;
   std::vector<MortarRow<dim>> rows;
   std::vector<bool> active;  ///< by row
+  ArcIntervals smooth = {};  ///< of the source, in the plane: there the edges are short enough
 };
 
 /// Contact pressure and gap at the source nodes, by row.
@@ -48,13 +52,29 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
 template <int dim>
 std::vector<bool> active_nodes(const ContactInterface<dim>& interface);
 
+/// The active rows but those where the pressure is smooth: the zone whose resolution decides.
+template <int dim>
+std::vector<bool> zone_rows(const ContactInterface<dim>& interface);
+
+/// Which nodes of the source belong to the zone.
+template <int dim>
+std::vector<bool> zone_nodes(const ContactInterface<dim>& interface);
+
+/// Where nodes lie so close that the pressure between the neighbours of each is off the straight
+/// line by a small share of the peak at most, so that finer edges would change nothing: the middle
+/// of a wide contact whose pressure peaks at its ends. None if that is the whole contact, or less
+/// than three quarters of it.
+/// @param tolerance that share, > 0
+ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const ContactState& state,
+                              double tolerance);
+
 /// How many active nodes the contact is wide: all of them in the plane; in space twice the most
 /// steps from an active node to an open one, less one.
 unsigned int nodes_across(const ContactInterface<2>& interface);
 unsigned int nodes_across(const ContactInterface<3>& interface);
 
-/// Arc-length intervals of the source surface covered by active nodes.
-std::vector<std::pair<double, double>> active_intervals(const ContactInterface<2>& interface);
+/// Arc-length intervals of the source surface covered by the nodes of the zone.
+ArcIntervals zone_intervals(const ContactInterface<2>& interface);
 
 /// The active rows as constraint lines: gap_j(u) = 0, solved for the displacement component with
 /// the greatest share of the normal that no support holds. Rows whose components are all held are

@@ -95,9 +95,10 @@ TEST(CaseText, CommentsAreSkippedAndLongLinesContinued) {
 }
 
 TEST(CaseText, AContinuedLineHasTheNumberOfItsFirst) {
-  EXPECT_EQ(refusal("set Title = a \\\n b\n\nset Accuracy \\\n = 3 mm\n"),
-            "DIR/case.prm, line 4: 'Accuracy' = '3 mm': 'mm' does not belong to a plain number; a "
-            "plain number or a percentage is wanted, for example '0.3' or '30 %'");
+  EXPECT_EQ(
+      refusal("set Title = a \\\n b\n\nset Accuracy \\\n = 3 mm\n"),
+      "DIR/case.prm, line 4: 'Accuracy' = '3 mm': 'mm' does not belong to a plain number; a "
+      "plain number or a percentage is wanted, for example '0.3' or '30 %', or 'by dimension'");
 }
 
 TEST(CaseText, AContinuedLastLineIsRefused) {

@@ -331,7 +331,7 @@ TEST(MechanismCase, SettingsOutOfTheirRangeAreRefused) {
   for (const std::string accuracy : {"0", "-1 %", "0.5", "50 %"})
     EXPECT_EQ(refusal("set Accuracy = " + accuracy + "\n"),
               start + "'Accuracy' = '" + accuracy +
-                  "': the value must be greater than 0 and at most 20 %");
+                  "': the value must be greater than 0 and at most 20 %, or 'by dimension'");
   EXPECT_EQ(refusal("set Maximum refinement levels = 29\n"),
             start + "'Maximum refinement levels' = '29': the value must be from 0 to 28");
   EXPECT_EQ(refusal("set Maximum unknowns = 1e10\n"),

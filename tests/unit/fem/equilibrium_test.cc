@@ -65,7 +65,7 @@ TEST(ContactForces, OfBothSidesCancelAndCarryTheLoad) {
     const CoarseSolution solution(contact);
     ASSERT_TRUE(solution.state.has_value());
     const ContactInterface<2>& interface = solution.level.interfaces.front();
-    ASSERT_GE(active_intervals(interface).size(), 1U);
+    ASSERT_GE(zone_intervals(interface).size(), 1U);
     const Tensor<1, 2> on_source = force_on(solution, interface.source);
     const Tensor<1, 2> on_target = force_on(solution, interface.target);
     EXPECT_LT((on_source + on_target).norm(), solver_tolerance * contact.force);
