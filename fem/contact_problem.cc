@@ -466,8 +466,7 @@ class NestedIteration {
     refine_flagged(state_.displacement);
     is_ahead_ = true;
     if (refined_ == Refined::nothing) return true;
-    if (solution_.history.back().nodes_across < fewest_active_nodes &&
-        n_refinements_ < settings_.max_levels) {
+    if (next_pressure_is_of_no_use() && n_refinements_ < settings_.max_levels) {
       const Vector guess = ghosted_guess();
       flag(guess);
       ++n_refinements_;
@@ -477,6 +476,14 @@ class NestedIteration {
     make_zones_even();
     return solution_.dof_handler->n_dofs() <= settings_.max_dofs ||
            !end_at_unknowns(solution_.dof_handler->n_dofs());
+  }
+
+  /// Whether the next mesh, too, would have too few nodes in contact; in the plane, where meshes
+  /// are cheap, whether this one has.
+  [[nodiscard]] bool next_pressure_is_of_no_use() const {
+    const unsigned int across = solution_.history.back().nodes_across;
+    const unsigned int expected = dim == 2 || across == 0 ? across : 2 * across - 1;
+    return expected < fewest_active_nodes;
   }
 
   /// Ends where it helps little: cells that share a vertex differ by one level at most, so that
