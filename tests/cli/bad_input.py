@@ -1,6 +1,7 @@
 """Wrong input ends with a message that names file, parameter and what is allowed, and writes nothing."""
 
 import os
+import re
 import stat
 
 import geneva_cli
@@ -504,8 +505,8 @@ class NotConverged(Refusals):
         self.assertEqual(run.code, NOT_CONVERGED, run.describe())
         for sign in CRASH_SIGNS:
             self.assertNotIn(sign, run.out + run.err)
-        self.assertIn("not converged", run.out + run.err)
-        self.assertIn(limit, run.out + run.err)
+        self.assertEqual((run.out + run.err).count("not converged"), 1, run.describe())
+        self.assertIn(limit, run.err)
         self.assertIn("estimated error of the peak contact pressure", run.out)
         self.assertNotIn("nan", run.out)
         self.assertLessEqual(set(geneva_cli.RESULT_FILES), {path.name for path in (case / "results").iterdir()})
@@ -524,6 +525,15 @@ class NotConverged(Refusals):
         for name, value in self.LIMITS[:2]:
             with self.subTest(name):
                 self.assert_last_good_results(MECHANISM, {name: value}, name)
+
+    def test_the_accuracy_that_was_reached_is_offered(self):
+        case = self.copy_case(MECHANISM)
+        change_case(case, {"Maximum unknowns": "3000"})
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, NOT_CONVERGED, run.describe())
+        offered = float(re.search(r"be content with 'Accuracy' = (\S+) %", run.err).group(1)) / 100
+        reached = read_summary(case / "results")["contact"]["peak_pressure_error"]
+        self.assertTrue(reached <= offered < 1.11 * reached, (reached, offered))
 
     def test_limits_end_all_ranks_with_the_last_good_results(self):
         self.assert_last_good_results(GEOMETRY, {"Maximum refinement levels": "9"}, "Maximum refinement levels",

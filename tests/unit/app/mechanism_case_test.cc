@@ -193,6 +193,12 @@ TEST(MechanismCase, InchesAndMetresGiveTheSameCase) {
   expect_same(CaseDirectory(inch_text).read(), CaseDirectory(metre_text).read());
 }
 
+TEST(MechanismCase, InSpaceTheDefaultAccuracyIsCoarser) {
+  const std::string in_space = "set Dimension = 3\n" + mechanism_text();
+  EXPECT_DOUBLE_EQ(CaseDirectory(in_space).read().settings.accuracy, 0.05);
+  EXPECT_DOUBLE_EQ(CaseDirectory("set Accuracy = 1 %\n" + in_space).read().settings.accuracy, 0.01);
+}
+
 TEST(MechanismCase, WhatIsLeftOutTakesItsDefault) {
   const Case given = CaseDirectory(mechanism_text()).read();
   const geneva::fem::Settings settings;
