@@ -258,7 +258,7 @@ class NestedIteration {
     if (now.nodes_across < fewest_active_nodes || has_spread()) zone_error_ = 1.;
     if (!has_free_ends(level_.interfaces) || surroundings_are_fine_) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
-    solution_.error_estimate = std::min(1., zone_error_ + surroundings_error_);
+    solution_.error_estimate = error_of(zone_error_, surroundings_error_);
     now.error_estimate =
         is_bounded ? solution_.error_estimate : std::min(1., 2. * solution_.error_estimate);
     for (ContactResult<dim>& contact : solution_.contacts)

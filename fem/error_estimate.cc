@@ -126,8 +126,10 @@ double first_grading(const double accuracy) {
 
 Extrapolation extrapolate(const std::vector<MeshValue>& values, const double grading,
                           const Convergence& convergence) {
-  const double taken = convergence.forces_are_given ? 1. : 0.5;
-  constexpr double doubt = 0.5;
+  // Of what the size measure promises, and in doubt. Measured on random line contacts and wheels
+  // under given loads: 0.72 is left; where the force depends on the cells, next to nothing to all.
+  const double taken = convergence.forces_are_given ? 0.75 : 0.5;
+  const double doubt = convergence.forces_are_given ? 0.4 : 0.5;
   // A smaller fall of the measure shows too little of the error.
   constexpr double least_ratio = 1.2;
   const auto zone_changes = changes(values, Refined::zone);
@@ -146,6 +148,10 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   }
   result.correction += of_surroundings;
   return result;
+}
+
+double error_of(const double zone_error, const double surroundings_error) {
+  return std::min(1., std::hypot(zone_error, surroundings_error));
 }
 
 template <int dim>

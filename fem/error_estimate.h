@@ -45,14 +45,18 @@ struct Convergence {
 /// last change leaves at second order is corrected.
 ///
 /// The part of the cells around the contact is proportional to their size measure: when that falls
-/// from q to 1, the change is q - 1 times what is left. This is corrected, and half of it stays in
-/// doubt. Unless the forces are given, changes fall faster than the measure, since hanging faces
-/// and long cells go as well, or cells far away count less than assumed: what is left lies between
-/// nothing and that, and the middle is taken.
+/// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
+/// measure, since hanging faces and long cells go as well, or cells far away count less than
+/// assumed. Three quarters are corrected where the forces are given and four tenths stay in doubt;
+/// else what is left lies between nothing and all, and the middle is taken.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
                           const Convergence& convergence);
+
+/// Both parts together, which know nothing of each other: the root of the sum of their squares, at
+/// most 1.
+double error_of(double zone_error, double surroundings_error);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
 /// an edge: 0.8/N^2 with N nodes across; of every run of nodes as its pressure is to the greatest.

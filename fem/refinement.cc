@@ -178,21 +178,6 @@ ZoneCells<dim> zones_with_cells(dealii::DoFHandler<dim>& dof_handler,
   return result;
 }
 
-/// Flags cells around the zones, none of the zones and none that is not larger than theirs.
-template <int dim>
-unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
-                                    const std::vector<ContactInterface<dim>>& interfaces,
-                                    const SurfaceIds& surface_ids, const double grading) {
-  const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
-  unsigned int flagged = flag_surroundings(dof_handler, zones, grading);
-  for (const auto& cell : zone_cells)
-    if (cell->refine_flag_set()) {
-      cell->clear_refine_flag();
-      --flagged;
-    }
-  return flagged;
-}
-
 template <int dim>
 unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler,
                          const dealii::TrilinosWrappers::MPI::Vector& displacement) {
@@ -211,6 +196,24 @@ unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler,
   return flagged;
 }
 
+/// Flags cells around the zones, none of the zones, whose resolution would then change as well, and
+/// none that is not larger than theirs.
+template <int dim>
+unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
+                                    const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                                    const std::vector<ContactInterface<dim>>& interfaces,
+                                    const SurfaceIds& surface_ids, const double grading) {
+  const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
+  unsigned int flagged = flag_surroundings(dof_handler, zones, grading);
+  flagged += flag_energy(dof_handler, displacement);
+  for (const auto& cell : zone_cells)
+    if (cell->refine_flag_set()) {
+      cell->clear_refine_flag();
+      --flagged;
+    }
+  return flagged;
+}
+
 }  // namespace
 
 template <int dim>
@@ -221,12 +224,14 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
   unsigned int flagged = 0;
   if (wanted.zone) {
     flagged += flag_zone(dof_handler, interfaces, surface_ids, ZonePart::all);
-    if (wanted.grading)
+    if (wanted.grading) {
       flagged += flag_surroundings(dof_handler, zone_outlines(interfaces, true), *wanted.grading);
+      flagged += flag_energy(dof_handler, displacement);
+    }
   } else if (wanted.grading) {
-    flagged += flag_only_surroundings(dof_handler, interfaces, surface_ids, *wanted.grading);
+    flagged +=
+        flag_only_surroundings(dof_handler, displacement, interfaces, surface_ids, *wanted.grading);
   }
-  if (wanted.grading) flagged += flag_energy(dof_handler, displacement);
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
 

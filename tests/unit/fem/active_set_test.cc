@@ -344,8 +344,8 @@ TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
                                       {value(0.25, 1.), Refined::zone, 1, 1.},
                                       {value(0.25, 0.2), Refined::surroundings, 0, 0.2}};
   const Extrapolation found = extrapolate(values, 0.2, forces_given);
-  EXPECT_NEAR(found.correction, -0.05 * 0.2, 2e-4);
-  EXPECT_NEAR(found.surroundings_error, 0.5 * 0.01, 2e-4);
+  EXPECT_NEAR(found.correction, -0.75 * 0.05 * 0.2, 2e-4);
+  EXPECT_NEAR(found.surroundings_error, 0.4 * 0.01, 2e-4);
   EXPECT_NEAR(found.zone_error, 0.08 / 16., 2e-4);
 }
 
@@ -369,7 +369,12 @@ TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
   const double left = -0.08 / 1.02 / 4.;
   EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).correction, left / 2., 1e-12);
   EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).surroundings_error, -left / 2., 1e-12);
-  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, left, 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * left, 1e-12);
+}
+
+TEST(ErrorEstimate, TakesItsPartsAsIndependent) {
+  EXPECT_DOUBLE_EQ(error_of(0.03, 0.04), 0.05);
+  EXPECT_EQ(error_of(1., 0.5), 1.);
 }
 
 TEST(Extrapolation, CorrectsTheZoneOnAnAxisOfRevolution) {
