@@ -11,6 +11,9 @@ void use_one_thread() {
   // set them now
   for (const char* name : {"openblas_set_num_threads", "omp_set_num_threads"})
     if (void* function = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<void (*)(int)>(function)(1);
+  // CHOLMOD asks for four threads in each of its loops, whatever was set.
+  if (void* function = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))
+    reinterpret_cast<void (*)(int)>(function)(0);
 }
 
 }  // namespace geneva::app

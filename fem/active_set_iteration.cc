@@ -95,13 +95,13 @@ class SystemOfSets {
   /// Goes over to the level's active sets.
   void update(const Level<dim>& level) {
     const Sets sets = active_sets(level);
-    is_smoothing_ = n_smoothing_steps_ < most_smoothing_steps &&
+    is_smoothing_ = !level.is_factorised && n_smoothing_steps_ < most_smoothing_steps &&
                     n_active(sets) >= fewest_for_smoothing &&
                     (!system_ || changed_share(last_sets_, sets) > few_for_smoothing);
     if (is_smoothing_) ++n_smoothing_steps_;
     if (!system_) assemble(level);
     system_->constrain(constraints(level));
-    if (!is_smoothing_ && !has_multigrid_) set_up_multigrid();
+    if (!is_smoothing_ && !has_multigrid_) set_up_multigrid(level.is_factorised);
     last_sets_ = sets;
   }
 
@@ -127,9 +127,9 @@ class SystemOfSets {
     assembly_seconds_ = timer.wall_time();
   }
 
-  void set_up_multigrid() {
+  void set_up_multigrid(const bool is_factorised) {
     const dealii::Timer timer;
-    system_->set_up_multigrid(dof_handler_);
+    system_->set_up_multigrid(dof_handler_, is_factorised);
     has_multigrid_ = true;
     assembly_seconds_ += timer.wall_time();
   }

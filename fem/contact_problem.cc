@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "fem/active_set_iteration.h"
+#include "fem/conditioning.h"
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
 #include "fem/distribution.h"
@@ -65,6 +66,7 @@ class NestedIteration {
   Solution<dim> run() {
     set_up_first_mesh();
     check_rigid_motions(level_, solution_.problem);
+    check_approach(level_, scaled_problem_, solution_.scales, communicator_);
     while (solve()) {
       record();
       if (finished() || !refine()) break;
@@ -599,6 +601,7 @@ Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<di
                             const Problem<dim>& problem, const Settings& settings,
                             const Progress& progress) {
   check(problem, mesh);
+  check_stiffness_ratio(problem);
   return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run();
 }
 

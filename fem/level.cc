@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "fem/conditioning.h"
 #include "fem/constraints.h"
 #include "fem/contact/surface_in_space.h"
 #include "fem/elasticity.h"
@@ -160,6 +161,7 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins,
                                      dof_handler.get_communicator());
   level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
+  level.is_factorised = is_factorised(scaled_problem);
   level.hanging_nodes = hanging_nodes(dof_handler, level.ghosts);
   level.hanging_lines = hanging_lines(dof_handler, level.hanging_nodes, level.boundary);
   level.hanging = make_constraints(level.hanging_nodes, level.hanging_lines);

@@ -28,6 +28,7 @@ struct Level {
   Boundary<dim> boundary;
   std::vector<ContactInterface<dim>> interfaces;
   CellSystems cells;
+  bool is_factorised = false;                 ///< see is_factorised()
   std::vector<ConstraintLine> hanging_lines;  ///< of boundary dofs
   std::vector<ConstraintLine> held_lines;     ///< supports and ties
   std::set<global_dof_index> held;            ///< dofs of those lines

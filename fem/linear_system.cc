@@ -85,35 +85,52 @@ void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& const
         owned_.nth_index_in_set(static_cast<unsigned int>(line.unknown)));
   matrix_.whole().residual(load_, prescribed, whole_load);
   matrix_.elimination().collect(load_);
-  if (multigrid_) multigrid_->renew_smoother();
+  if (multigrid_) multigrid_->renew();
 }
 
 template <int dim>
-void LinearSystem<dim>::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler) {
-  multigrid_ = std::make_unique<Multigrid<dim>>(matrix_, dof_handler, lasting_constraints_);
+void LinearSystem<dim>::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler,
+                                         const bool is_factorised) {
+  multigrid_ =
+      std::make_unique<Multigrid<dim>>(matrix_, dof_handler, lasting_constraints_, is_factorised);
 }
 
 template <int dim>
 unsigned int LinearSystem<dim>::smooth(Vector& displacement) const {
   constexpr unsigned int n_iterations = 15;
   dealii::IterationNumberControl control(n_iterations, 0.);
-  return iterate(displacement, Jacobi(matrix_.diagonal()), control);
+  constraints_.set_zero(displacement);
+  dealii::SolverCG<Vector>(control).solve(matrix_, displacement, load_, Jacobi(matrix_.diagonal()));
+  distribute(displacement);
+  return control.last_step();
 }
 
 template <int dim>
 unsigned int LinearSystem<dim>::solve(Vector& displacement, const double tolerance,
                                       const double reduction) const {
   constexpr unsigned int most_iterations = 1000;
-  double goal = std::max(tolerance * load_.l2_norm(), rounding(displacement));
+  if (!multigrid_->is_definite())
+    throw dealii::SolverControl::NoConvergence(0, residual_norm(displacement));
+  double goal = tolerance * load_.l2_norm();
   if (reduction > 0.) goal = std::max(goal, reduction * residual_norm(displacement));
-  dealii::SolverControl control(most_iterations, goal);
-  return iterate(displacement, *multigrid_, control);
+  constraints_.set_zero(displacement);
+  const std::vector<double> diagonal = matrix_.diagonal();
+  dealii::SolverControl control(most_iterations, std::max(goal, rounding(displacement, diagonal)));
+  dealii::SolverCG<Vector> solver(control);
+  // The first guess may know nothing yet of how far a body moves.
+  solver.connect([&](const unsigned int, const double, const Vector& iterate) {
+    control.set_tolerance(std::max(goal, rounding(iterate, diagonal)));
+    return dealii::SolverControl::success;  // the control decides
+  });
+  solver.solve(matrix_, displacement, load_, *multigrid_);
+  distribute(displacement);
+  return control.last_step();
 }
 
 template <int dim>
-double LinearSystem<dim>::rounding(const Vector& displacement) const {
+double LinearSystem<dim>::rounding(const Vector& displacement,
+                                   const std::vector<double>& diagonal) const {
   constexpr double accumulated = 4.;  // roundings of a row add up as the root of its entries
-  const std::vector<double> diagonal = matrix_.diagonal();
   const double* const values = displacement.trilinos_vector()[0];
   double square = 0.;
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
@@ -131,16 +148,6 @@ double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
   Vector residual(displacement);
   matrix_.residual(residual, free, load_);
   return residual.l2_norm();
-}
-
-template <int dim>
-template <typename Preconditioner>
-unsigned int LinearSystem<dim>::iterate(Vector& displacement, const Preconditioner& preconditioner,
-                                        dealii::SolverControl& control) const {
-  constraints_.set_zero(displacement);
-  dealii::SolverCG<Vector>(control).solve(matrix_, displacement, load_, preconditioner);
-  distribute(displacement);
-  return control.last_step();
 }
 
 /// As AffineConstraints::distribute(), which searches for the unknowns that it needs of other ranks

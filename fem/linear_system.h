@@ -38,8 +38,9 @@ class LinearSystem {
   /// they leave free
   void constrain(const dealii::AffineConstraints<double>& constraints);
 
-  /// Sets up algebraic multigrid for the constraints of now.
-  void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler);
+  /// Sets up multigrid for the constraints of now.
+  /// @param is_factorised whether the mesh is its coarsest level
+  void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler, bool is_factorised);
 
   /// Reduces local errors by a few conjugate gradients without multigrid.
   /// @param displacement as in solve()
@@ -47,11 +48,13 @@ class LinearSystem {
   unsigned int smooth(dealii::TrilinosWrappers::MPI::Vector& displacement) const;
 
   /// Conjugate gradients with multigrid from the given first guess until the residual is below
-  /// tolerance times the load, or below reduction times that of the first guess.
+  /// tolerance times the load, below reduction times that of the first guess, or what roundings
+  /// leave of it.
   /// @param displacement in: first guess; out: solution, with the constraints distributed (no
   /// ghosts)
   /// @return number of iterations
-  /// @throws dealii::SolverControl::NoConvergence after 1000 iterations
+  /// @throws dealii::SolverControl::NoConvergence after 1000 iterations, or if the matrix is not
+  /// positive definite
   unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance,
                      double reduction) const;
 
@@ -61,11 +64,10 @@ class LinearSystem {
   void distribute(Vector& displacement) const;
   /// Residual that roundings leave: a stiff body on a soft one is displaced by far more than it is
   /// strained.
-  [[nodiscard]] double rounding(const Vector& displacement) const;
+  /// @param diagonal of the matrix
+  [[nodiscard]] double rounding(const Vector& displacement,
+                                const std::vector<double>& diagonal) const;
   [[nodiscard]] double residual_norm(const Vector& displacement) const;
-  template <typename Preconditioner>
-  unsigned int iterate(Vector& displacement, const Preconditioner& preconditioner,
-                       dealii::SolverControl& control) const;
 
   dealii::IndexSet owned_;
   MPI_Comm communicator_;

@@ -102,7 +102,8 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const in
   const std::vector<bool> is_moved = complete(matrix);
   const NodePattern& pattern = matrix.pattern();
   if (pattern.unknowns().NumGlobalElements() <= most_for_factors) {
-    direct_ = std::make_unique<DirectSolver<n>>(matrix, communicator);
+    direct_ = std::make_unique<DirectSolver<n>>(matrix, Elimination(pattern.unknowns(), {}),
+                                                communicator);
     return;
   }
   const double largest = margin * largest_eigenvalue(matrix, communicator);

@@ -5,53 +5,53 @@
 
 #include <vector>
 
+#include "fem/gather.h"
+
 namespace geneva::fem {
 
 namespace {
 
-template <int n>
-using SquareRow = BlockRow<Eigen::Matrix<double, n, n>>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Rows of this rank's nodes, up to the diagonal.
+/// Adds s A_ij s' below the diagonal and on it for the shares s and s' that two unknowns have in
+/// others.
+void add_shares(const Shares& row, const Shares& column, const double stiffness, Entries& entries) {
+  for (const auto& [i, share] : row)
+    for (const auto& [j, other] : column)
+      if (i >= j) entries.emplace_back(i, j, share * stiffness * other);
+}
+
+/// What this rank's rows of A add to the lower part of E^T A E.
 template <int n>
-std::vector<SquareRow<n>> own_rows(const SymmetricMatrix<n>& matrix) {
+Entries own_entries(const SymmetricMatrix<n>& matrix, const Elimination& elimination) {
   const NodePattern& pattern = matrix.pattern();
-  std::vector<SquareRow<n>> rows(pattern.n_rows());
-  matrix.visit_blocks([&](const std::size_t node, const std::size_t place, const auto& block) {
-    if (pattern.number(place) <= pattern.number(node)) rows[node].at(pattern.number(place)) = block;
-  });
-  return rows;
-}
-
-std::vector<int> nodes_of_others(const OwnNodes& own, const int n_nodes) {
-  std::vector<int> result;
-  for (int node = 0; node < n_nodes; ++node)
-    if (!own.have(node)) result.push_back(node);
-  return result;
-}
-
-template <int n>
-void add_entries(const int node, const SquareRow<n>& row, Entries& entries) {
-  for (std::size_t k = 0; k < row.size(); ++k)
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j)
-        entries.emplace_back(n * node + i, n * row.number(k) + j, row.block(k)(i, j));
-}
-
-/// The lower part, with all ranks' rows.
-template <int n>
-Eigen::SparseMatrix<double> whole(const SymmetricMatrix<n>& matrix, const MPI_Comm communicator) {
-  const OwnNodes& own = matrix.pattern().own();
-  const int n_unknowns = matrix.unknowns().NumGlobalElements();
-  const std::vector<int> others = nodes_of_others(own, n_unknowns / n);
-  const std::vector<SquareRow<n>> rows = own_rows(matrix);
-  const std::vector<SquareRow<n>> received =
-      rows_of_others(rows, others, matrix.unknowns(), n, communicator);
   Entries entries;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    add_entries<n>(own.first + static_cast<int>(i), rows[i], entries);
-  for (std::size_t i = 0; i < others.size(); ++i) add_entries<n>(others[i], received[i], entries);
+  entries.reserve(n * n * pattern.n_blocks());
+  matrix.visit_blocks([&](const std::size_t node, const std::size_t place, const auto& block) {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const int row = n * pattern.number(node) + i;
+        const int column = n * pattern.number(place) + j;
+        const Shares* const of_row = elimination.shares_of(row);
+        const Shares* const of_column = elimination.shares_of(column);
+        if (of_row == nullptr && of_column == nullptr) {
+          if (row >= column) entries.emplace_back(row, column, block(i, j));
+          continue;
+        }
+        add_shares(of_row ? *of_row : Shares{{row, 1.}},
+                   of_column ? *of_column : Shares{{column, 1.}}, block(i, j), entries);
+        if (row == column) entries.emplace_back(row, row, block(i, i));
+      }
+  });
+  return entries;
+}
+
+/// The lower part of E^T A E, with all ranks' rows.
+template <int n>
+Eigen::SparseMatrix<double> whole(const SymmetricMatrix<n>& matrix, const Elimination& elimination,
+                                  const MPI_Comm communicator) {
+  const Entries entries = gathered(communicator, own_entries(matrix, elimination));
+  const int n_unknowns = matrix.unknowns().NumGlobalElements();
   Eigen::SparseMatrix<double> result(n_unknowns, n_unknowns);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -60,11 +60,14 @@ Eigen::SparseMatrix<double> whole(const SymmetricMatrix<n>& matrix, const MPI_Co
 }  // namespace
 
 template <int n>
-DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const MPI_Comm communicator)
+DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const Elimination& elimination,
+                              const MPI_Comm communicator)
     : communicator_(communicator),
       first_(n * matrix.pattern().own().first),
-      n_own_(matrix.unknowns().NumMyElements()),
-      factors_(whole(matrix, communicator)) {}
+      n_own_(matrix.unknowns().NumMyElements()) {
+  factors_.cholmod().print = 0;  // a matrix that is not definite is for the caller to report
+  factors_.compute(whole(matrix, elimination, communicator));
+}
 
 template <int n>
 void DirectSolver<n>::vmult(Vector& solution, const Vector& right_hand_side) const {
@@ -78,6 +81,7 @@ void DirectSolver<n>::vmult(Vector& solution, const Vector& right_hand_side) con
       values.segment(first_, n_own_);
 }
 
+template class DirectSolver<2>;
 template class DirectSolver<3>;
 template class DirectSolver<6>;
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/CholmodSupport>
 
+#include "fem/multigrid/elimination.h"
 #include "fem/multigrid/symmetric_matrix.h"
 
 namespace geneva::fem {
@@ -15,9 +16,16 @@ class DirectSolver {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// @param matrix positive definite
-  DirectSolver(const SymmetricMatrix<n>& matrix, MPI_Comm communicator);
+  /// Of E^T A E for unknowns that follow others; their own equations have A's diagonal alone.
+  /// @param matrix A; E^T A E is to be positive definite
+  /// @param elimination E
+  DirectSolver(const SymmetricMatrix<n>& matrix, const Elimination& elimination,
+               MPI_Comm communicator);
 
+  /// Whether the factorisation succeeded.
+  [[nodiscard]] bool is_definite() const { return factors_.info() == Eigen::Success; }
+
+  /// @pre is_definite()
   void vmult(Vector& solution, const Vector& right_hand_side) const;
 
  private:

@@ -28,25 +28,39 @@ int most_for_factors(const dealii::types::global_dof_index of_mesh) {
 template <int dim>
 Multigrid<dim>::Multigrid(const CondensedMatrix<dim>& matrix,
                           const dealii::DoFHandler<dim>& dof_handler,
-                          const dealii::AffineConstraints<double>& constraints)
+                          const dealii::AffineConstraints<double>& constraints,
+                          const bool is_factorised)
     : matrix_(matrix),
-      largest_eigenvalue_(margin * largest_eigenvalue(matrix, dof_handler.get_communicator())) {
-  const MPI_Comm communicator = dof_handler.get_communicator();
-  Prolongation<dim> prolonged =
-      prolongation(CoupledNodes<dim>(matrix.whole(), dof_handler),
-                   {constraints, matrix.elimination(), dof_handler.locally_owned_dofs()},
-                   matrix.diagonal(), largest_eigenvalue_, communicator);
-  prolongation_.emplace(std::move(prolonged.matrix));
-  coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
-      CoarseProblem<dim>{coarse_matrix(matrix.whole(), *prolongation_, communicator),
-                         std::move(prolonged.positions), std::move(prolonged.bodies)},
-      most_for_factors(dof_handler.n_dofs()), communicator);
-  coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator);
-  renew_smoother();
+      communicator_(dof_handler.get_communicator()),
+      is_factorised_(is_factorised) {
+  if (!is_factorised_) make_levels(dof_handler, constraints);
+  renew();
 }
 
 template <int dim>
-void Multigrid<dim>::renew_smoother() {
+void Multigrid<dim>::make_levels(const dealii::DoFHandler<dim>& dof_handler,
+                                 const dealii::AffineConstraints<double>& constraints) {
+  largest_eigenvalue_ = margin * largest_eigenvalue(matrix_, communicator_);
+  Prolongation<dim> prolonged =
+      prolongation(CoupledNodes<dim>(matrix_.whole(), dof_handler),
+                   {constraints, matrix_.elimination(), dof_handler.locally_owned_dofs()},
+                   matrix_.diagonal(), largest_eigenvalue_, communicator_);
+  prolongation_.emplace(std::move(prolonged.matrix));
+  coarse_ = std::make_unique<AlgebraicMultigrid<dim>>(
+      CoarseProblem<dim>{coarse_matrix(matrix_.whole(), *prolongation_, communicator_),
+                         std::move(prolonged.positions), std::move(prolonged.bodies)},
+      most_for_factors(dof_handler.n_dofs()), communicator_);
+  coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator_);
+}
+
+template <int dim>
+void Multigrid<dim>::renew() {
+  if (is_factorised_) {
+    direct_.reset();  // before the new factors take memory
+    direct_ =
+        std::make_unique<DirectSolver<dim>>(matrix_.whole(), matrix_.elimination(), communicator_);
+    return;
+  }
   // Of the eigenvalues that are smoothed; 6 and 20 take an iteration more.
   constexpr double ratio = 10.;
   smoother_ = std::make_unique<Chebyshev<CondensedMatrix<dim>>>(
@@ -55,6 +69,7 @@ void Multigrid<dim>::renew_smoother() {
 
 template <int dim>
 void Multigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
+  if (direct_) return direct_->vmult(correction, residual);
   v_cycle(matrix_, *smoother_, *prolongation_, *coarse_, coarse_zero_, correction, residual);
 }
 

@@ -15,7 +15,8 @@
 namespace geneva::fem {
 
 /// One V-cycle: smoothing on the mesh with the matrix as it is, correction on the coarse nodes of
-/// prolongation() by AlgebraicMultigrid for the matrix as it was when the multigrid was made.
+/// prolongation() by AlgebraicMultigrid for the matrix as it was when the multigrid was made. Or
+/// the mesh is the coarsest level itself: then its matrix is factorised.
 template <int dim>
 class Multigrid {
  public:
@@ -23,17 +24,27 @@ class Multigrid {
 
   /// @param matrix condensed stiffness; must outlive the multigrid
   /// @param constraints by which the whole matrix was assembled
+  /// @param is_factorised whether the mesh is the coarsest level, see is_factorised()
   Multigrid(const CondensedMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler,
-            const dealii::AffineConstraints<double>& constraints);
+            const dealii::AffineConstraints<double>& constraints, bool is_factorised);
 
   void vmult(Vector& correction, const Vector& residual) const;
 
   /// To be called when other unknowns of the matrix follow others.
-  void renew_smoother();
+  void renew();
+
+  /// Whether the matrix is positive definite, as far as that was found out.
+  [[nodiscard]] bool is_definite() const { return !direct_ || direct_->is_definite(); }
 
  private:
+  void make_levels(const dealii::DoFHandler<dim>& dof_handler,
+                   const dealii::AffineConstraints<double>& constraints);
+
   const CondensedMatrix<dim>& matrix_;
-  double largest_eigenvalue_;  ///< of the matrix scaled by its diagonal, from above
+  MPI_Comm communicator_;
+  bool is_factorised_;
+  std::unique_ptr<DirectSolver<dim>> direct_;  ///< of a mesh that has nothing else
+  double largest_eigenvalue_ = 0.;             ///< of the matrix scaled by its diagonal, from above
   std::optional<NodeMatrix<dim, n_rigid_motions<dim>>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid<dim>> coarse_;
   Vector coarse_zero_;  ///< as v_cycle() takes it

@@ -62,7 +62,7 @@ class TiedSector {
   }
 
   [[nodiscard]] Vector solved(LinearSystem<3>& system) const {
-    system.set_up_multigrid(*grid_.dof_handler);
+    system.set_up_multigrid(*grid_.dof_handler, false);
     Vector displacement(grid_.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
     system.solve(displacement, 1e-13, 0.);
     return displacement;
@@ -75,7 +75,7 @@ class TiedSector {
   }
 
   void set_up_multigrid(LinearSystem<3>& system) const {
-    system.set_up_multigrid(*grid_.dof_handler);
+    system.set_up_multigrid(*grid_.dof_handler, false);
   }
 
   [[nodiscard]] const CellSystems& cells() const { return cells_; }

@@ -206,7 +206,7 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
 
 TEST(Multigrid, IsSymmetricAndPositive) {
   const Block block(8., 0, true);
-  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints(), false);
   const auto corrected = [&](const Vector& residual) {
     Vector result(residual);
     multigrid.vmult(result, residual);
@@ -221,7 +221,7 @@ TEST(Multigrid, IsSymmetricAndPositive) {
 
 /// Conjugate gradients that reduce the residual by 1e8.
 unsigned int iterations(const Block& block) {
-  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints());
+  const Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints(), false);
   Vector load = some_vector(block.unknowns(), 0.7);
   block.constraints().set_zero(load);
   Vector displacement(block.unknowns(), MPI_COMM_WORLD);
