@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/support/refusal.h"
@@ -34,12 +35,13 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
                 {"bottom", "", "top", "axis"});
   fem::Problem<2> problem;
   problem.plane = fem::PlaneKind::axisymmetric;
-  problem.bodies = {{"sphere", steel, {}}, {"block", steel, {}}};
   problem.supports = {{"axis", {0., std::nullopt}}, {"bottom", {0., 0.}}};
   problem.ties = {{"core", {0., -1.}, force}};
-  const auto exact =
-      loads::hertz_point(force, R, loads::contact_modulus({2e11, 0.3}, {2e11, 0.3}), 0.3);
-  for (const bool block_is_source : {false, true}) {
+  for (const auto& [nu, block_is_source] :
+       {std::pair{0.3, false}, std::pair{0.3, true}, std::pair{0.4999, false}}) {
+    problem.bodies = {{"sphere", {2e11, nu}, {}}, {"block", {2e11, nu}, {}}};
+    const auto exact =
+        loads::hertz_point(force, R, loads::contact_modulus({2e11, nu}, {2e11, nu}), nu);
     problem.pairs = {{"sphere", "top"}};
     if (block_is_source) problem.pairs = {{"top", "sphere"}};
     const fem::Solution<2> solution = solve(mesh, problem);
@@ -55,17 +57,14 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
   }
 }
 
-/// Two cylinders held at their cores under a block that is pressed down: each carries half the
-/// load. The cylinders are 6 R apart; one changes the other's contact by the curvature that its
-/// load gives the block's surface, of the order (b/6 R)^2.
-TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
-  LineContact one;
-  const double R = one.radius;
+/// Two cylinders under a block, 6 R apart.
+/// @param depth of the right one below the left one [R]
+mesh::MeshData<2> two_cylinders(const double R, const double depth) {
   mesh::MeshData<2> mesh = empty_mesh();
   for (const double side : {-1., 1.}) {
     const std::string name = side < 0. ? "left" : "right";
     add_ring(mesh, name,
-             {{3. * side * R, -R},
+             {{3. * side * R, side < 0. ? -R : -R - depth * R},
               equal_steps(0.25 * R, R, 3),
               equal_steps(0., 2. * pi, 24),
               name + " core",
@@ -75,13 +74,26 @@ TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
   }
   add_rectangle(mesh, "block", equal_steps(-6. * R, 6. * R, 24), equal_steps(0., 4. * R, 8),
                 {"under", "", "lid", ""});
+  return mesh;
+}
+
+/// The cylinders held at their cores, the block pressed down.
+fem::Problem<2> two_cylinders_problem(const LineContact& one) {
   fem::Problem<2> problem;
   problem.thickness = one.thickness;
   problem.bodies = {{"left", steel, {}}, {"right", steel, {}}, {"block", steel, {}}};
   problem.supports = {{"left core", {0., 0.}}, {"right core", {0., 0.}}};
   problem.ties = {{"lid", {0., -1.}, 2. * one.force}};
   problem.pairs = {{"left", "under"}, {"right", "under"}};
-  const fem::Solution<2> solution = solve(mesh, problem);
+  return problem;
+}
+
+/// Each carries half the load. One changes the other's contact by the curvature that its load gives
+/// the block's surface, of the order (b/6 R)^2.
+TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
+  const LineContact one;
+  const fem::Solution<2> solution =
+      solve(two_cylinders(one.radius, 0.), two_cylinders_problem(one));
   ASSERT_EQ(solution.contacts.size(), 2U);
   for (const fem::ContactResult<2>& contact : solution.contacts) {
     EXPECT_NEAR(contact.force[1], -one.force, 1e-8 * one.force)
@@ -91,6 +103,34 @@ TEST(JohnsonContactMechanics, Eq445TwoContactsShareTheLoad) {
   }
   EXPECT_NEAR(solution.reactions[0].force[1], one.force, 1e-8 * one.force);
   EXPECT_NEAR(solution.reactions[1].force[1], one.force, 1e-8 * one.force);
+}
+
+/// The left one carries the whole load.
+TEST(JohnsonContactMechanics, Eq445OneOfTwoContactsStaysOpen) {
+  LineContact one;
+  const fem::Solution<2> solution =
+      solve(two_cylinders(one.radius, 0.05), two_cylinders_problem(one));
+  EXPECT_EQ(solution.outcome, fem::Outcome::converged) << solution.message;
+  one.force *= 2.;
+  ASSERT_EQ(solution.contacts.size(), 2U);
+  EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure, hertz(one).peak_pressure), 0., 0.005);
+  EXPECT_EQ(solution.contacts[1].active_nodes, 0U);
+  EXPECT_EQ(solution.contacts[1].peak_pressure, 0.);
+}
+
+/// Cylinders pressed on a block that is held, one with a hundredth of the other's force: its peak
+/// is a tenth. The estimate is that of the greatest pressure.
+TEST(JohnsonContactMechanics, Eq445OfTwoContactsOneIsLightlyLoaded) {
+  LineContact one;
+  fem::Problem<2> problem = two_cylinders_problem(one);
+  problem.supports = {{"lid", {0., 0.}}};
+  problem.ties = {{"left core", {0., 1.}, one.force}, {"right core", {0., 1.}, 0.01 * one.force}};
+  const fem::Solution<2> solution = solve(two_cylinders(one.radius, 0.), problem);
+  EXPECT_EQ(solution.outcome, fem::Outcome::converged) << solution.message;
+  ASSERT_EQ(solution.contacts.size(), 2U);
+  EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure, hertz(one).peak_pressure), 0., 0.005);
+  one.force *= 0.01;
+  EXPECT_NEAR(error_of(solution.contacts[1].peak_pressure, hertz(one).peak_pressure), 0., 0.05);
 }
 
 /// Three blocks on top of each other between frictionless planes, on meshes that match nowhere,
