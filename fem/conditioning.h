@@ -16,11 +16,12 @@ template <int dim>
 bool is_factorised(const Problem<dim>& problem);
 
 /// Checks that no body is so much stiffer than another that the roundings of its rigid motion would
-/// be forces comparable to the contact's.
-/// @param problem in any units
-/// @throws std::invalid_argument naming the bodies, their ratio and what is allowed
+/// be forces comparable to the contact's; in space, also that no source is so much stiffer than its
+/// target that smoothers fail (their nodes follow the target's, which then carry a stiff body).
+/// @param problem in any units, its bodies in the order of the mesh's
+/// @throws std::invalid_argument naming the bodies, their ratio, what is allowed and what to do
 template <int dim>
-void check_stiffness_ratio(const Problem<dim>& problem);
+void check_stiffness_ratio(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh);
 
 /// Checks that loads and supports push the bodies into each other by more than the roundings of
 /// their coordinates.

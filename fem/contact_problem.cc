@@ -123,7 +123,8 @@ class NestedIteration {
                         apart));
       return fail(fmt::format(
           "the linear solver did not converge on a mesh of {} unknowns (residual {:.2e} after {} "
-          "iterations); check that supports and contact pairs hold every body",
+          "iterations); check that supports and contact pairs hold every body, and that the softer "
+          "body of a pair is its source",
           solution_.dof_handler->n_dofs(), failure.last_residual, failure.last_step));
     }
     if (!state)
@@ -601,7 +602,7 @@ Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<di
                             const Problem<dim>& problem, const Settings& settings,
                             const Progress& progress) {
   check(problem, mesh);
-  check_stiffness_ratio(problem);
+  check_stiffness_ratio(problem, mesh);
   return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run();
 }
 

@@ -5,6 +5,7 @@
 
 #include "mesh/extrusion.h"
 #include "tests/support/solving.h"
+#include "tests/support/structured_mesh.h"
 
 namespace geneva::fem {
 namespace {
@@ -48,6 +49,52 @@ TEST(LineContactInSpace, BetweenHeldEndsIsThatOfPlaneStrain) {
   EXPECT_NEAR(error_of(peak, geneva::test::peak_pressure(plane)), 0., 0.01);
   for (const LevelRecord& level : solution.history)
     for (const unsigned int iterations : level.linear_iterations) EXPECT_LT(iterations, 60U);
+}
+
+/// With the soft body's surface as the source.
+TEST(LineContactInSpace, OfAStiffRollerOnASoftBlockIsThatOfPlaneStrain) {
+  constexpr double ratio = 1e6;
+  LineContact contact = heavy_roller();
+  contact.block.youngs_modulus /= ratio;
+  contact.force *= 2. / ratio;
+  contact.block_is_source = true;
+  const mesh::Extrusion slice{{0., contact.thickness}, "end", "end"};
+  const mesh::MeshData<3> mesh = extruded(geneva::test::mesh_of(contact), {slice, slice});
+  const Settings settings = geneva::test::with_accuracy(0.02);
+  const Solution<3> solution = solve_contact(
+      MPI_COMM_WORLD, mesh, in_space(geneva::test::problem_of(contact)), settings, {});
+  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure,
+                       geneva::test::peak_pressure(geneva::test::solve(contact, settings))),
+              0., 0.01);
+}
+
+/// Two rollers on a block that is held, of which one does not touch and is held, too.
+TEST(LineContactInSpace, WithASecondPairThatStaysOpenIsThatOfThePlane) {
+  const LineContact contact = heavy_roller();
+  mesh::MeshData<2> plane = geneva::test::mesh_of(contact);
+  const double R = contact.radius;
+  geneva::test::add_ring(plane, "far",
+                         {{2.5 * R, 1.1 * R},
+                          geneva::test::equal_steps(0.5 * R, R, 2),
+                          geneva::test::equal_steps(0., 2. * std::acos(-1.), 24),
+                          "far core",
+                          "far surface",
+                          "",
+                          ""});
+  Problem<2> problem = geneva::test::problem_of(contact);
+  problem.bodies.push_back({"far", contact.cylinder, {}});
+  problem.supports.push_back({"far core", {0., 0.}});
+  problem.pairs.push_back({"far surface", "top"});
+  const mesh::Extrusion slice{{0., contact.thickness}, "end", "end"};
+  const Settings settings = geneva::test::with_accuracy(0.02);
+  const Solution<3> solution = solve_contact(MPI_COMM_WORLD, extruded(plane, {slice, slice, slice}),
+                                             in_space(problem), settings, {});
+  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_EQ(solution.contacts[1].active_nodes, 0U);
+  EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure,
+                       geneva::test::peak_pressure(geneva::test::solve(contact, settings))),
+              0., 0.01);
 }
 
 /// Half of a roller and a block of equal length, 6 R: held along z on the plane of symmetry z = 0,

@@ -94,6 +94,15 @@ TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
   EXPECT_LT(found.linfty_norm(), 1e-14);
 }
 
+TEST(DirectSolver, TellsOfAMatrixThatIsNotPositiveDefinite) {
+  const Epetra_Map map = unknowns(3);
+  SymmetricMatrix<3> matrix = ring_matrix(map);
+  const Elimination none(map, {});
+  EXPECT_TRUE(DirectSolver<3>(matrix, none, MPI_COMM_WORLD).is_definite());
+  matrix.diagonal_block(0)(1, 1) = -1.;
+  EXPECT_FALSE(DirectSolver<3>(matrix, none, MPI_COMM_WORLD).is_definite());
+}
+
 TEST(AlgebraicMultigrid, SolvesWhatHasNoMoreUnknownsThanAreFactorised) {
   const Epetra_Map map = unknowns(3);
   const Vector solution = some_vector(map, 0.7);

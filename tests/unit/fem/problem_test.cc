@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "fem/conditioning.h"
 #include "fem/contact_problem.h"
 #include "fem/problem_check.h"
 #include "fem/scaling.h"
+#include "mesh/extrusion.h"
 #include "tests/support/line_contact.h"
 #include "tests/support/refusal.h"
 #include "tests/support/structured_mesh.h"
@@ -120,6 +122,47 @@ void expect_check_refuses(const Change& change, std::initializer_list<std::strin
   Problem<2> changed = problem();
   change(changed);
   expect_refused([&] { check(changed, mesh()); }, parts);
+}
+
+/// Expects an analysis to refuse the problem after a change, with the parts in the message.
+template <typename Change>
+void expect_analysis_refuses(const Change& change, std::initializer_list<std::string> parts) {
+  Problem<2> changed = problem();
+  change(changed);
+  expect_refused([&] { solve_contact(MPI_COMM_WORLD, mesh(), changed, {}, {}); }, parts);
+}
+
+TEST(Conditioning, RefusesABodyThatIsFarTooStiffForAnother) {
+  expect_analysis_refuses([](Problem<2>& p) { p.bodies[1].material.youngs_modulus = 20.; },
+                          {"'cylinder'", "1e+10 times", "'block'", "1e+08 times", "2e+09 Pa"});
+}
+
+/// Not as a load that pulls them apart.
+TEST(Conditioning, RefusesALoadThatRoundingsHide) {
+  expect_analysis_refuses([](Problem<2>& p) { p.ties[0].force = 1e-20; },
+                          {"load of 1e-20 N", "roundings"});
+}
+
+TEST(Conditioning, FactorisesWhatPointSmoothersCannotSmooth) {
+  Problem<2> changed = problem();
+  EXPECT_FALSE(is_factorised(changed));
+  changed.bodies[1].material.poissons_ratio = 0.4999;
+  EXPECT_TRUE(is_factorised(changed));
+  changed.plane = PlaneKind::plane_stress;
+  EXPECT_FALSE(is_factorised(changed)) << "thickness follows freely";
+  changed.bodies[1].material.youngs_modulus /= 1000.;
+  EXPECT_TRUE(is_factorised(changed));
+}
+
+TEST(Conditioning, WantsTheSofterBodyAsTheSourceInSpace) {
+  const mesh::MeshData<3> slice = extruded(mesh(), {{{0., 1.}, "", ""}, {{0., 1.}, "", ""}});
+  Problem<3> in_space;
+  in_space.bodies = {{"cylinder", {2e11, 0.3}, {}}, {"block", {2e7, 0.3}, {}}};
+  in_space.pairs = {{"cylinder", "top"}};
+  expect_refused([&] { check_stiffness_ratio(in_space, slice); },
+                 {"'cylinder'", "1e+04 times", "1e+03", "exchange", "'cylinder -> top'"});
+  in_space.pairs = {{"top", "cylinder"}};
+  EXPECT_NO_THROW(check_stiffness_ratio(in_space, slice));
 }
 
 TEST(Check, RefusesNamesThatAreNotInTheMeshAndTellsWhatThereIs) {
