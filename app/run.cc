@@ -178,15 +178,34 @@ std::vector<std::string> impact_notices(const Case& given) {
   return notices;
 }
 
+/// What the user should know of a pin in the round bottom of its slot, whose pressure does not only
+/// turn the wheel.
+template <int dim>
+std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
+                                        const post::UnitSystem units) {
+  constexpr double worth_saying = 0.01;
+  const fem::Components<dim>& force = solution.contacts.front().force;
+  const double along = std::abs(force[0]);
+  if (along < worth_saying * std::abs(force[1])) return {};
+  const auto unit = post::output_unit(units, post::Dimension::force);
+  return {fmt::format(
+      "the pin stands in the round bottom of its slot, which also presses it along the slot, by "
+      "{:.4g} {}: the driver holds it there, and the contact force is the resultant of both",
+      along * unit.factor, unit.name)};
+}
+
 /// What the user should know of the solution.
 template <int dim>
 std::vector<std::string> notices_of(const Case& given, const fem::Solution<dim>& solution,
                                     const post::Results<dim>& results) {
   std::vector<std::string> notices = validity_notices(solution);
   for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
-  if (given.mechanism)
-    for (const std::string& notice : length_notices(solution, results, given.units))
-      notices.push_back(notice);
+  for (const post::ContactAnalysis<dim>& contact : results.contacts)
+    if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection);
+  if (!given.mechanism) return notices;
+  for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
+  for (const std::string& notice : length_notices(solution, results, given.units))
+    notices.push_back(notice);
   return notices;
 }
 

@@ -64,6 +64,7 @@ struct ContactResult {
   int target_circle;      ///< the same of the target
   bool source_is_convex;  ///< the source's circle bulges outwards
   bool target_is_convex;
+  bool has_one_curvature;  ///< whether each surface has the same one throughout the contact
 };
 
 /// Reaction of a support or rigid tie: force [N] and moment about the origin [N m] that it exerts

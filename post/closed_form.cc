@@ -12,13 +12,6 @@ using dealii::Tensor;
 
 namespace {
 
-/// 1/R of one side at the contact: positive where the body bulges, 0 for a flat.
-double curvature(const fem::Solution<2>& solution, const int circle, const bool is_convex) {
-  if (circle < 0) return 0.;
-  const double radius = solution.mesh.circles[static_cast<std::size_t>(circle)].radius;
-  return is_convex ? 1. / radius : -1. / radius;
-}
-
 bool on_axis(const fem::Solution<2>& solution, const int circle) {
   return circle < 0 || std::abs(solution.mesh.circles[static_cast<std::size_t>(circle)].centre[0]) <
                            1e-9 * solution.scales.length;

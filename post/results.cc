@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "post/hertz_objection.h"
+
 namespace geneva::post {
 
 using dealii::Point;
@@ -69,17 +71,55 @@ std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution
   return FieldDifference{root_mean_square(0), root_mean_square(2)};
 }
 
+/// Where the greatest shear of a contact is looked for, and how it is measured.
+struct ShearZone {
+  Point<2> centre;
+  double half_width;  ///< of Hertz's pressure, or one like it [m]
+};
+
+/// Around the top of the pressure, on a scale as if it were Hertz's, who has p0/2 at sqrt(3)/2 b.
+ShearZone zone_of_top(const fem::ContactResult<2>& contact) {
+  const auto& nodes = contact.nodes;
+  const auto top = std::max_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
+    return a.pressure < b.pressure;
+  });
+  const auto is_low = [&](const auto& node) { return node.pressure < 0.5 * top->pressure; };
+  const auto end = std::find_if(top, nodes.end(), is_low) - 1;
+  const auto begin = std::find_if(std::make_reverse_iterator(top), nodes.rend(), is_low).base();
+  return {Point<2>(top->position[0], top->position[1]),
+          (end->arc_length - begin->arc_length) / std::sqrt(3.)};
+}
+
+double distance_from(const fem::ContactResult<2>& contact, const Point<2>& place) {
+  double nearest = std::numeric_limits<double>::max();
+  for (const fem::ContactNode<2>& node : contact.nodes)
+    nearest = std::min(nearest, place.distance(Point<2>(node.position[0], node.position[1])));
+  return nearest;
+}
+
+/// Sets the greatest shear below the contact and its depth.
+void set_shear(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
+               const std::vector<CellStress<2>>& cells, ContactAnalysis<2>& analysis) {
+  const ShearZone zone = contact.has_one_curvature
+                             ? ShearZone{analysis.centre.place, contact.half_width}
+                             : zone_of_top(contact);
+  const double half_width = std::max(zone.half_width, 1e-12 * solution.scales.length);
+  analysis.max_shear = peak_shear(solution, cells, zone.centre, 3. * half_width);
+  const Point<2> place(analysis.max_shear.place[0], analysis.max_shear.place[1]);
+  analysis.max_shear_depth =
+      contact.has_one_curvature ? std::abs((place - analysis.centre.place) * analysis.centre.normal)
+                                : distance_from(contact, place);
+}
+
 ContactAnalysis<2> analyse_contact(const fem::Solution<2>& solution,
                                    const fem::ContactResult<2>& contact,
                                    const std::vector<CellStress<2>>& cells,
                                    const NodalStress<2>& nodal) {
   ContactAnalysis<2> analysis{};
   analysis.centre = pressure_centre(solution, contact);
-  analysis.hertz = closed_form(solution, contact);
-  const double half_width = std::max(contact.half_width, 1e-12 * solution.scales.length);
-  analysis.max_shear = peak_shear(solution, cells, analysis.centre.place, 3. * half_width);
-  const Point<2> place(analysis.max_shear.place[0], analysis.max_shear.place[1]);
-  analysis.max_shear_depth = std::abs((place - analysis.centre.place) * analysis.centre.normal);
+  analysis.hertz_objection = hertz_objection(solution, contact, contact.half_width);
+  if (analysis.hertz_objection.empty()) analysis.hertz = closed_form(solution, contact);
+  set_shear(solution, contact, cells, analysis);
   if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, cells);
   analysis.depth_line = depth_line(solution, contact, analysis.centre, analysis.hertz, nodal);
   return analysis;
@@ -92,7 +132,10 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
   ContactAnalysis<3> analysis{};
   analysis.frame = contact_frame(solution, contact);
   if (analysis.frame.normal.norm() == 0.) return analysis;
-  analysis.hertz = closed_form(solution, contact, analysis.frame);
+  analysis.hertz_objection =
+      hertz_objection(solution, contact, 2. * std::sqrt(analysis.frame.mean_square_across));
+  if (analysis.hertz_objection.empty())
+    analysis.hertz = closed_form(solution, contact, analysis.frame);
   analysis.sections = contact_sections(solution, contact, analysis.frame, cells);
   const auto peak =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fem/solution.h"
@@ -34,8 +35,9 @@ template <>
 struct ContactAnalysis<2> {
   PressureCentre centre;
   std::optional<ClosedForm> hertz;
-  StressPeak<2> max_shear;  ///< greatest in-plane shear [Pa] below the contact
-  double max_shear_depth;   ///< [m]
+  std::string hertz_objection;  ///< why it is left out
+  StressPeak<2> max_shear;      ///< greatest in-plane shear [Pa] below the contact
+  double max_shear_depth;       ///< [m]
   std::optional<FieldDifference> difference;
   std::vector<DepthSample> depth_line;
 };
@@ -44,6 +46,7 @@ template <>
 struct ContactAnalysis<3> {
   ContactFrame frame;
   std::optional<ClosedFormInSpace> hertz;
+  std::string hertz_objection;           ///< why it is left out
   std::vector<ContactSection> sections;  ///< by ascending z
   fem::Components<3> peak_place;         ///< of the contact pressure [m]
   double half_width;                     ///< across z: of the middle section; of an ellipse [m]

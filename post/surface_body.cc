@@ -18,9 +18,19 @@ loads::Elastic material_of(const fem::Solution<dim>& solution, const std::string
   return {material.youngs_modulus, material.poissons_ratio};
 }
 
+template <int dim>
+double curvature(const fem::Solution<dim>& solution, const int circle, const bool is_convex) {
+  if (circle < 0) return 0.;
+  const double radius = solution.mesh.circles[static_cast<std::size_t>(circle)].radius;
+  return is_convex ? 1. / radius : -1. / radius;
+}
+
 template unsigned int body_of(const fem::Solution<2>&, const std::string&);
 template unsigned int body_of(const fem::Solution<3>&, const std::string&);
 template loads::Elastic material_of(const fem::Solution<2>&, const std::string&);
 template loads::Elastic material_of(const fem::Solution<3>&, const std::string&);
+
+template double curvature(const fem::Solution<2>&, int, bool);
+template double curvature(const fem::Solution<3>&, int, bool);
 
 }  // namespace geneva::post

@@ -217,6 +217,24 @@ ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const Contac
   return pays ? intervals : ArcIntervals();
 }
 
+bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& state) {
+  const std::size_t count = interface.rows.size();
+  const std::size_t reach = std::min<std::size_t>(4, count);
+  const auto peak = static_cast<std::size_t>(
+      std::max_element(state.pressure.begin(), state.pressure.end()) - state.pressure.begin());
+  const std::vector<bool> of_source = corners(interface.source);
+  const std::vector<bool> of_target = corners(interface.target);
+  // on a closed surface the rows go round
+  for (std::size_t i = count + peak - reach; i <= count + peak + reach; ++i) {
+    if (!interface.source.closed && (i < count || i >= 2 * count)) continue;
+    const MortarRow<2>& row = interface.rows[i % count];
+    if (of_source[row.node]) return true;
+    for (const auto& [node, coupling] : row.coupling)
+      if (of_target[node]) return true;
+  }
+  return false;
+}
+
 unsigned int nodes_across(const ContactInterface<2>& interface) {
   return static_cast<unsigned int>(
       std::count(interface.active.begin(), interface.active.end(), true));

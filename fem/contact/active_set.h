@@ -68,6 +68,10 @@ std::vector<bool> zone_nodes(const ContactInterface<dim>& interface);
 ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const ContactState& state,
                               double tolerance);
 
+/// Whether the greatest pressure stands within four edges of an end or a corner of the source, or
+/// over one of the target.
+bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& state);
+
 /// How many active nodes the contact is wide: all of them in the plane; in space twice the most
 /// steps from an active node to an open one, less one.
 unsigned int nodes_across(const ContactInterface<2>& interface);

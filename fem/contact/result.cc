@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "fem/contact/surface_in_space.h"
@@ -138,6 +139,15 @@ std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode<2>>&
   return intervals;
 }
 
+/// Circle of a face, and whether it bulges outwards.
+template <int dim>
+std::pair<int, bool> shape_of(const Surface<dim>& surface, const SurfaceFace<dim>& face) {
+  if (face.circle < 0) return {-1, false};
+  const auto outwards =
+      radial(surface.circles[static_cast<std::size_t>(face.circle)], face_middle(surface, face));
+  return {face.circle, outwards * flat_normal(surface, face) > 0.};
+}
+
 /// Circle of a surface near a point, and whether it bulges outwards.
 template <int dim>
 std::pair<int, bool> shape_at(const Surface<dim>& surface, const dealii::Point<dim>& point) {
@@ -147,10 +157,40 @@ std::pair<int, bool> shape_at(const Surface<dim>& surface, const dealii::Point<d
   const auto nearest = std::min_element(
       surface.faces.begin(), surface.faces.end(),
       [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-  if (nearest == surface.faces.end() || nearest->circle < 0) return {-1, false};
-  const auto outwards = radial(surface.circles[static_cast<std::size_t>(nearest->circle)],
-                               face_middle(surface, *nearest));
-  return {nearest->circle, outwards * flat_normal(surface, *nearest) > 0.};
+  return nearest == surface.faces.end() ? std::pair(-1, false) : shape_of(surface, *nearest);
+}
+
+/// 1/R of a shape, positive where it bulges.
+template <int dim>
+double curvature_of(const Surface<dim>& surface, const std::pair<int, bool>& shape) {
+  if (shape.first < 0) return 0.;
+  return (shape.second ? 1. : -1.) / surface.circles[static_cast<std::size_t>(shape.first)].radius;
+}
+
+/// Whether all faces between the chosen nodes have the same curvature, to a thousandth.
+template <int dim>
+bool has_one_curvature(const Surface<dim>& surface, const std::vector<bool>& nodes) {
+  constexpr double same = 1e-3;
+  std::optional<double> first;
+  for (const SurfaceFace<dim>& face : surface.faces) {
+    if (!std::all_of(face.nodes.begin(), face.nodes.end(),
+                     [&](const unsigned int node) { return nodes[node]; }))
+      continue;
+    const double curvature = curvature_of(surface, shape_of(surface, face));
+    if (!first) first = curvature;
+    if (std::abs(curvature - *first) > same * std::abs(*first)) return false;
+  }
+  return true;
+}
+
+/// Which target nodes the pressure of active rows reaches.
+template <int dim>
+std::vector<bool> loaded_target_nodes(const ContactInterface<dim>& interface) {
+  std::vector<bool> loaded(interface.target.nodes.size(), false);
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    if (interface.active[i])
+      for (const auto& [node, coupling] : interface.rows[i].coupling) loaded[node] = true;
+  return loaded;
 }
 
 template <int dim>
@@ -228,6 +268,8 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
   }
   std::tie(result.source_circle, result.source_is_convex) = shape_at(interface.source, peak);
   std::tie(result.target_circle, result.target_is_convex) = shape_at(interface.target, peak);
+  result.has_one_curvature = has_one_curvature(interface.source, active_nodes(interface)) &&
+                             has_one_curvature(interface.target, loaded_target_nodes(interface));
   return result;
 }
 

@@ -57,6 +57,10 @@ dealii::Tensor<1, dim> radial(const mesh::Circle& circle, const dealii::Point<di
 Surface<2> make_surface(const Boundary<2>& boundary, unsigned int surface_id,
                         const dealii::Point<2>& origin);
 
+/// Which nodes are ends of the surface, or corners: where the normals of the two edges that meet
+/// there differ by more than a thousandth.
+std::vector<bool> corners(const Surface<2>& surface);
+
 /// Point of the chord at xi in [0, 1].
 dealii::Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, double xi);
 

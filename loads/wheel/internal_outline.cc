@@ -47,8 +47,8 @@ Loop inner_boundary(const InternalDimensions& dimensions) {
     const Point locking = rotated({dimensions.centre_distance, 0.}, angle - pitch / 2.);
     const bool engaged = slot == 0;
     loop.push_back(line(vertices[0], vertices[1], engaged ? "driving wall" : "slots"));
-    loop.push_back(arc(vertices[1], vertices[2], bottom, true, "slots"));
-    loop.push_back(arc(vertices[2], vertices[3], bottom, true, "slots"));
+    loop.push_back(arc(vertices[1], vertices[2], bottom, true, engaged ? "driving wall" : "slots"));
+    loop.push_back(arc(vertices[2], vertices[3], bottom, true, engaged ? "driving wall" : "slots"));
     loop.push_back(line(vertices[3], vertices[4], engaged ? "opposite wall" : "slots"));
     loop.push_back(arc(vertices[4], vertices[5], axis, true, "inner rim"));
     loop.push_back(arc(vertices[5], vertices[6], locking, true, "locking arcs"));

@@ -8,9 +8,9 @@ namespace geneva::loads {
 /// The internal wheel in its own frame: axis at the origin, the engaged slot's centre line on +x.
 ///
 /// Surfaces: "driving wall" (the wall at y = +slot_width/2 of the engaged slot, which the pin
-/// pushes towards +y while the wheel accelerates), "opposite wall" (y = -slot_width/2 of that
-/// slot), "slots" (the bottoms and all walls of the other slots), "locking arcs", "inner rim" (what
-/// is left of the cylinder of diameter D), "rim" (the outer one).
+/// pushes towards +y while the wheel accelerates, and the slot's whole round bottom, which
+/// continues it), "opposite wall" (y = -slot_width/2 of that slot), "slots" (the other slots),
+/// "locking arcs", "inner rim" (what is left of the cylinder of diameter D), "rim" (the outer one).
 /// @throws std::invalid_argument where check() does
 Outline internal_wheel_outline(const InternalDimensions& dimensions);
 

@@ -99,8 +99,8 @@ Loop wheel_boundary(const GenevaDimensions& dimensions) {
     const Point locking = rotated({dimensions.centre_distance, 0.}, angle + pitch / 2.);
     const bool engaged = slot == 0;
     loop.push_back(line(vertices[0], vertices[1], engaged ? "opposite wall" : "slots"));
-    loop.push_back(arc(vertices[1], vertices[2], bottom, true, "slots"));
-    loop.push_back(arc(vertices[2], vertices[3], bottom, true, "slots"));
+    loop.push_back(arc(vertices[1], vertices[2], bottom, true, engaged ? "driving wall" : "slots"));
+    loop.push_back(arc(vertices[2], vertices[3], bottom, true, engaged ? "driving wall" : "slots"));
     loop.push_back(line(vertices[3], vertices[4], engaged ? "driving wall" : "slots"));
     loop.push_back(arc(vertices[4], vertices[5], axis, false, "rim"));
     loop.push_back(arc(vertices[5], vertices[6], locking, true, "locking arcs"));

@@ -47,8 +47,9 @@ AreaMoments area_moments(const Outline& outline);
 /// The wheel in its own frame: axis at the origin, the engaged slot's centre line on +x.
 ///
 /// Surfaces: "driving wall" (the wall at y = +slot_width/2 of the engaged slot, which the pin
-/// pushes towards +y while the wheel accelerates), "opposite wall" (y = -slot_width/2 of that
-/// slot), "slots" (the bottoms and all walls of the other slots), "locking arcs", "rim", "bore".
+/// pushes towards +y while the wheel accelerates, and the slot's whole round bottom, which
+/// continues it), "opposite wall" (y = -slot_width/2 of that slot), "slots" (the other slots),
+/// "locking arcs", "rim", "bore".
 /// @throws std::invalid_argument where check() does
 Outline wheel_outline(const GenevaDimensions& dimensions);
 

@@ -319,6 +319,47 @@ TEST(UnboundedPressure, GrowsOnThreeMeshesInARow) {
   EXPECT_FALSE(grows_without_bound({}));
 }
 
+TEST(UnboundedPressure, IsExpectedAtAnEndOrACornerOnly) {
+  constexpr std::size_t count = 41;
+  ContactInterface<2> interface = flat_pair(count - 1);
+  const auto peaks_at = [&](const std::size_t row) {
+    ContactState state{std::vector<double>(count, 0.5), {}, 0.};
+    state.pressure[row] = 1.;
+    return peaks_at_corner(interface, state);
+  };
+  for (const std::size_t row : {0U, 3U, 37U, 40U}) EXPECT_TRUE(peaks_at(row)) << row;
+  for (const std::size_t row : {6U, 20U, 34U}) EXPECT_FALSE(peaks_at(row)) << row;
+  // a kink of the target
+  std::vector<dealii::Point<2>> roof{{1.2, 0.}, {0.5, 0.01}, {-0.2, 0.}};
+  interface.target = straight_surface(roof);
+  interface.rows = mortar_rows(interface.source, interface.target, plane_data());
+  ASSERT_EQ(interface.rows.size(), count);
+  EXPECT_TRUE(peaks_at(20));
+}
+
+TEST(ContactResult, KnowsWhetherTheCurvatureChangesWithinTheContact) {
+  ContactInterface<2> interface = flat_pair(20);
+  ContactState state{std::vector<double>(21, 0.), std::vector<double>(21, 0.), 1.};
+  const auto result_of = [&](const std::size_t begin, const std::size_t end) {
+    std::fill(interface.active.begin(), interface.active.end(), false);
+    std::fill(state.pressure.begin(), state.pressure.end(), 0.);
+    for (std::size_t i = begin; i < end; ++i) {
+      interface.active[i] = true;
+      state.pressure[i] = 1.;
+    }
+    return contact_result({"a", "b"}, interface, state, {1., 1.});
+  };
+  EXPECT_TRUE(result_of(0, 21).has_one_curvature);
+  // half of the target belongs to a circle that is all but flat
+  interface.target.circles = {{{0.5, -1e9}, 1e9}};
+  for (SurfaceFace<2>& face : interface.target.faces)
+    if (face_middle(interface.target, face)[0] < 0.5) face.circle = 0;
+  EXPECT_FALSE(result_of(0, 21).has_one_curvature);
+  EXPECT_FALSE(result_of(6, 13).has_one_curvature);
+  EXPECT_TRUE(result_of(2, 7).has_one_curvature);
+  EXPECT_TRUE(result_of(14, 19).has_one_curvature);
+}
+
 TEST(UnboundedPressure, IsNotTakenFromMeshesThatOnlyRefineTheSurroundings) {
   auto history = history_of({1., 1.2, 1.4, 1.7}, 20);
   history[2].refined = Refined::surroundings;

@@ -95,6 +95,42 @@ TEST(Surface, NormalOfAStraightEdgeIsToTheRightOfItsDirection) {
   }
 }
 
+/// The bottom of a slot of half-width 1 and its straight wall, n edges each, around the body above;
+/// the wall may leave at an angle.
+Surface<2> bottom_and_wall(const unsigned int n, const double angle = 0.) {
+  Boundary<2> boundary;
+  boundary.circles = {{{0., 0.}, 1.}};
+  for (unsigned int i = 0; i <= 2 * n; ++i) {
+    const double turn = pi / 2. * (1. - static_cast<double>(i) / n);
+    const double along = static_cast<double>(i) / n - 1.;
+    boundary.nodes.push_back({i <= n
+                                  ? Point<2>(-std::sin(turn), std::cos(turn))
+                                  : Point<2>(along * std::cos(angle), 1. + along * std::sin(angle)),
+                              {2 * i, 2 * i + 1},
+                              0});
+    if (i > 0) boundary.faces.push_back({{i - 1, i}, 1, i <= n ? 0 : -1});
+  }
+  return make_surface(boundary, 1, boundary.nodes.front().position);
+}
+
+TEST(Surface, HasASmoothNormalWhereARoundBottomBecomesAStraightWall) {
+  for (const unsigned int n : {1U, 2U, 7U}) {
+    const Surface<2> surface = bottom_and_wall(n);
+    ASSERT_EQ(surface.nodes.size(), 2 * n + 1);
+    EXPECT_LT((surface.nodes[n].normal - Tensor<1, 2>({0., -1.})).norm(), round_off);
+    std::vector<bool> ends(2 * n + 1, false);
+    ends.front() = ends.back() = true;
+    EXPECT_EQ(corners(surface), ends);
+  }
+}
+
+TEST(Surface, HasACornerWhereItsNormalJumps) {
+  const std::vector<bool> at_half_a_degree = corners(bottom_and_wall(3, pi / 360.));
+  EXPECT_EQ(at_half_a_degree, (std::vector<bool>{true, false, false, true, false, false, true}));
+  const std::vector<bool> of_circle = corners(full_circle({{0.3, -0.2}, 0.7}, 5));
+  EXPECT_EQ(of_circle, std::vector<bool>(5, false)) << "a closed circle has neither end nor corner";
+}
+
 TEST(Surface, TruePointIsTheOneOfTheCircleNearestToTheChord) {
   const Surface<2> surface = arc({{0., 0.}, 2.}, {0., pi / 3.});
   const SurfaceFace<2>& face = surface.faces.front();

@@ -23,6 +23,7 @@ using test::distance;
 using test::expect_closed;
 using test::expect_refused;
 using test::expect_ring;
+using test::expect_smooth_wall;
 using test::polygon;
 using test::random_stations;
 
@@ -125,11 +126,16 @@ TEST(InternalWheelOutline, NamesEverySurface) {
     EXPECT_EQ(wheel.name, "wheel");
     for (const Loop& loop : wheel.loops)
       for (const Segment& segment : loop) ++count[segment.surface];
-    const std::map<std::string, int> expected{{"driving wall", 1},  {"opposite wall", 1},
-                                              {"slots", 4 * n - 2}, {"locking arcs", 2 * n},
+    const std::map<std::string, int> expected{{"driving wall", 3},  {"opposite wall", 1},
+                                              {"slots", 4 * n - 4}, {"locking arcs", 2 * n},
                                               {"inner rim", 2 * n}, {"rim", 4}};
     EXPECT_EQ(count, expected) << n;
   }
+}
+
+TEST(InternalWheelOutline, DrivingWallIsOneSmoothChainWithTheBottomOfItsSlot) {
+  for (const double clearance : {0., 1e-3})
+    expect_smooth_wall(internal_wheel_outline(wheel_of(5, clearance)).loops[1]);
 }
 
 TEST(InternalWheelOutline, EngagedSlotLiesAlongTheXAxisFromTheInnerRimToItsBottom) {
@@ -138,14 +144,13 @@ TEST(InternalWheelOutline, EngagedSlotLiesAlongTheXAxisFromTheInnerRimToItsBotto
   const Outline outline = internal_wheel_outline(wheel);
   for (const Segment& segment : outline.loops[1]) {
     const bool driving = segment.surface == "driving wall";
-    if (!driving && segment.surface != "opposite wall") continue;
+    if (segment.is_arc || (!driving && segment.surface != "opposite wall")) continue;
     const Point inner = driving ? segment.start : segment.end;
     const Point outer = driving ? segment.end : segment.start;
     EXPECT_NEAR(inner.x, std::sqrt(0.25 - half * half), closed_form);
     EXPECT_NEAR(outer.x, wheel.centre_distance + wheel.crank_radius, closed_form);
     EXPECT_NEAR(inner.y, driving ? half : -half, closed_form);
     EXPECT_EQ(inner.y, outer.y);
-    EXPECT_FALSE(segment.is_arc);
   }
 }
 

@@ -82,4 +82,27 @@ inline void expect_ring(const Outline& outline) {
   EXPECT_THROW(area_moments({"inner", {outline.loops[1]}}), std::invalid_argument);
 }
 
+/// Direction of a segment at its start or its end, of length 1.
+inline Point direction(const Segment& segment, const bool at_start) {
+  const Point at = at_start ? segment.start : segment.end;
+  const double turn = segment.clockwise ? -1. : 1.;
+  const Point along =
+      segment.is_arc ? Point{turn * (segment.centre.y - at.y), turn * (at.x - segment.centre.x)}
+                     : Point{segment.end.x - segment.start.x, segment.end.y - segment.start.y};
+  const double length = std::hypot(along.x, along.y);
+  return {along.x / length, along.y / length};
+}
+
+/// The driving wall is one chain, straight part and round bottom, and turns nowhere at once.
+inline void expect_smooth_wall(const Loop& loop) {
+  std::vector<Segment> wall;
+  for (const Segment& segment : loop)
+    if (segment.surface == "driving wall") wall.push_back(segment);
+  ASSERT_EQ(wall.size(), 3U);
+  for (std::size_t i = 1; i < wall.size(); ++i) {
+    EXPECT_EQ(distance(wall[i - 1].end, wall[i].start), 0.);
+    EXPECT_LT(distance(direction(wall[i - 1], false), direction(wall[i], true)), 1e-12);
+  }
+}
+
 }  // namespace geneva::loads::test
