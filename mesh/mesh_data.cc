@@ -188,8 +188,7 @@ void check_bodies(const MeshData<dim>& mesh) {
       if (body_of[vertex] != no_body && body_of[vertex] != cell.body)
         refuse(
             "bodies \"{}\" and \"{}\" share the vertex at {} and would be welded there: give each "
-            "body its own points, curves and surfaces, also where they touch (no Coherence, and "
-            "Extrude before the other body is drawn)",
+            "body its own points, curves and surfaces, also where they touch",
             mesh.bodies[body_of[vertex]], mesh.bodies[cell.body], shown(mesh.vertices[vertex]));
       body_of[vertex] = cell.body;
     }

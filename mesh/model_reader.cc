@@ -25,13 +25,15 @@ constexpr int face_type = dim == 2 ? line_type : quad_type;
 
 template <int dim>
 using Side = std::array<unsigned int, 1U << (dim - 1)>;
-using VertexOfTag = std::unordered_map<std::size_t, unsigned int>;
+/// The same by Gmsh's tags of its nodes, in ascending order.
+template <int dim>
+using SideTags = std::array<std::size_t, 1U << (dim - 1)>;
 
 /// The same for all orders of the vertices.
-template <std::size_t n>
-std::array<unsigned int, n> sorted(std::array<unsigned int, n> side) {
-  std::sort(side.begin(), side.end());
-  return side;
+template <typename Corners>
+Corners sorted(Corners corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
 }
 
 /// Coordinates x, y, z of all nodes, by tag.
@@ -47,10 +49,11 @@ std::unordered_map<std::size_t, std::array<double, 3>> node_places() {
   return place_of;
 }
 
+/// Every body gets vertices of its own, also where Gmsh has given it a node of another body's.
 template <int dim>
-VertexOfTag read_cells(const ModelLabels& labels, TaggedMesh<dim>& result) {
-  VertexOfTag vertex_of;
+void read_cells(const ModelLabels& labels, TaggedMesh<dim>& result) {
   for (std::size_t body = 0; body < labels.bodies.size(); ++body) {
+    std::unordered_map<std::size_t, unsigned int> vertex_of;
     result.mesh.bodies.push_back(labels.bodies[body].name);
     for (const int entity : labels.bodies[body].entities) {
       const std::vector<std::size_t> nodes = element_nodes(dim, entity, cell_type<dim>);
@@ -66,7 +69,6 @@ VertexOfTag read_cells(const ModelLabels& labels, TaggedMesh<dim>& result) {
       }
     }
   }
-  return vertex_of;
 }
 
 template <int dim>
@@ -120,35 +122,56 @@ unsigned int surface_index(MeshData<dim>& mesh, const std::string& name) {
 
 /// Part of the boundary of every face that an element of Gmsh stands for.
 template <int dim>
-std::map<Side<dim>, ModelLabels::BoundaryPart> read_faces(const ModelLabels& labels,
-                                                          const VertexOfTag& vertex_of) {
-  std::map<Side<dim>, ModelLabels::BoundaryPart> part_of;
+std::map<SideTags<dim>, ModelLabels::BoundaryPart> read_faces(const ModelLabels& labels) {
+  std::map<SideTags<dim>, ModelLabels::BoundaryPart> part_of;
   for (const auto& [tag, part] : labels.boundary) {
     const std::vector<std::size_t> nodes = element_nodes(dim - 1, tag, face_type<dim>);
-    Side<dim> side{};
+    SideTags<dim> side{};
     for (std::size_t i = 0; i < nodes.size(); i += side.size()) {
-      bool is_of_cells = true;
-      for (std::size_t k = 0; k < side.size(); ++k) {
-        const auto vertex = vertex_of.find(nodes[i + k]);
-        is_of_cells = is_of_cells && vertex != vertex_of.end();
-        if (is_of_cells) side[k] = vertex->second;
-      }
-      if (is_of_cells) part_of[sorted(side)] = part;
+      std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(i), side.size(), side.begin());
+      part_of[sorted(side)] = part;
     }
   }
   return part_of;
 }
 
+/// What is wrong with two bodies that have a face in common; of one face two bodies would need two
+/// names, and Gmsh has one.
 template <int dim>
-void add_faces(const std::map<Side<dim>, ModelLabels::BoundaryPart>& part_of, MeshData<dim>& mesh) {
+[[noreturn]] void refuse_common_face(const MeshData<dim>& mesh, const Side<dim>& side,
+                                     const unsigned int body, const unsigned int other) {
+  std::array<double, 3> place{};
+  for (const unsigned int vertex : side)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i)
+      place[i] += mesh.vertices[vertex][i] / static_cast<double>(side.size());
+  throw std::invalid_argument(fmt::format(
+      "bodies \"{}\" and \"{}\" share the {} around ({:.6g}, {:.6g}, {:.6g}) and would be welded "
+      "there: give each body its own points, curves and surfaces, also where they touch (no "
+      "Coherence; Gmsh's built-in Extrude and Translate make one of what coincides: draw the "
+      "bodies apart, then Geometry.AutoCoherence = 0; and Translate them together, or draw with "
+      "SetFactory(\"OpenCASCADE\"))",
+      mesh.bodies[body], mesh.bodies[other], dim == 2 ? "edge" : "face", place[0], place[1],
+      place[2]));
+}
+
+/// @throws std::invalid_argument if two bodies have a face in common
+template <int dim>
+void add_faces(const std::map<SideTags<dim>, ModelLabels::BoundaryPart>& part_of,
+               TaggedMesh<dim>& result) {
+  MeshData<dim>& mesh = result.mesh;
   std::map<Side<dim>, int> cells;
   for (const Cell<dim>& cell : mesh.cells)
     for (const Side<dim>& side : sides(cell)) ++cells[sorted(side)];
+  std::map<SideTags<dim>, unsigned int> body_of;
   for (const Cell<dim>& cell : mesh.cells)
     for (const Side<dim>& side : sides(cell)) {
-      const Side<dim> key = sorted(side);
-      if (cells.at(key) != 1) continue;
-      const auto part = part_of.find(key);
+      if (cells.at(sorted(side)) != 1) continue;
+      SideTags<dim> tags{};
+      std::transform(side.begin(), side.end(), tags.begin(),
+                     [&](const unsigned int vertex) { return result.tags[vertex]; });
+      const auto [other, is_new] = body_of.emplace(sorted(tags), cell.body);
+      if (!is_new) refuse_common_face(mesh, side, other->second, cell.body);
+      const auto part = part_of.find(sorted(tags));
       if (part == part_of.end())
         mesh.faces.push_back({side, 0, -1});
       else
@@ -218,10 +241,10 @@ TaggedMesh<dim> read_model(const ModelLabels& labels) {
   result.mesh.surfaces.emplace_back();
   for (const std::string& name : labels.surfaces) surface_index(result.mesh, name);
   result.mesh.circles = labels.circles;
-  const VertexOfTag vertex_of = read_cells(labels, result);
+  read_cells(labels, result);
   read_vertices(result);
   turn_cells(result.mesh);
-  add_faces(read_faces<dim>(labels, vertex_of), result.mesh);
+  add_faces(read_faces<dim>(labels), result);
   return result;
 }
 

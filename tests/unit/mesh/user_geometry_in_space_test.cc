@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -147,13 +148,50 @@ TEST(GeometryInSpace, AndInThePlaneAreToldApart) {
   expect_refused([&] { (void)read_geometry<2>(space, 1.); }, {"'set Dimension = 3'"});
 }
 
-TEST(GeometryInSpace, OfBodiesThatShareVerticesIsRefused) {
+/// Two cubes that touch along an edge parallel to z, which Gmsh's built-in Extrude makes one line.
+const std::string cubes = R"(
+Macro Square
+  Point(n + 1) = {s, s, 0}; Point(n + 2) = {s + 1, s, 0}; Point(n + 3) = {s + 1, s + 1, 0};
+  Point(n + 4) = {s, s + 1, 0};
+  For i In {1:4}
+    Line(n + i) = {n + i, n + 1 + (i % 4)};
+  EndFor
+  Curve Loop(n) = {n + 1, n + 2, n + 3, n + 4}; Plane Surface(n) = {n};
+  Transfinite Curve {n + 1, n + 2, n + 3, n + 4} = 3; Transfinite Surface {n};
+  Recombine Surface {n};
+Return
+n = 100; s = 0; Call Square;
+lower[] = Extrude {0, 0, 1} { Surface{100}; Layers{2}; Recombine; };
+n = 200; s = 1; Call Square;
+upper[] = Extrude {0, 0, 1} { Surface{200}; Layers{2}; Recombine; };
+Physical Volume("lower") = {lower[1]}; Physical Surface("lower top") = {lower[4]};
+Physical Volume("upper") = {upper[1]}; Physical Surface("upper bottom") = {upper[2]};
+)";
+
+TEST(GeometryInSpace, OfBodiesThatTouchInALineGivesEachVerticesOfItsOwn) {
+  const MeshData<3> mesh = read_in_space("geometry.geo", cubes);
+  EXPECT_EQ(mesh.cells.size(), 16U);
+  EXPECT_EQ(mesh.vertices.size(), 2U * 27U);
+  EXPECT_EQ(mesh.faces.size(), 2U * 24U);
+  std::array<std::set<unsigned int>, 2> of_body;
+  for (const Cell<3>& cell : mesh.cells)
+    of_body.at(cell.body).insert(cell.vertices.begin(), cell.vertices.end());
+  EXPECT_EQ(of_body[0].size(), 27U);
+  EXPECT_EQ(of_body[1].size(), 27U);
+  std::map<std::string, std::size_t> faces;
+  for (const Face<3>& face : mesh.faces) ++faces[mesh.surfaces[face.surface]];
+  EXPECT_EQ(faces["lower top"], 4U);
+  EXPECT_EQ(faces["upper bottom"], 4U);
+}
+
+TEST(GeometryInSpace, OfBodiesThatShareFacesIsRefused) {
   const CaseDirectory directory;
   const auto file = directory.write("geometry.geo", pipe + R"(
 other[] = Extrude {-5, 0, 0} { Surface{1}; Layers{3}; Recombine; };
 Physical Volume("other") = {other[1]};
 )");
-  expect_refused([&] { (void)read_geometry<3>(file, 1.); }, {"pipe", "other", "share the vertex"});
+  expect_refused([&] { (void)read_geometry<3>(file, 1.); },
+                 {"pipe", "other", "share the face", "AutoCoherence = 0", "OpenCASCADE"});
 }
 
 }  // namespace

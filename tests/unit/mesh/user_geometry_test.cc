@@ -286,11 +286,28 @@ TEST(GeoFile, WithANamedCurveThatBoundsNothingIsRefused) {
                      {"\"stray\"", "no edge of a body's boundary"});
 }
 
-TEST(GeoFile, WithBodiesThatShareVerticesIsRefused) {
+TEST(GeoFile, WithBodiesThatShareEdgesIsRefused) {
   std::string alike = two_blocks;
   alike.replace(alike.find("{11, 13} = 4"), 12, "{11, 13} = 5");
   EXPECT_EQ(read_geo(alike).cells.size(), 20U);
   expect_geo_refused(alike + "Coherence;", {"lower", "upper", "share", "Coherence"});
+}
+
+TEST(GeoFile, WithBodiesThatShareAPointGivesEachAVertexOfItsOwn) {
+  const MeshData<2> mesh = read_geo(R"(
+Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+Point(5) = {2, 1, 0}; Point(6) = {2, 2, 0}; Point(7) = {1, 2, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(5) = {3, 5}; Line(6) = {5, 6}; Line(7) = {6, 7}; Line(8) = {7, 3};
+Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Curve Loop(2) = {5:8}; Plane Surface(2) = {2};
+Transfinite Curve {1:8} = 3; Transfinite Surface {1:2}; Recombine Surface {1:2};
+Physical Surface("lower") = {1}; Physical Surface("upper") = {2};
+Physical Curve("top") = {3}; Physical Curve("bottom") = {5};
+)");
+  EXPECT_EQ(mesh.cells.size(), 8U);
+  EXPECT_EQ(mesh.vertices.size(), 18U);
+  EXPECT_EQ(mesh.faces.size(), 16U);
 }
 
 TEST(GeoFile, ThatGmshCannotMeshIsRefusedInItsWords) {
@@ -466,7 +483,7 @@ TEST(MshFile, WithoutPhysicalCurveIsRefused) {
   expect_msh_refused(msh.text(), {"no physical curve"});
 }
 
-TEST(MshFile, WithBodiesThatShareVerticesIsRefused) {
+TEST(MshFile, WithBodiesThatShareEdgesIsRefused) {
   Msh msh;
   msh.elements = "3\n1 1 2 3 1 1 2\n3 3 2 1 1 1 2 3 4\n4 3 2 2 2 2 6 7 3\n";
   msh.names = "3\n2 1 \"left\"\n2 2 \"right\"\n1 3 \"base\"\n";
