@@ -115,6 +115,7 @@ struct MechanismCase {
 struct GeometryCase {
   std::filesystem::path file;  ///< .geo or .msh file in the case directory
   double length_unit;          ///< metres per unit of the file
+  double circle_tolerance;     ///< distance of nodes from their circle over its radius
   std::variant<fem::Problem<2>, fem::Problem<3>> problem;  ///< by the dimension
 };
 

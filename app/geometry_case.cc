@@ -305,6 +305,7 @@ GeometryCase read_geometry_case(const CaseValues& values, const fs::path& direct
   GeometryCase result;
   result.file = read_file_name(section, directory);
   result.length_unit = read_length_unit(section);
+  result.circle_tolerance = section.value("Circle tolerance");
   if (dimension == 3)
     result.problem = read_problem<3>(values);
   else

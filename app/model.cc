@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <set>
 #include <stdexcept>
 
 #include "app/contact_geometry.h"
@@ -15,6 +16,7 @@
 #include "mesh/extrusion.h"
 #include "mesh/filled_hole.h"
 #include "mesh/gmsh_mesher.h"
+#include "mesh/kinks.h"
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
 
@@ -88,7 +90,8 @@ mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
 /// The user's mesh, in the plane with cells that suit the contact.
 template <int dim>
 mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Problem<dim>& problem) {
-  mesh::MeshData<dim> mesh = mesh::read_geometry<dim>(geometry.file, geometry.length_unit);
+  mesh::MeshData<dim> mesh =
+      mesh::read_geometry<dim>(geometry.file, geometry.length_unit, geometry.circle_tolerance);
   if constexpr (dim == 2) {
     std::vector<std::string> surfaces;
     for (const fem::ContactPair& pair : problem.pairs)
@@ -96,6 +99,25 @@ mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Probl
     mesh = mesh::with_compact_cells(mesh, surfaces);
   }
   return mesh;
+}
+
+/// Which contact surfaces are polygons.
+template <int dim>
+std::vector<std::string> polygon_notices(const mesh::MeshData<dim>& mesh,
+                                         const fem::Problem<dim>& problem) {
+  std::vector<std::string> notices;
+  std::set<std::string> surfaces;
+  for (const fem::ContactPair& pair : problem.pairs) surfaces.insert({pair.source, pair.target});
+  for (const std::string& surface : surfaces) {
+    const double kink = mesh::greatest_kink(mesh, surface);
+    if (kink == 0.) continue;
+    notices.push_back(fmt::format(
+        "contact surface '{}' is a polygon: its flat faces meet at up to {:.3g} deg, and the peak "
+        "pressure is that of its {}; if it should be round, let Gmsh know its circles or give "
+        "'Circle tolerance'",
+        surface, kink / loads::degree, dim == 2 ? "corners" : "edges"));
+  }
+  return notices;
 }
 
 /// Where the pin force is greater than at the analysed angle, if it is by a tenth of a per cent.
@@ -134,6 +156,7 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
   model.problem = std::get<fem::Problem<dim>>(given.geometry->problem);
   model.mesh = on_rank_zero<dim>(communicator,
                                  [&] { return geometry_mesh(*given.geometry, model.problem); });
+  model.notices = polygon_notices(model.mesh, model.problem);
   fem::order_bodies(model.problem, model.mesh);
   return model;
 }

@@ -376,6 +376,11 @@ std::vector<Parameter> geometry_file_parameters(const std::string& default_file)
       {section, "Length unit", "m",
        TextRule{"a unit of length, for example 'mm', 'in' or '0.1 mm'"},
        "Unit of the file's coordinates."},
+      {section, "Circle tolerance", "0",
+       quantity(Dimension::dimensionless, between(0., 0.01, "from 0 to 1 %")),
+       "By what share of the radius the points of a curve (in space: surface) may be off the "
+       "circle, cylinder or sphere nearest to them; the nodes are then moved onto it. 0: what is "
+       "off by more than rounding stays a polygon."},
       {section, "Plane", "plane strain",
        ChoiceRule{{"plane strain", "plane stress", "axisymmetric"}},
        "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution. Only "

@@ -2,7 +2,9 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -104,23 +106,120 @@ std::vector<Place> sample_normals(const int surface) {
   return as_places(normals);
 }
 
+/// Points of a curve or surface, and for a surface its normals.
+struct ShapePoints {
+  std::vector<Place> points;
+  std::vector<Place> normals;
+};
+
+/// @return none of a straight line or plane
+template <int dim>
+ShapePoints shape_points(const int entity) {
+  std::string type;
+  gmsh::model::getType(dim - 1, entity, type);
+  if (type == "Line" || type == "Plane") return {};
+  const bool is_discrete = type.rfind("Discrete", 0) == 0;
+  if constexpr (dim == 2)
+    return {is_discrete ? nodes_of_curve(entity) : sample_points(1, entity), {}};
+  if (is_discrete) return {nodes_of_surface(entity), facet_normals(entity)};
+  return {sample_points(2, entity), sample_normals(entity)};
+}
+
+template <int dim>
+std::optional<Circle> exact_shape(const ShapePoints& of) {
+  return dim == 2 ? circle_through(of.points) : round_surface_through(of.points, of.normals);
+}
+
+template <int dim>
+std::optional<Circle> near_shape(const ShapePoints& of, const double tolerance) {
+  return dim == 2 ? circle_near(of.points, tolerance)
+                  : round_surface_near(of.points, of.normals, tolerance);
+}
+
+/// Round curves or surfaces that have one circle.
+struct RoundGroup {
+  std::vector<int> entities;
+  std::set<std::size_t> nodes;
+  ShapePoints points;
+  Circle circle;
+  bool is_fitted;
+};
+
+template <int dim>
+std::vector<RoundGroup> single_groups(const double tolerance) {
+  std::vector<RoundGroup> groups;
+  gmsh::vectorpair entities;
+  gmsh::model::getEntities(entities, dim - 1);
+  for (const auto& [dimension, entity] : entities) {
+    const ShapePoints points = shape_points<dim>(entity);
+    const std::optional<Circle> exact = exact_shape<dim>(points);
+    const std::optional<Circle> shape =
+        exact || tolerance == 0. ? exact : near_shape<dim>(points, tolerance);
+    if (!shape) continue;
+    const auto nodes = element_nodes(dim - 1, entity, dim == 2 ? line_type : quad_type);
+    groups.push_back({{entity}, {nodes.begin(), nodes.end()}, points, *shape, !exact});
+  }
+  return groups;
+}
+
+bool have_common_nodes(const RoundGroup& one, const RoundGroup& other) {
+  return std::any_of(one.nodes.begin(), one.nodes.end(),
+                     [&](const std::size_t node) { return other.nodes.count(node) > 0; });
+}
+
+ShapePoints together(ShapePoints one, const ShapePoints& other) {
+  one.points.insert(one.points.end(), other.points.begin(), other.points.end());
+  one.normals.insert(one.normals.end(), other.normals.begin(), other.normals.end());
+  return one;
+}
+
+/// The circle of two groups, of which one at least is fitted; nothing if they have none.
+template <int dim>
+std::optional<Circle> common_circle(const RoundGroup& one, const RoundGroup& other,
+                                    const double tolerance) {
+  if (one.is_fitted && other.is_fitted)
+    return near_shape<dim>(together(one.points, other.points), tolerance);
+  const RoundGroup& exact = one.is_fitted ? other : one;
+  const RoundGroup& fitted = one.is_fitted ? one : other;
+  return all_on(exact.circle, fitted.points.points, tolerance) ? std::optional(exact.circle)
+                                                               : std::nullopt;
+}
+
+/// Joins a group with the first later one that has its circle.
+/// @return whether there was one
+template <int dim>
+bool join_two(std::vector<RoundGroup>& groups, const double tolerance) {
+  for (auto one = groups.begin(); one != groups.end(); ++one)
+    for (auto other = one + 1; other != groups.end(); ++other) {
+      if (!(one->is_fitted || other->is_fitted) || !have_common_nodes(*one, *other)) continue;
+      const std::optional<Circle> circle = common_circle<dim>(*one, *other, tolerance);
+      if (!circle) continue;
+      one->circle = *circle;
+      one->is_fitted = one->is_fitted && other->is_fitted;
+      one->entities.insert(one->entities.end(), other->entities.begin(), other->entities.end());
+      one->nodes.insert(other->nodes.begin(), other->nodes.end());
+      one->points = together(one->points, other->points);
+      groups.erase(other);
+      return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 template <int dim>
-std::optional<Circle> shape_of(const int entity) {
-  std::string type;
-  gmsh::model::getType(dim - 1, entity, type);
-  if (type == "Line" || type == "Plane") return std::nullopt;
-  const bool is_discrete = type.rfind("Discrete", 0) == 0;
-  if constexpr (dim == 2) {
-    return circle_through(is_discrete ? nodes_of_curve(entity) : sample_points(1, entity));
-  } else {
-    if (is_discrete) return round_surface_through(nodes_of_surface(entity), facet_normals(entity));
-    return round_surface_through(sample_points(2, entity), sample_normals(entity));
-  }
+std::map<int, RoundEntity> round_entities(const double tolerance) {
+  std::vector<RoundGroup> groups = single_groups<dim>(tolerance);
+  std::map<int, RoundEntity> result;
+  for (const RoundGroup& group : groups)
+    result[group.entities.front()] = {group.circle, group.is_fitted};
+  while (join_two<dim>(groups, tolerance)) continue;
+  for (const RoundGroup& group : groups)
+    for (const int entity : group.entities) result[entity].circle = group.circle;
+  return result;
 }
 
-template std::optional<Circle> shape_of<2>(int);
-template std::optional<Circle> shape_of<3>(int);
+template std::map<int, RoundEntity> round_entities<2>(double);
+template std::map<int, RoundEntity> round_entities<3>(double);
 
 }  // namespace geneva::mesh

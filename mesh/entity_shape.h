@@ -1,16 +1,23 @@
 #pragma once
 
-#include <optional>
+#include <map>
 
 #include "mesh/mesh_data.h"
 
 namespace geneva::mesh {
 
-/// The circle of a curve of Gmsh's current model; in space the cylinder or sphere of a surface. It
-/// is found in points of the geometry, or in the nodes of a mesh.
-/// @param entity Gmsh's tag of the curve or surface
-/// @return nothing if it has another shape
+/// A curve or surface that is part of a circle, cylinder or sphere.
+struct RoundEntity {
+  Circle circle;
+  bool is_fitted;  ///< its nodes are only near to it
+};
+
+/// The round ones of the curves of Gmsh's current model, in space of the surfaces, by tag. They are
+/// found in points of the geometry, or in the nodes of a mesh. Nearly round ones that have nodes in
+/// common are given one circle if one is near to all of them.
+/// @param tolerance greatest distance of points from the circle nearest to them, as a share of its
+/// radius; 0: none but rounding
 template <int dim>
-std::optional<Circle> shape_of(int entity);
+std::map<int, RoundEntity> round_entities(double tolerance);
 
 }  // namespace geneva::mesh

@@ -14,7 +14,9 @@ namespace {
 using Eigen::Vector3d;
 
 /// Points of a round shape agree with it to this fraction of its radius.
-constexpr double tolerance = 1e-8;
+constexpr double exactly = 1e-8;
+/// A nearly round shape is this many times as far off a straight line or plane.
+constexpr double times_rounder = 10.;
 /// Fewer points could lie on a shape by chance.
 constexpr std::size_t fewest_on_circle = 5;
 constexpr std::size_t fewest_on_surface = 10;
@@ -32,7 +34,7 @@ std::optional<Circle> circle_of(const Place& a, const Place& b, const Place& c) 
   const double cy = c[1] - a[1];
   const double cross = 2. * (bx * cy - by * cx);
   const double lengths = std::max(std::hypot(bx, by), std::hypot(cx, cy));
-  if (!(std::abs(cross) > tolerance * lengths * lengths)) return std::nullopt;
+  if (!(std::abs(cross) > exactly * lengths * lengths)) return std::nullopt;
   const double b2 = bx * bx + by * by;
   const double c2 = cx * cx + cy * cy;
   const double x = (cy * b2 - by * c2) / cross;
@@ -40,11 +42,14 @@ std::optional<Circle> circle_of(const Place& a, const Place& b, const Place& c) 
   return Circle{{a[0] + x, a[1] + y}, std::hypot(x, y)};
 }
 
-bool all_on(const Circle& circle, const std::vector<Place>& points) {
-  return std::all_of(points.begin(), points.end(), [&](const Place& point) {
+/// Greatest distance of a point from a shape.
+double farthest_off(const Circle& circle, const std::vector<Place>& points) {
+  double farthest = 0.;
+  for (const Place& point : points) {
     const auto [x, y, z] = radial(circle, point);
-    return std::abs(std::hypot(x, y, z) - circle.radius) <= tolerance * circle.radius;
-  });
+    farthest = std::max(farthest, std::abs(std::hypot(x, y, z) - circle.radius));
+  }
+  return farthest;
 }
 
 /// The points from their mean, one in each row.
@@ -119,6 +124,44 @@ Circle fitted_cylinder(const Eigen::MatrixX3d& rows, const Vector3d& mean, Vecto
   return {place_of(centre - centre.dot(axis) * axis), radius, place_of(axis)};
 }
 
+/// The direction normal to all normals of a cylinder.
+Vector3d axis_across(const std::vector<Place>& normals) {
+  Eigen::MatrixX3d directions(static_cast<Eigen::Index>(normals.size()), 3);
+  for (Eigen::Index i = 0; i < directions.rows(); ++i)
+    directions.row(i) = vector_of(normals[static_cast<std::size_t>(i)]);
+  return least_direction(directions);
+}
+
+/// Gauss and Newton's method for the distances from a circle, from the one linear in its squares.
+std::optional<Circle> fitted_circle(const Eigen::MatrixX2d& rows, const Vector3d& mean) {
+  Eigen::MatrixX3d matrix(rows.rows(), 3);
+  matrix << 2. * rows, Eigen::VectorXd::Ones(rows.rows());
+  const Vector3d start = least_squares(matrix, rows.rowwise().squaredNorm());
+  Eigen::Vector2d centre = start.head<2>();
+  double radius = std::sqrt(std::max(0., start[2] + centre.squaredNorm()));
+  for (int step = 0; step < 50; ++step) {
+    const Eigen::MatrixX2d arms = rows.rowwise() - centre.transpose();
+    const Eigen::VectorXd distances = arms.rowwise().norm();
+    if (!(distances.minCoeff() > 0.)) return std::nullopt;
+    matrix << -(arms.array().colwise() / distances.array()).matrix(),
+        -Eigen::VectorXd::Ones(rows.rows());
+    const Vector3d change = least_squares(matrix, (radius - distances.array()).matrix());
+    centre += change.head<2>();
+    radius += change[2];
+    if (change.norm() <= 1e-15 * radius) break;
+  }
+  return Circle{{mean[0] + centre[0], mean[1] + centre[1]}, radius};
+}
+
+/// The shape if the points are near enough to it.
+/// @param off_flat their greatest distance from a line or plane
+std::optional<Circle> if_round(const Circle& circle, const std::vector<Place>& points,
+                               const double tolerance, const double off_flat) {
+  const double off = farthest_off(circle, points);
+  const bool is_round = off <= tolerance * circle.radius && times_rounder * off <= off_flat;
+  return is_round ? std::optional(circle) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Circle> circle_through(const std::vector<Place>& points) {
@@ -134,7 +177,7 @@ std::optional<Circle> circle_through(const std::vector<Place>& points) {
     return std::min(off(p, a), off(p, b)) < std::min(off(q, a), off(q, b));
   });
   const std::optional<Circle> circle = circle_of(a, b, c);
-  return circle && all_on(*circle, points) ? circle : std::nullopt;
+  return circle && all_on(*circle, points, exactly) ? circle : std::nullopt;
 }
 
 std::optional<Circle> round_surface_through(const std::vector<Place>& points,
@@ -145,12 +188,38 @@ std::optional<Circle> round_surface_through(const std::vector<Place>& points,
   const Vector3d off_plane = least_direction(rows);
   if ((rows * off_plane).norm() <= flatness * rows.norm()) return std::nullopt;
   const Circle sphere = fitted_sphere(rows, mean);
-  if (all_on(sphere, points)) return sphere;
-  Eigen::MatrixX3d directions(static_cast<Eigen::Index>(normals.size()), 3);
-  for (Eigen::Index i = 0; i < directions.rows(); ++i)
-    directions.row(i) = vector_of(normals[static_cast<std::size_t>(i)]);
-  const Circle cylinder = fitted_cylinder(rows, mean, least_direction(directions));
-  return all_on(cylinder, points) ? std::optional(cylinder) : std::nullopt;
+  if (all_on(sphere, points, exactly)) return sphere;
+  const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));
+  return all_on(cylinder, points, exactly) ? std::optional(cylinder) : std::nullopt;
+}
+
+bool all_on(const Circle& circle, const std::vector<Place>& points, const double tolerance) {
+  return farthest_off(circle, points) <= tolerance * circle.radius;
+}
+
+std::optional<Circle> circle_near(const std::vector<Place>& points, const double tolerance) {
+  if (points.size() < fewest_on_circle) return std::nullopt;
+  Vector3d mean;
+  const Eigen::MatrixX3d rows = centred(points, mean);
+  const Eigen::MatrixX2d plane = rows.leftCols<2>();
+  const Eigen::MatrixXd directions = symmetric_eigenpairs(plane.transpose() * plane).vectors;
+  const double off_line = (plane * directions.col(0)).cwiseAbs().maxCoeff();
+  const std::optional<Circle> circle = fitted_circle(plane, mean);
+  return circle ? if_round(*circle, points, tolerance, off_line) : std::nullopt;
+}
+
+std::optional<Circle> round_surface_near(const std::vector<Place>& points,
+                                         const std::vector<Place>& normals,
+                                         const double tolerance) {
+  if (points.size() < fewest_on_surface) return std::nullopt;
+  Vector3d mean;
+  const Eigen::MatrixX3d rows = centred(points, mean);
+  const double off_plane = (rows * least_direction(rows)).cwiseAbs().maxCoeff();
+  if (off_plane <= flatness * rows.norm()) return std::nullopt;
+  const Circle sphere = fitted_sphere(rows, mean);
+  const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));
+  const bool is_cylinder = farthest_off(cylinder, points) <= farthest_off(sphere, points);
+  return if_round(is_cylinder ? cylinder : sphere, points, tolerance, off_plane);
 }
 
 }  // namespace geneva::mesh

@@ -21,4 +21,18 @@ std::optional<Circle> circle_through(const std::vector<Place>& points);
 std::optional<Circle> round_surface_through(const std::vector<Place>& points,
                                             const std::vector<Place>& normals);
 
+/// The circle in the plane z = 0 nearest to points that are nearly on one, five at least: the sum
+/// of the squares of their distances from it is least.
+/// @param tolerance greatest distance, as a share of the radius, >= 0
+/// @return nothing if a point is farther off, or if a straight line is not ten times as far off
+std::optional<Circle> circle_near(const std::vector<Place>& points, double tolerance);
+
+/// The same in space for the nearer of a cylinder and a sphere, with ten points at least.
+/// @param normals see round_surface_through
+std::optional<Circle> round_surface_near(const std::vector<Place>& points,
+                                         const std::vector<Place>& normals, double tolerance);
+
+/// Whether all points lie on a shape to a share of its radius.
+bool all_on(const Circle& circle, const std::vector<Place>& points, double tolerance);
+
 }  // namespace geneva::mesh

@@ -19,6 +19,7 @@
 #include "mesh/gmsh_session.h"
 #include "mesh/model_reader.h"
 #include "mesh/msh_file.h"
+#include "mesh/onto_circles.h"
 #include "mesh/private_directory.h"
 
 namespace geneva::mesh {
@@ -143,8 +144,9 @@ void label_bodies(ModelLabels& labels) {
   }
 }
 
+/// @return indices of the circles that the nodes are only near to
 template <int dim>
-void label_boundary(ModelLabels& labels) {
+std::set<int> label_boundary(ModelLabels& labels, const double circle_tolerance) {
   using Kind = Kinds<dim>;
   const std::map<int, std::string> names = group_names(dim - 1, Kind::boundary);
   if (names.empty())
@@ -155,11 +157,17 @@ void label_boundary(ModelLabels& labels) {
   for (const auto& [tag, name] : names) labels.surfaces.push_back(name);
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities, dim - 1);
+  const std::map<int, RoundEntity> round = round_entities<dim>(circle_tolerance);
+  std::set<int> fitted;
   for (const auto& [dimension, entity] : entities) {
-    const std::optional<Circle> circle = shape_of<dim>(entity);
+    const auto found = round.find(entity);
+    const int circle =
+        found == round.end() ? -1 : circle_index(labels.circles, found->second.circle);
     labels.boundary[entity] = {group_of(dim - 1, entity, Kind::boundary_entity, names).value_or(""),
-                               circle ? circle_index(labels.circles, *circle) : -1};
+                               circle};
+    if (found != round.end() && found->second.is_fitted) fitted.insert(circle);
   }
+  return fitted;
 }
 
 /// How the user gets cells that can be used.
@@ -213,14 +221,15 @@ void scale(MeshData<dim>& mesh, const double length_unit) {
 
 /// The current Gmsh model with its names, after its mesh has been made or read.
 template <int dim>
-MeshData<dim> named_mesh(const bool is_mesh_file) {
+MeshData<dim> named_mesh(const bool is_mesh_file, const double circle_tolerance) {
   ModelLabels labels;
   label_bodies<dim>(labels);
   check_cells<dim>(count_other_cells<dim>(), is_mesh_file);
   check_bodies(read_model<dim>(labels).mesh);  // before the boundary: shared parts have two names
-  label_boundary<dim>(labels);
+  const std::set<int> fitted = label_boundary<dim>(labels, circle_tolerance);
   MeshData<dim> mesh = read_model<dim>(labels).mesh;
   check_named_boundary(mesh);
+  move_onto_circles(mesh, fitted);
   return mesh;
 }
 
@@ -249,7 +258,7 @@ void run(GmshSession& session, const std::function<void()>& action,
 }
 
 template <int dim>
-MeshData<dim> read_geo(const std::filesystem::path& file) {
+MeshData<dim> read_geo(const std::filesystem::path& file, const double circle_tolerance) {
   const GuardedGeometry geometry = guard_geometry(file);
   // Gmsh opens only what this program has written to a place of its own: beside the user's file it
   // would also run "<file>.opt"
@@ -268,12 +277,12 @@ MeshData<dim> read_geo(const std::filesystem::path& file) {
   run(session, [&] {
     if (!has_cells(dim)) mesh_current_model<dim>();
   });
-  run(session, [&] { mesh = named_mesh<dim>(false); });
+  run(session, [&] { mesh = named_mesh<dim>(false, circle_tolerance); });
   return mesh;
 }
 
 template <int dim>
-MeshData<dim> read_msh(const std::filesystem::path& file) {
+MeshData<dim> read_msh(const std::filesystem::path& file, const double circle_tolerance) {
   const std::string content = read_file(file);
   check_msh(content, file);
   const PrivateDirectory directory;
@@ -281,7 +290,7 @@ MeshData<dim> read_msh(const std::filesystem::path& file) {
   GmshSession session;
   MeshData<dim> mesh;
   run(session, [&] { gmsh::open(copy.string()); });
-  run(session, [&] { mesh = named_mesh<dim>(true); });
+  run(session, [&] { mesh = named_mesh<dim>(true, circle_tolerance); });
   return mesh;
 }
 
@@ -301,7 +310,8 @@ MeshData<dim> naming(const std::filesystem::path& file,
 }  // namespace
 
 template <int dim>
-MeshData<dim> read_geometry(const std::filesystem::path& file, const double length_unit) {
+MeshData<dim> read_geometry(const std::filesystem::path& file, const double length_unit,
+                            const double circle_tolerance) {
   if (!(length_unit > 0.) || !std::isfinite(length_unit))
     throw std::invalid_argument(fmt::format("{}: its unit of length is {} m: it must be positive",
                                             file.string(), length_unit));
@@ -310,14 +320,15 @@ MeshData<dim> read_geometry(const std::filesystem::path& file, const double leng
     throw std::invalid_argument(
         fmt::format("{}: a geometry must be a .geo or a .msh file", file.string()));
   return naming<dim>(file, [&] {
-    MeshData<dim> mesh = extension == ".geo" ? read_geo<dim>(file) : read_msh<dim>(file);
+    MeshData<dim> mesh = extension == ".geo" ? read_geo<dim>(file, circle_tolerance)
+                                             : read_msh<dim>(file, circle_tolerance);
     scale(mesh, length_unit);
     check(mesh);
     return mesh;
   });
 }
 
-template MeshData<2> read_geometry(const std::filesystem::path&, double);
-template MeshData<3> read_geometry(const std::filesystem::path&, double);
+template MeshData<2> read_geometry(const std::filesystem::path&, double, double);
+template MeshData<3> read_geometry(const std::filesystem::path&, double, double);
 
 }  // namespace geneva::mesh

@@ -12,15 +12,18 @@ namespace geneva::mesh {
 /// In the plane physical surfaces become bodies and physical curves become surfaces, by name; in
 /// space physical volumes become bodies and physical surfaces become surfaces. Curves that are
 /// circles, surfaces that are parts of cylinders or spheres are found (.geo: from the geometry;
-/// .msh: if all nodes, five on a curve and ten on a surface at least, lie on one). Runs on one
-/// rank, without MPI.
+/// .msh: if all nodes, five on a curve and ten on a surface at least, lie on one). Nodes of nearly
+/// round ones are moved onto the nearest circle, cylinder or sphere. Runs on one rank, without MPI.
 /// @param file the .geo or .msh file; what a .geo may hold: guard_geometry
 /// @param length_unit metres per unit of length of the file, > 0
+/// @param circle_tolerance how far points of a nearly round curve or surface may be off, as a share
+/// of the radius, >= 0
 /// @throws std::invalid_argument naming the file and what is wrong: missing, commands that a
 /// geometry may not hold, syntax error, no physical group, unnamed groups or a name used twice,
 /// cells of other shapes or of order 2, cut short, bodies that share vertices, cells that no solver
 /// can use
 template <int dim>
-MeshData<dim> read_geometry(const std::filesystem::path& file, double length_unit);
+MeshData<dim> read_geometry(const std::filesystem::path& file, double length_unit,
+                            double circle_tolerance = 0.);
 
 }  // namespace geneva::mesh

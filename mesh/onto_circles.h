@@ -1,0 +1,17 @@
+#pragma once
+
+#include <set>
+
+#include "mesh/mesh_data.h"
+
+namespace geneva::mesh {
+
+/// Moves the vertices of the faces that belong to some circles (in space cylinders and spheres)
+/// onto them by the shortest way; where a flat face ends there, along that face, and where another
+/// circle ends there, onto both.
+/// @param circles indices into MeshData::circles
+/// @throws std::invalid_argument naming the place of a vertex whose circles do not meet near to it
+template <int dim>
+void move_onto_circles(MeshData<dim>& mesh, const std::set<int>& circles);
+
+}  // namespace geneva::mesh
