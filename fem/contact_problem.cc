@@ -564,6 +564,11 @@ class NestedIteration {
     for (std::size_t i = 0; i < level_.interfaces.size(); ++i)
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
+    for (ContactResult<dim>& contact : solution_.contacts) {
+      const auto is_lateral = lateral_directions(solution_.mesh, solution_.problem, contact);
+      for (unsigned int i = 0; i < dim; ++i)
+        if (is_lateral[i]) std::swap(contact.force[i], contact.lateral_force[i]);
+    }
     solution_.reactions = reactions(solution_, level_, state_);
     const AppliedLoad<dim> load = applied_load(solution_, level_);
     solution_.applied_force = load.force;

@@ -50,8 +50,11 @@ struct ContactResult {
   std::vector<ContactNode<dim>> nodes;  ///< in the plane in the order of the arc length
   /// Faces (indices into nodes) of the source whose nodes all face the target; in space.
   std::vector<std::array<std::size_t, 4>> faces;
-  Components<dim> force;  ///< on the source body [N]
-  Moment<dim> moment;     ///< of the pressure on the source body about the origin [N m]
+  Components<dim> force;  ///< resultant of the pressure on the source body [N]
+  /// What the pressure adds up to along the normals of planes of symmetry, or along the radius of a
+  /// body of revolution, and what is balanced there [N]; not in `force`
+  Components<dim> lateral_force;
+  Moment<dim> moment;  ///< of the pressure on the source body about the origin [N m]
   /// [Pa]; that of the nodes with what the cells around the contact are worth, see
   /// Solution::correction
   double peak_pressure;

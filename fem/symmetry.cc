@@ -21,11 +21,12 @@ bool is_same(const double one, const double other, const double size) {
 }
 
 /// Lowest and highest coordinate of a surface's vertices along an axis.
-std::pair<double, double> extent(const mesh::MeshData<3>& mesh, const unsigned int surface,
+template <int dim>
+std::pair<double, double> extent(const mesh::MeshData<dim>& mesh, const unsigned int surface,
                                  const unsigned int axis) {
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
-  for (const mesh::Face<3>& face : mesh.faces)
+  for (const mesh::Face<dim>& face : mesh.faces)
     for (const unsigned int vertex : face.vertices)
       if (face.surface == surface) {
         lowest = std::min(lowest, mesh.vertices[vertex][axis]);
@@ -35,13 +36,14 @@ std::pair<double, double> extent(const mesh::MeshData<3>& mesh, const unsigned i
 }
 
 /// Planes normal to an axis on which supports hold a body in that direction only.
-std::vector<double> held_planes(const mesh::MeshData<3>& mesh, const Problem<3>& problem,
+template <int dim>
+std::vector<double> held_planes(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                                 const unsigned int body, const unsigned int axis,
                                 const double size) {
   std::vector<double> planes;
-  for (const Support<3>& support : problem.supports) {
+  for (const Support<dim>& support : problem.supports) {
     bool is_sliding = true;
-    for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int i = 0; i < dim; ++i)
       is_sliding = is_sliding && (i == axis ? support.displacement[i] == 0.
                                             : !support.displacement[i].has_value());
     const unsigned int surface = index_of(mesh.surfaces, support.surface);
@@ -54,8 +56,9 @@ std::vector<double> held_planes(const mesh::MeshData<3>& mesh, const Problem<3>&
 
 }  // namespace
 
-std::optional<double> symmetry_plane(const mesh::MeshData<3>& mesh, const Problem<3>& problem,
-                                     const ContactResult<3>& contact, const unsigned int axis) {
+template <int dim>
+std::optional<double> symmetry_plane(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                                     const ContactResult<dim>& contact, const unsigned int axis) {
   if (contact.nodes.empty()) return std::nullopt;
   const auto [lowest, highest] = std::minmax_element(
       contact.nodes.begin(), contact.nodes.end(),
@@ -76,5 +79,25 @@ std::optional<double> symmetry_plane(const mesh::MeshData<3>& mesh, const Proble
   }
   return std::nullopt;
 }
+
+template <int dim>
+std::array<bool, static_cast<std::size_t>(dim)> lateral_directions(
+    const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+    const ContactResult<dim>& contact) {
+  std::array<bool, static_cast<std::size_t>(dim)> is_lateral{};
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    is_lateral[axis] = symmetry_plane(mesh, problem, contact, axis).has_value();
+  if (dim == 2 && problem.plane == PlaneKind::axisymmetric) is_lateral[0] = true;
+  return is_lateral;
+}
+
+template std::optional<double> symmetry_plane(const mesh::MeshData<2>&, const Problem<2>&,
+                                              const ContactResult<2>&, unsigned int);
+template std::optional<double> symmetry_plane(const mesh::MeshData<3>&, const Problem<3>&,
+                                              const ContactResult<3>&, unsigned int);
+template std::array<bool, 2> lateral_directions(const mesh::MeshData<2>&, const Problem<2>&,
+                                                const ContactResult<2>&);
+template std::array<bool, 3> lateral_directions(const mesh::MeshData<3>&, const Problem<3>&,
+                                                const ContactResult<3>&);
 
 }  // namespace geneva::fem

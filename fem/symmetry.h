@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "fem/problem.h"
@@ -13,7 +14,15 @@ namespace geneva::fem {
 /// on it.
 /// @param axis 0, 1, 2: x, y, z
 /// @return [m]; nothing if there is none
-std::optional<double> symmetry_plane(const mesh::MeshData<3>& mesh, const Problem<3>& problem,
-                                     const ContactResult<3>& contact, unsigned int axis);
+template <int dim>
+std::optional<double> symmetry_plane(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                                     const ContactResult<dim>& contact, unsigned int axis);
+
+/// By component, whether the force of a contact has none for the whole: along the normal of a plane
+/// of symmetry the other half has the opposite one, around an axis of revolution the other side.
+template <int dim>
+std::array<bool, static_cast<std::size_t>(dim)> lateral_directions(
+    const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+    const ContactResult<dim>& contact);
 
 }  // namespace geneva::fem

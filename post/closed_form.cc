@@ -69,8 +69,7 @@ std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
   const double relative_curvature =
       curvature(solution, contact.source_circle, contact.source_is_convex) +
       curvature(solution, contact.target_circle, contact.target_is_convex);
-  const double resultant =
-      axisymmetric ? std::abs(contact.force[1]) : std::hypot(contact.force[0], contact.force[1]);
+  const double resultant = fem::magnitude(contact.force);
   if (relative_curvature * solution.scales.length <= 1e-9 || resultant <= 0.) return std::nullopt;
   if (axisymmetric &&
       !(on_axis(solution, contact.source_circle) && on_axis(solution, contact.target_circle)))

@@ -35,7 +35,8 @@ Equilibrium equilibrium(const fem::Solution<dim>& solution) {
   }
   double contact_force = 0.;
   for (const fem::ContactResult<dim>& contact : solution.contacts)
-    contact_force = std::max(contact_force, norm<dim>(contact.force));
+    contact_force = std::max(
+        contact_force, std::hypot(norm<dim>(contact.force), norm<dim>(contact.lateral_force)));
   if (contact_force == 0.) return {0., 0.};
   const double defect = axisymmetric ? std::abs(force[1]) : norm<dim>(force);
   const double arm = solution.scales.length;

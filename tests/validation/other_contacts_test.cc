@@ -14,14 +14,8 @@ namespace {
 const double pi = std::acos(-1.);
 const fem::Material steel{2e11, 0.3};
 
-/// K. L. Johnson, Contact Mechanics, 1985, Eq. 4.22 (radius) and 4.24 (peak pressure).
-///
-/// A sphere of radius R on a block, both as bodies of revolution. R/a = 54: the half-spaces of
-/// Hertz neglect (a/R)^2 = 3e-4. The ring of radius h about the axis carries the weight h^2, so
-/// that the pressure there is twice as uncertain as in a plane: 1 %.
-TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
-  const double R = 0.01;
-  const double force = 100.;
+/// A sphere on a block, both as bodies of revolution.
+mesh::MeshData<2> sphere_on_block(const double R) {
   mesh::MeshData<2> mesh = empty_mesh();
   add_ring(mesh, "sphere",
            {{0., R},
@@ -33,16 +27,32 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
             "axis"});
   add_rectangle(mesh, "block", equal_steps(0., 4. * R, 9), equal_steps(-4. * R, 0., 9),
                 {"bottom", "", "top", "axis"});
+  return mesh;
+}
+
+fem::Problem<2> sphere_on_block_problem(const double force, const fem::Material& material) {
   fem::Problem<2> problem;
   problem.plane = fem::PlaneKind::axisymmetric;
+  problem.bodies = {{"sphere", material, {}}, {"block", material, {}}};
   problem.supports = {{"axis", {0., std::nullopt}}, {"bottom", {0., 0.}}};
   problem.ties = {{"core", {0., -1.}, force}};
+  problem.pairs = {{"sphere", "top"}};
+  return problem;
+}
+
+/// K. L. Johnson, Contact Mechanics, 1985, Eq. 4.22 (radius) and 4.24 (peak pressure).
+///
+/// R/a = 54: the half-spaces of Hertz neglect (a/R)^2 = 3e-4. The ring of radius h about the axis
+/// carries the weight h^2, so that the pressure there is twice as uncertain as in a plane: 1 %.
+TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
+  const double R = 0.01;
+  const double force = 100.;
+  const mesh::MeshData<2> mesh = sphere_on_block(R);
   for (const auto& [nu, block_is_source] :
        {std::pair{0.3, false}, std::pair{0.3, true}, std::pair{0.4999, false}}) {
-    problem.bodies = {{"sphere", {2e11, nu}, {}}, {"block", {2e11, nu}, {}}};
+    fem::Problem<2> problem = sphere_on_block_problem(force, {2e11, nu});
     const auto exact =
         loads::hertz_point(force, R, loads::contact_modulus({2e11, nu}, {2e11, nu}), nu);
-    problem.pairs = {{"sphere", "top"}};
     if (block_is_source) problem.pairs = {{"top", "sphere"}};
     const fem::Solution<2> solution = solve(mesh, problem);
     EXPECT_EQ(solution.outcome, fem::Outcome::converged);
@@ -54,6 +64,67 @@ TEST(JohnsonContactMechanics, Eq422And424SphereOnBlock) {
     const auto form = post::closed_form(solution, contact);
     ASSERT_TRUE(form && form->point);
     EXPECT_NEAR(error_of(form->peak_pressure(), exact.peak_pressure), 0., 1e-8);
+  }
+}
+
+/// The contact is a tenth of the sphere's radius wide: the pressure turns by 6 deg, and what it
+/// adds up to along the radius is 6 % of the load, which no support carries.
+TEST(Resultant, OfASphereIsItsAxialLoad) {
+  const double R = 0.01;
+  const double force = std::pow(0.1, 3) * R * R / 0.75 *
+                       loads::contact_modulus({2e11, 0.3}, {2e11, 0.3});  // Johnson, Eq. 4.22
+  for (const bool block_is_source : {false, true}) {
+    fem::Problem<2> problem = sphere_on_block_problem(force, steel);
+    if (block_is_source) problem.pairs = {{"top", "sphere"}};
+    const fem::Solution<2> solution = solve(sphere_on_block(R), problem);
+    const fem::ContactResult<2>& contact = solution.contacts[0];
+    EXPECT_NEAR(error_of(contact.half_width, 0.1 * R), 0., 0.05);
+    EXPECT_NEAR(fem::magnitude(contact.force), force, 1e-8 * force);
+    EXPECT_GT(std::abs(contact.lateral_force[0]), 0.02 * force);
+    const auto form = post::closed_form(solution, contact);
+    ASSERT_TRUE(form);
+    EXPECT_NEAR(form->force, force, 1e-8 * force);
+  }
+}
+
+/// A cylinder in a cup of nearly its own radius, the half to the right of the plane of symmetry:
+/// the pressure turns by 60 deg and presses the halves apart, which the plane takes.
+TEST(Resultant, OfAHalfModelLeavesOutWhatItsPlaneOfSymmetryTakes) {
+  const double R = 0.01;
+  const double cup = 1.001 * R;
+  const double force = 1e6;
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_ring(mesh, "cylinder",
+           {{0., R},
+            equal_steps(0.25 * R, R, 3),
+            equal_steps(-pi / 2., pi / 2., 12),
+            "core",
+            "cylinder",
+            "plane",
+            "plane"});
+  add_ring(mesh, "cup",
+           {{0., cup},
+            equal_steps(cup, 3. * R, 4),
+            equal_steps(-pi / 2., 0., 7),
+            "cup",
+            "outside",
+            "plane",
+            ""});
+  fem::Problem<2> problem;
+  problem.thickness = 0.02;
+  problem.bodies = {{"cylinder", steel, {}}, {"cup", steel, {}}};
+  problem.supports = {{"plane", {0., std::nullopt}}, {"outside", {0., 0.}}};
+  problem.ties = {{"core", {0., -1.}, force}};
+  for (const bool cup_is_source : {false, true}) {
+    problem.pairs = {{"cylinder", "cup"}};
+    if (cup_is_source) problem.pairs = {{"cup", "cylinder"}};
+    const fem::Solution<2> solution = solve(mesh, problem, with_accuracy(0.02));
+    const fem::ContactResult<2>& contact = solution.contacts[0];
+    EXPECT_NEAR(fem::magnitude(contact.force), force, 1e-8 * force) << contact.source;
+    EXPECT_GT(fem::magnitude(contact.lateral_force), 0.1 * force);
+    const auto form = post::closed_form(solution, contact);
+    ASSERT_TRUE(form);
+    EXPECT_NEAR(form->force, 2. * force, 1e-8 * force) << "of the whole";
   }
 }
 
