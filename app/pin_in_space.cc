@@ -215,40 +215,49 @@ std::string pin_holder(const PinCase& pin) {
   return pin.hold == Hold::core ? "pin core" : "pin root";
 }
 
-post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState& state,
-                           const fem::Solution<3>& solution,
-                           const std::vector<post::CellStress<3>>& cells) {
+std::optional<post::PinBending> bending_of_pin(const MechanismCase& mechanism,
+                                               const MechanismState& state,
+                                               const fem::Solution<3>& solution,
+                                               const std::vector<post::CellStress<3>>& cells) {
   const PinCase& pin = *mechanism.space;
+  if (pin.hold == Hold::core) return std::nullopt;
   const loads::PinClearance clearance = pin_clearance(mechanism, state);
-  post::PinReport report{};
-  report.profile = name_of(pin.profile);
-  if (const auto* crown = std::get_if<loads::Crown>(&clearance.profile))
-    report.crown_radius = crown->radius;
-  if (const auto* profile = std::get_if<loads::LogarithmicProfile>(&clearance.profile))
-    report.amplitude = profile->amplitude;
-  const auto beam = pin_beam(mechanism, state.sizes);
-  if (!beam) return report;
-  report.beam = loads::beam_bending(*beam, state.load.force);
   const auto face = std::find_if(
       solution.mesh.faces.begin(), solution.mesh.faces.end(), [&](const mesh::Face<3>& candidate) {
         return solution.mesh.surfaces[candidate.surface] == "pin" && candidate.circle >= 0;
       });
   const mesh::Circle& circle = solution.mesh.circles[static_cast<std::size_t>(face->circle)];
   const bool held_twice = pin.hold == Hold::both_ends;
-  report.bending = post::pin_bending(solution,
-                                     {"pin",
-                                      circle.centre[0],
-                                      circle.centre[1],
-                                      state.sizes.pin_diameter,
-                                      held_twice ? 0. : clearance.lower_end,
-                                      0.,
-                                      clearance.upper_end,
-                                      pin_lengths(pin, state.sizes).root_gap,
-                                      pin_holder(pin),
-                                      held_twice,
-                                      is_half_model(mechanism),
-                                      {0., 1., 0.}},
-                                     cells);
+  return post::pin_bending(solution,
+                           {"pin",
+                            circle.centre[0],
+                            circle.centre[1],
+                            state.sizes.pin_diameter,
+                            held_twice ? 0. : clearance.lower_end,
+                            0.,
+                            clearance.upper_end,
+                            pin_lengths(pin, state.sizes).root_gap,
+                            pin_holder(pin),
+                            held_twice,
+                            is_half_model(mechanism),
+                            {0., 1., 0.}},
+                           cells);
+}
+
+post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState& state,
+                           const fem::Solution<3>& solution,
+                           const std::vector<post::CellStress<3>>& cells) {
+  const loads::PinClearance clearance = pin_clearance(mechanism, state);
+  post::PinReport report{};
+  report.profile = name_of(mechanism.space->profile);
+  if (const auto* crown = std::get_if<loads::Crown>(&clearance.profile))
+    report.crown_radius = crown->radius;
+  if (const auto* profile = std::get_if<loads::LogarithmicProfile>(&clearance.profile))
+    report.amplitude = profile->amplitude;
+  if (const auto beam = pin_beam(mechanism, state.sizes))
+    report.beam = loads::beam_bending(*beam, state.load.force);
+  if (const auto bending = bending_of_pin(mechanism, state, solution, cells))
+    report.bending = *bending;
   return report;
 }
 

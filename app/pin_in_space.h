@@ -46,6 +46,12 @@ std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const Mecha
 /// Name of the surface that holds the pin: "pin root" or "pin core".
 std::string pin_holder(const PinCase& pin);
 
+/// How the pin bends; none if its core is held.
+std::optional<post::PinBending> bending_of_pin(const MechanismCase& mechanism,
+                                               const MechanismState& state,
+                                               const fem::Solution<3>& solution,
+                                               const std::vector<post::CellStress<3>>& cells);
+
 /// What is reported of the pin.
 post::PinReport pin_report(const MechanismCase& mechanism, const MechanismState& state,
                            const fem::Solution<3>& solution,

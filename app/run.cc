@@ -13,11 +13,11 @@
 
 #include "app/case_file.h"
 #include "app/mechanism_picture.h"
+#include "app/mechanism_results.h"
 #include "app/model.h"
 #include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/parameters.h"
-#include "app/pin_in_space.h"
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/together.h"
@@ -127,37 +127,6 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
   return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
 }
 
-double about_z(const double moment) { return moment; }
-double about_z(const dealii::Tensor<1, 3>& moment) { return moment[2]; }
-
-template <int dim>
-std::optional<post::MechanismReport> mechanism_report(
-    const Model<dim>& model, const std::optional<MechanismCase>& mechanism,
-    const fem::Solution<dim>& solution, [[maybe_unused]] const post::Results<dim>& results) {
-  if (!model.mechanism) return std::nullopt;
-  const MechanismState& state = *model.mechanism;
-  const loads::PinContact contact = pin_contact(*mechanism, state.sizes);
-  const loads::Characteristics cycle = loads::characteristics(state.driven, state.train, contact);
-  post::MechanismReport report{
-      state.load,
-      state.inertia_from_geometry,
-      state.train.wheel_inertia,
-      state.expected_bore_torque,
-      model.held_surface,
-      std::nullopt,
-      std::nullopt,
-      dim == 3 && is_half_model(*mechanism) ? 2. : 1.,
-      state.train.roller,
-      loads::bore_pressure(contact, state.train, state.load.force),
-      cycle.pressure,
-      state.train.roller ? cycle.bore_pressure_times_speed : cycle.pressure_times_slip};
-  for (const fem::Reaction<dim>& reaction : solution.reactions)
-    if (reaction.surface == model.held_surface && state.wheel && !mechanism->is_local)
-      report.bore_torque = -report.parts * about_z(reaction.moment);
-  if constexpr (dim == 3) report.pin = pin_report(*mechanism, state, solution, results.cells);
-  return report;
-}
-
 double peak_memory(const MPI_Comm communicator) {
   dealii::Utilities::System::MemoryStats memory{};
   dealii::Utilities::System::get_memory_stats(memory);
@@ -215,7 +184,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
                             const fem::Solution<dim>& solution, const post::Results<dim>& results) {
   post::RunReport report{};
   report.about = header_of(given);
-  report.mechanism = mechanism_report(model, given.mechanism, solution, results);
+  report.mechanism = mechanism_report(model, given, solution, results);
   report.accuracy = given.settings.accuracy;
   report.notices = model.notices;
   for (const std::string& notice : notices_of(given, solution, results))
@@ -278,16 +247,21 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
 
   timer.restart();
+  std::vector<post::RunFigures> figures;
   const fem::Solution<dim> solution = naming(given, [&] {
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
                               {[&](const fem::StepReport& step) { progress.step(step); },
-                               [&](const fem::LevelRecord& level) { progress.level(level); }});
+                               [&](const fem::LevelRecord& level) { progress.level(level); },
+                               [&](const fem::Solution<dim>& on_mesh) {
+                                 figures.push_back(run_figures(model, given, on_mesh));
+                               }});
   });
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
   const post::Results<dim> results = post::analyse(solution);
   post::RunReport report = make_report(communicator, given, model, solution, results);
+  report.errors = post::figure_errors(solution, figures);
   present(given, solution, results, report, progress);
   post::write_fields(solution, results, given.units, directory.working());
   const nlohmann::json view = post::view_document(solution, results, given.units);

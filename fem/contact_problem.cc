@@ -49,7 +49,8 @@ template <int dim>
 class NestedIteration {
  public:
   NestedIteration(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
-                  const Problem<dim>& problem, const Settings& settings, const Progress& progress)
+                  const Problem<dim>& problem, const Settings& settings,
+                  const Progress<dim>& progress)
       : communicator_(communicator),
         settings_(settings),
         grading_(first_grading<dim>(settings.accuracy)),
@@ -227,6 +228,7 @@ class NestedIteration {
     record_lengthwise(record);
     record.refined = refined_;
     record.halvings = last_halvings_;
+    record.grading = grading_;
     record.size_measure = size_measure(*solution_.dof_handler, level_.interfaces, surface_ids(),
                                        size_decay(solution_.problem));
     record.active_nodes = n_active_nodes();
@@ -238,6 +240,7 @@ class NestedIteration {
     solution_.history.push_back(record);
     estimate();
     if (progress_.level) progress_.level(solution_.history.back());
+    if (progress_.solution) progress_.solution(solution_);
   }
 
   /// Greatest pressures of the pairs [Pa], as the mesh gives them.
@@ -259,7 +262,8 @@ class NestedIteration {
         std::max(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
     surroundings_error_ = found.surroundings_error;
     if (now.nodes_across < fewest_active_nodes || has_spread()) zone_error_ = 1.;
-    if (!has_free_ends(level_.interfaces) || surroundings_are_fine_) surroundings_error_ = 0.;
+    solution_.has_free_ends = has_free_ends(level_.interfaces);
+    if (!solution_.has_free_ends || surroundings_are_fine_) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
     solution_.error_estimate = error_of(zone_error_, surroundings_error_);
     now.error_estimate =
@@ -589,7 +593,7 @@ class NestedIteration {
   MPI_Comm communicator_;
   Settings settings_;
   double grading_;
-  Progress progress_;
+  Progress<dim> progress_;
   Problem<dim> scaled_problem_;
   dealii::Timer timer_;
   Solution<dim> solution_;
@@ -617,15 +621,15 @@ class NestedIteration {
 template <int dim>
 Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,
-                            const Progress& progress) {
+                            const Progress<dim>& progress) {
   check(problem, mesh);
   check_stiffness_ratio(problem, mesh);
   return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run();
 }
 
 template Solution<2> solve_contact(MPI_Comm, const mesh::MeshData<2>&, const Problem<2>&,
-                                   const Settings&, const Progress&);
+                                   const Settings&, const Progress<2>&);
 template Solution<3> solve_contact(MPI_Comm, const mesh::MeshData<3>&, const Problem<3>&,
-                                   const Settings&, const Progress&);
+                                   const Settings&, const Progress<3>&);
 
 }  // namespace geneva::fem

@@ -27,10 +27,13 @@ struct StepReport {
   unsigned int linear_iterations;
 };
 
-/// Where progress is reported; both may be empty.
+/// Where progress is reported, on every rank; each may be empty.
+template <int dim>
 struct Progress {
   std::function<void(const StepReport&)> step;
   std::function<void(const LevelRecord&)> level;
+  /// After every mesh, the last of whose records is that of `history`.
+  std::function<void(const Solution<dim>&)> solution;
 };
 
 /// Solves frictionless contact by nested iteration: solve, estimate, refine, until the peak contact
@@ -43,6 +46,6 @@ struct Progress {
 template <int dim>
 Solution<dim> solve_contact(MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,
-                            const Progress& progress);
+                            const Progress<dim>& progress);
 
 }  // namespace geneva::fem

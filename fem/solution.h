@@ -93,6 +93,7 @@ struct LevelRecord {
   std::vector<unsigned int> linear_iterations;  ///< one entry for every active-set step
   double peak_pressure;                         ///< [Pa]
   Refined refined;
+  double grading;         ///< greatest ratio of cell size to distance from the contact
   double size_measure;    ///< see there; of the error by the cells' sizes
   double error_estimate;  ///< relative, of the peak pressure extrapolated from this mesh
   /// In space: greatest pressure in the middle half of the surfaces' common length, and at its two
@@ -155,6 +156,8 @@ struct Solution {
   double correction = 0.;      ///< relative, of the same pressure: what its extrapolation to ever
                                ///< finer cells around the contact adds to that of the mesh
   std::optional<EdgePressure> edge;  ///< in space
+  bool has_free_ends = false;  ///< whether a contact ends within the surfaces: only then do figures
+                               ///< depend on the cells around it
   Outcome outcome = Outcome::converged;
   std::string message;  ///< what ended the refinement early and what to try; empty when converged
 };

@@ -15,6 +15,8 @@ struct ComparisonRow {
   std::string quantity;
   Dimension dimension;
   std::optional<double> computed;
+  std::optional<double> error;  ///< of it, estimated, relative
+  bool is_bounded;              ///< false: it grows from mesh to mesh, and there is no such value
   std::optional<double> closed_form;
   std::optional<double> published;
 };
@@ -24,8 +26,8 @@ template <int dim>
 std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
                                       const Results<dim>& results, const RunReport& report);
 
-/// The table that ends a run: this program, closed form, published value, difference, and below it
-/// the estimated error, the balance of forces and the safety factors.
+/// The table that ends a run: this program with its error, closed form, published value,
+/// difference, and below it the estimated error, the balance of forces and the safety factors.
 template <int dim>
 std::string comparison_table(const fem::Solution<dim>& solution, const Results<dim>& results,
                              const RunReport& report, UnitSystem units);

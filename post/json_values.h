@@ -30,7 +30,7 @@ struct CaseHeader {
 nlohmann::json case_section(const CaseHeader& header);
 
 /// Of the files that the program writes; grows whenever a reader of the files must know.
-constexpr int results_format = 2;
+constexpr int results_format = 3;
 
 /// Section "versions" of a document: the program's and results_format.
 nlohmann::json versions_section(const std::string& geneva_version);

@@ -98,6 +98,28 @@ class PinMotion {
     return {along.solve(communicator)(0), axial.solve(communicator)(1) / pin_.diameter};
   }
 
+  /// Second moment of area of the cross-section as meshed, the mean over the pin's length [m^4].
+  [[nodiscard]] double second_moment() const {
+    const double length = solution_.scales.length;
+    dealii::FEValues<3> values(*solution_.element, dealii::QGauss<3>(2),
+                               dealii::update_quadrature_points | dealii::update_JxW_values);
+    double moment = 0.;
+    double lowest = pin_.root;
+    for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
+      if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
+      for (const unsigned int vertex : cell->vertex_indices())
+        lowest = std::min(lowest, length * cell->vertex(vertex)[2]);
+      values.reinit(cell);
+      for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
+        const double distance = eta(length * values.quadrature_point(q));
+        moment += std::pow(length, 3) * values.JxW(q) * distance * distance;
+      }
+    }
+    const MPI_Comm communicator = solution_.dof_handler->get_communicator();
+    return dealii::Utilities::MPI::sum(moment, communicator) /
+           (pin_.root - dealii::Utilities::MPI::min(lowest, communicator));
+  }
+
   /// Distance from the pin's axis along the force.
   [[nodiscard]] double eta(const dealii::Point<3>& x) const {
     return (x[0] - pin_.x) * pin_.direction[0] + (x[1] - pin_.y) * pin_.direction[1];
@@ -156,7 +178,8 @@ PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
       motion.at(pin.middle, pin.middle - reach, pin.middle + reach, pin.is_half);
   return {std::abs(tip.along_force - root.along_force), std::abs(middle.turn),
           is_short && !pin.held_at_both_ends ? stress_of_reaction(solution, pin)
-                                             : root_stress(solution, pin, motion, cells)};
+                                             : root_stress(solution, pin, motion, cells),
+          motion.second_moment() / (loads::pi * std::pow(pin.diameter, 4) / 64.)};
 }
 
 }  // namespace geneva::post

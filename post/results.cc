@@ -112,24 +112,34 @@ void set_shear(const fem::Solution<2>& solution, const fem::ContactResult<2>& co
                                 : distance_from(contact, place);
 }
 
-ContactAnalysis<2> analyse_contact(const fem::Solution<2>& solution,
-                                   const fem::ContactResult<2>& contact,
-                                   const std::vector<CellStress<2>>& cells,
-                                   const NodalStress<2>& nodal) {
+/// What is drawn and compared beside the figures.
+void add_fields(ContactAnalysis<2>& analysis, const fem::Solution<2>& solution,
+                const fem::ContactResult<2>& contact, const std::vector<CellStress<2>>& cells,
+                const NodalStress<2>& nodal) {
+  if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, cells);
+  analysis.depth_line = depth_line(solution, contact, analysis.centre, analysis.hertz, nodal);
+}
+
+void add_fields(ContactAnalysis<3>& /*unused*/, const fem::Solution<3>& /*unused*/,
+                const fem::ContactResult<3>& /*unused*/,
+                const std::vector<CellStress<3>>& /*unused*/, const NodalStress<3>& /*unused*/) {}
+
+}  // namespace
+
+ContactAnalysis<2> contact_analysis(const fem::Solution<2>& solution,
+                                    const fem::ContactResult<2>& contact,
+                                    const std::vector<CellStress<2>>& cells) {
   ContactAnalysis<2> analysis{};
   analysis.centre = pressure_centre(solution, contact);
   analysis.hertz_objection = hertz_objection(solution, contact, contact.half_width);
   if (analysis.hertz_objection.empty()) analysis.hertz = closed_form(solution, contact);
   set_shear(solution, contact, cells, analysis);
-  if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, cells);
-  analysis.depth_line = depth_line(solution, contact, analysis.centre, analysis.hertz, nodal);
   return analysis;
 }
 
-ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
-                                   const fem::ContactResult<3>& contact,
-                                   const std::vector<CellStress<3>>& cells,
-                                   const NodalStress<3>& /*unused*/) {
+ContactAnalysis<3> contact_analysis(const fem::Solution<3>& solution,
+                                    const fem::ContactResult<3>& contact,
+                                    const std::vector<CellStress<3>>& cells) {
   ContactAnalysis<3> analysis{};
   analysis.frame = contact_frame(solution, contact);
   if (analysis.frame.normal.norm() == 0.) return analysis;
@@ -162,8 +172,6 @@ ContactAnalysis<3> analyse_contact(const fem::Solution<3>& solution,
   return analysis;
 }
 
-}  // namespace
-
 double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& /*unused*/) {
   return contact.half_width;
 }
@@ -184,6 +192,12 @@ double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode
 }
 
 template <int dim>
+bool is_bounded(const fem::Solution<dim>& solution) {
+  return (!solution.edge || solution.edge->is_bounded) &&
+         solution.outcome != fem::Outcome::unbounded_pressure;
+}
+
+template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution) {
   const auto leading = std::max_element(
       solution.contacts.begin(), solution.contacts.end(),
@@ -196,14 +210,18 @@ Results<dim> analyse(const fem::Solution<dim>& solution) {
   Results<dim> results;
   results.cells = cell_stresses(solution);
   results.nodal = nodal_stress(solution);
-  for (const fem::ContactResult<dim>& contact : solution.contacts)
-    results.contacts.push_back(analyse_contact(solution, contact, results.cells, results.nodal));
+  for (const fem::ContactResult<dim>& contact : solution.contacts) {
+    results.contacts.push_back(contact_analysis(solution, contact, results.cells));
+    add_fields(results.contacts.back(), solution, contact, results.cells, results.nodal);
+  }
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));
   results.equilibrium = equilibrium(solution);
   return results;
 }
 
+template bool is_bounded(const fem::Solution<2>&);
+template bool is_bounded(const fem::Solution<3>&);
 template std::size_t leading_contact(const fem::Solution<2>&);
 template std::size_t leading_contact(const fem::Solution<3>&);
 template Results<2> analyse(const fem::Solution<2>&);

@@ -35,11 +35,11 @@ template <>
 struct ContactAnalysis<2> {
   PressureCentre centre;
   std::optional<ClosedForm> hertz;
-  std::string hertz_objection;  ///< why it is left out
-  StressPeak<2> max_shear;      ///< greatest in-plane shear [Pa] below the contact
-  double max_shear_depth;       ///< [m]
-  std::optional<FieldDifference> difference;
-  std::vector<DepthSample> depth_line;
+  std::string hertz_objection;                ///< why it is left out
+  StressPeak<2> max_shear;                    ///< greatest in-plane shear [Pa] below the contact
+  double max_shear_depth;                     ///< [m]
+  std::optional<FieldDifference> difference;  ///< of analyse() only
+  std::vector<DepthSample> depth_line;        ///< the same
 };
 
 template <>
@@ -67,6 +67,19 @@ struct Results {
 
 template <int dim>
 Results<dim> analyse(const fem::Solution<dim>& solution);
+
+/// The figures of one contact and their closed forms, without what takes the stress at the nodes.
+ContactAnalysis<2> contact_analysis(const fem::Solution<2>& solution,
+                                    const fem::ContactResult<2>& contact,
+                                    const std::vector<CellStress<2>>& cells);
+ContactAnalysis<3> contact_analysis(const fem::Solution<3>& solution,
+                                    const fem::ContactResult<3>& contact,
+                                    const std::vector<CellStress<3>>& cells);
+
+/// Whether linear elasticity knows a finite pressure for every contact: false where one reaches a
+/// sharp edge.
+template <int dim>
+bool is_bounded(const fem::Solution<dim>& solution);
 
 /// Half-width of a contact [m]; in space of its middle section, or the semi-axis across z.
 double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& analysis);

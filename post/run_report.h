@@ -7,6 +7,7 @@
 
 #include "loads/motion/kinematics.h"
 #include "loads/pin/pin_beam.h"
+#include "post/figures.h"
 #include "post/json_values.h"
 #include "post/pin_bending.h"
 #include "post/units.h"
@@ -52,6 +53,7 @@ struct RunReport {
   double accuracy;                   ///< wanted, relative
   std::vector<std::string> notices;  ///< what the user should know before trusting the figures
   std::optional<MechanismReport> mechanism;
+  RunFigures errors;  ///< estimated, relative
   Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;

@@ -23,10 +23,8 @@ std::optional<double> SafetyRow::driver_angle() const {
 template <int dim>
 std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<dim>& results,
                               const RunReport& report) {
-  const bool is_bounded = (!solution.edge || solution.edge->is_bounded) &&
-                          solution.outcome != fem::Outcome::unbounded_pressure;
   const auto if_bounded = [&](const double value) {
-    return is_bounded ? std::optional(value) : std::nullopt;
+    return is_bounded(solution) ? std::optional(value) : std::nullopt;
   };
   const double pressure = solution.contacts[leading_contact(solution)].peak_pressure;
   const Allowables& allowed = report.allowed;

@@ -94,11 +94,11 @@ Monomials monomials(const double x, const double y, const int degree) {
   return m;
 }
 
-/// Top of the polynomial fitted to the samples within a radius of the greatest one (cubic where
-/// there are enough of them), or that sample itself if the polynomial has none nearby.
+/// Top of the polynomial fitted to the samples within a radius of the greatest one, of a degree up
+/// to four as there are enough of them, or that sample itself if the polynomial has none nearby.
 StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>& peak,
                          const double radius) {
-  const int degree = samples.size() >= 20 ? 3 : 2;
+  const int degree = samples.size() >= 30 ? 4 : samples.size() >= 20 ? 3 : 2;
   if (samples.size() < 9) return peak;
   const auto n = static_cast<Eigen::Index>(samples.size());
   Eigen::MatrixXd matrix(n, (degree + 1) * (degree + 2) / 2);

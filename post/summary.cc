@@ -52,12 +52,29 @@ json hertz_section(const ClosedFormInSpace& form) {
   return section;
 }
 
+/// The figure's estimated error, null where it has none.
+json error_value(const Figures& errors, const Figure figure) {
+  const std::optional<double> error = value_of(errors, figure);
+  return error ? finite(*error) : json();
+}
+
+/// Adds the errors of figures that grow without bound where a pressure does.
+template <int dim>
+void add_shear_errors(json& section, const fem::Solution<dim>& solution, const Figures& errors) {
+  const bool is_finite = is_bounded(solution);
+  section["max_shear_error"] = is_finite ? error_value(errors, Figure::max_shear) : json();
+  section["max_shear_depth_error"] =
+      is_finite ? error_value(errors, Figure::max_shear_depth) : json();
+}
+
 template <int dim>
 json common_contact_section(const fem::Solution<dim>& solution,
-                            const fem::ContactResult<dim>& contact, const double parts) {
+                            const fem::ContactResult<dim>& contact, const Figures& errors,
+                            const double parts) {
   return {{"source", contact.source},
           {"target", contact.target},
           {"force", quantity(parts * fem::magnitude(contact.force), "N")},
+          {"force_error", error_value(errors, Figure::force)},
           {"lateral_force", quantity(fem::magnitude(contact.lateral_force), "N")},
           {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
           {"peak_pressure_error", solution.error_estimate},
@@ -67,18 +84,27 @@ json common_contact_section(const fem::Solution<dim>& solution,
 }
 
 json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
-                     const ContactAnalysis<3>& analysis, const double parts) {
-  json section = common_contact_section(solution, contact, parts);
+                     const ContactAnalysis<3>& analysis, const Figures& errors,
+                     const double parts) {
+  json section = common_contact_section(solution, contact, errors, parts);
   section["peak_pressure_place"] = place(analysis.peak_place);
   section["half_width"] = quantity(analysis.half_width, "m");
+  section["half_width_error"] = error_value(errors, Figure::half_width);
   section["half_length"] = quantity(analysis.half_length, "m");
+  section["half_length_error"] = error_value(errors, Figure::half_length);
   section["max_shear"] = quantity(analysis.max_shear, "Pa");
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
-  if (!analysis.sections.empty())
+  add_shear_errors(section, solution, errors);
+  if (!analysis.sections.empty()) {
+    const ContactSection& middle = middle_section(contact, analysis.frame, analysis.sections);
     section["mid_length_pressure"] =
-        quantity((1. + solution.correction) *
-                     middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
-                 "Pa");
+        quantity((1. + solution.correction) * middle.peak_pressure, "Pa");
+    section["mid_length_pressure_error"] = error_value(errors, Figure::mid_length_pressure);
+    section["mid_length_shear"] = quantity(middle.max_shear, "Pa");
+    section["mid_length_shear_error"] = error_value(errors, Figure::mid_length_shear);
+    section["mid_length_shear_depth"] = quantity(middle.max_shear_depth, "m");
+    section["mid_length_shear_depth_error"] = error_value(errors, Figure::mid_length_shear_depth);
+  }
   if (solution.edge)
     section["edge"] = {{"bounded", solution.edge->is_bounded},
                        {"growth_exponent", solution.edge->growth_exponent},
@@ -86,25 +112,30 @@ json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<
   return section;
 }
 
-json line_load_section(const LineLoad& load) {
+json line_load_section(const LineLoad& load, const Figures& errors, const bool is_finite) {
   return {{"end", quantity(load.end, "N/m")},
+          {"end_error", is_finite ? error_value(errors, Figure::line_load_end) : json()},
           {"middle", quantity(load.middle, "N/m")},
+          {"middle_error", error_value(errors, Figure::line_load_middle)},
           {"ratio", load.ratio()}};
 }
 
 /// The factor is null where an edge pressure is not bounded.
 json johnson_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
                      const loads::HertzLine& even) {
-  const bool is_bounded = !solution.edge || solution.edge->is_bounded;
+  const bool is_finite = is_bounded(solution);
   return {{"peak_pressure", quantity(even.peak_pressure, "Pa")},
-          {"factor", is_bounded ? json(contact.peak_pressure / even.peak_pressure) : json()}};
+          {"factor", is_finite ? json(contact.peak_pressure / even.peak_pressure) : json()}};
 }
 
 /// Only of a pin that is a beam: nothing bends one that is held at its core.
-json pin_section(const PinReport& pin) {
+json pin_section(const PinReport& pin, const Figures& errors) {
   json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
+               {"tip_deflection_error", error_value(errors, Figure::tip_deflection)},
                {"slope", quantity(pin.bending.slope, "rad")},
-               {"root_stress", quantity(pin.bending.root_stress, "Pa")}};
+               {"slope_error", error_value(errors, Figure::slope)},
+               {"root_stress", quantity(pin.bending.root_stress, "Pa")},
+               {"root_stress_error", error_value(errors, Figure::root_stress)}};
   section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
   section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
   section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
@@ -118,11 +149,14 @@ json crown_section(const PinReport& pin) {
 }
 
 json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
-                     const ContactAnalysis<2>& analysis, const double parts) {
-  json section = common_contact_section(solution, contact, parts);
+                     const ContactAnalysis<2>& analysis, const Figures& errors,
+                     const double parts) {
+  json section = common_contact_section(solution, contact, errors, parts);
   section["half_width"] = quantity(contact.half_width, "m");
+  section["half_width_error"] = error_value(errors, Figure::half_width);
   section["max_shear"] = quantity(analysis.max_shear.value, "Pa");
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
+  add_shear_errors(section, solution, errors);
   if (analysis.difference) {
     section["stress_difference_source"] = analysis.difference->source_body;
     section["stress_difference_target"] = analysis.difference->target_body;
@@ -180,6 +214,7 @@ json equilibrium_section(const Results<dim>& results, const RunReport& report) {
                {"moment_defect", results.equilibrium.moment_defect}};
   if (report.mechanism && report.mechanism->bore_torque) {
     section["bore_torque"] = quantity(*report.mechanism->bore_torque, "N m");
+    section["bore_torque_error"] = error_value(report.errors.mechanism, Figure::bore_torque);
     section["expected_bore_torque"] = quantity(report.mechanism->expected_bore_torque, "N m");
   }
   return section;
@@ -197,6 +232,8 @@ json comparison_section(const fem::Solution<dim>& solution, const Results<dim>& 
     rows.push_back({{"quantity", row.quantity},
                     {"dimension", name_of(row.dimension)},
                     {"computed", quantity_if(row.computed, row.dimension)},
+                    {"error", row.error ? finite(*row.error) : json()},
+                    {"bounded", row.is_bounded},
                     {"closed_form", quantity_if(row.closed_form, row.dimension)},
                     {"published", quantity_if(row.published, row.dimension)}});
   }
@@ -273,22 +310,24 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
              const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   const double parts = report.mechanism ? report.mechanism->parts : 1.;
-  json result{{"case", run_case_section(report, dim)},
-              {"contact", contact_section(solution, solution.contacts[leading],
-                                          results.contacts[leading], parts)},
-              {"bodies", bodies_section(solution, results)},
-              {"equilibrium", equilibrium_section(results, report)},
-              {"solver", solver_section(solution)},
-              {"comparison", comparison_section(solution, results, report)},
-              {"checks", checks_section(solution, results, report)},
-              {"safety", safety_section(solution, results, report)},
-              {"notices", report.notices}};
+  json result{
+      {"case", run_case_section(report, dim)},
+      {"contact", contact_section(solution, solution.contacts[leading], results.contacts[leading],
+                                  report.errors.contacts[leading], parts)},
+      {"bodies", bodies_section(solution, results)},
+      {"equilibrium", equilibrium_section(results, report)},
+      {"solver", solver_section(solution)},
+      {"comparison", comparison_section(solution, results, report)},
+      {"checks", checks_section(solution, results, report)},
+      {"safety", safety_section(solution, results, report)},
+      {"notices", report.notices}};
   const fem::LevelRecord& finest = solution.history.back();
   result["mesh"] = {
       {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
   json pairs = json::array();
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
-    pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i], parts));
+    pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i],
+                                    report.errors.contacts[i], parts));
     if (results.contacts[i].hertz)
       pairs.back()["hertz"] = hertz_section(*results.contacts[i].hertz);
   }
@@ -299,13 +338,15 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     if (!results.contacts[leading].sections.empty())
       result["line_load"] =
           line_load_section(line_load(solution.contacts[leading], results.contacts[leading].frame,
-                                      results.contacts[leading].sections));
+                                      results.contacts[leading].sections),
+                            report.errors.contacts[leading], is_bounded(solution));
   if constexpr (dim == 3)
     if (report.mechanism && results.contacts[leading].hertz)
       result["johnson"] = johnson_section(solution, solution.contacts[leading],
                                           results.contacts[leading].hertz->even);
   if (report.mechanism && report.mechanism->pin) {
-    if (report.mechanism->pin->beam) result["pin"] = pin_section(*report.mechanism->pin);
+    if (report.mechanism->pin->beam)
+      result["pin"] = pin_section(*report.mechanism->pin, report.errors.mechanism);
     result["crown"] = crown_section(*report.mechanism->pin);
   }
   if (report.mechanism) {

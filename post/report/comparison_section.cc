@@ -53,9 +53,13 @@ std::vector<const json*> rows_of(const std::vector<ResultsDirectory>& all) {
 
 std::string computed_cell(const json& summary, const json& like, const UnitSystem units) {
   for (const json& row : summary.at("comparison"))
-    if (row.at("quantity") == like.at("quantity"))
-      return shown(row.at("computed").is_null() ? row.at("closed_form") : row.at("computed"),
-                   dimension_named(row.at("dimension")), units);
+    if (row.at("quantity") == like.at("quantity")) {
+      if (row.at("bounded") == false) return "not bounded";
+      const std::string value =
+          shown(row.at("computed").is_null() ? row.at("closed_form") : row.at("computed"),
+                dimension_named(row.at("dimension")), units);
+      return row.at("error").is_null() ? value : value + " " + shown_error(row.at("error"));
+    }
   return "–";
 }
 

@@ -28,13 +28,15 @@ std::string difference(const json& row) {
 
 std::string verdict_table(const json& summary, const UnitSystem units) {
   HtmlTable table{"This program beside the closed forms of Hertz and Johnson and published values",
-                  {"quantity", "this program", "closed form", "published", "difference"},
+                  {"quantity", "this program", "± error", "closed form", "published", "difference"},
                   {}};
   for (const json& row : summary.at("comparison")) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const auto cell = [&](const char* key) { return shown(row.at(key), dimension, units); };
-    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)), cell("computed"),
-                          cell("closed_form"), cell("published"), difference(row)});
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+                          row.at("bounded") == true ? cell("computed") : "not bounded",
+                          shown_error(row.at("error")), cell("closed_form"), cell("published"),
+                          difference(row)});
   }
   return table.html();
 }

@@ -30,6 +30,13 @@ std::string shown(const nlohmann::json& quantity, const Dimension dimension,
   return quantity.is_null() ? "–" : significant(in_units(quantity, dimension, units), 5);
 }
 
+std::string shown_error(const nlohmann::json& error) {
+  if (error.is_null()) return "";
+  const double percent = 100. * error.get<double>();
+  if (!(percent < 100.)) return "not known";
+  return percent < 0.005 ? "± 0.00 %" : fmt::format("± {:.2g} %", percent);
+}
+
 std::string labelled(const std::string& name, const Dimension dimension, const UnitSystem units) {
   const std::string unit = output_unit(units, dimension).name;
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);

@@ -27,6 +27,9 @@ double in_units(const nlohmann::json& quantity, Dimension dimension, UnitSystem 
 /// The same as text with five digits, a dash for null.
 std::string shown(const nlohmann::json& quantity, Dimension dimension, UnitSystem units);
 
+/// "± 0.17 %" of an estimated relative error; "not known" from 100 % on, nothing for null.
+std::string shown_error(const nlohmann::json& error);
+
 /// "contact force [lbf]"; the name alone if the dimension has no unit.
 std::string labelled(const std::string& name, Dimension dimension, UnitSystem units);
 

@@ -44,6 +44,7 @@ MECHANISM_QUANTITIES = {
     "published": {"peak_pressure": "Pa"},
 }
 PLAIN = ("case.name", "case.title", "contact.peak_pressure_error", "contact.peak_pressure_correction",
+         "contact.force_error", "contact.half_width_error", "contact.max_shear_error", "contact.max_shear_depth_error",
          "contact.active_nodes", "equilibrium.force_defect", "equilibrium.moment_defect", "mesh.levels", "mesh.cells", "mesh.dofs", "solver.converged", "versions.geneva",
          "versions.deal\\.II", "versions.gmsh")
 
@@ -333,10 +334,28 @@ class Output(FinishedRuns):
 
     def test_the_table_compares_with_closed_form_and_publication(self):
         output = self.output[MECHANISM]
-        for heading in ("this program", "closed form", "published", "difference"):
+        for heading in ("this program", "+- error", "closed form", "published", "difference"):
             self.assertIn(heading, output)
         row = next(line for line in output.splitlines() if line.startswith("peak contact pressure [psi]"))
-        self.assertRegex(row, r"\] +\d+ +\d+ +72600 +[+-]\d\.\d\d %$")
+        self.assertRegex(row, r"\] +\d+ \+- 0\.\d+ % +\d+ +72600 +[+-]\d\.\d\d %$")
+        for name in ("contact force", "half-width", "greatest shear", "its depth", "bore torque"):
+            row = next(line for line in output.splitlines() if line.startswith(name))
+            self.assertRegex(row, r"\] +\S+ \+- [\d.]+ % ", "every figure has its error")
+
+    @for_both
+    def test_every_figure_has_its_error(self, _, results):
+        summary = read_summary(results)
+        sections = {"contact": ("force", "half_width", "max_shear", "max_shear_depth", "peak_pressure")}
+        if "load" in summary:
+            sections["equilibrium"] = ("bore_torque",)
+        for section, keys in sections.items():
+            for key in keys:
+                error = summary[section][f"{key}_error"]
+                self.assertTrue(0 <= error < 0.1, f"{section}.{key}_error: {error}")
+        self.assertLess(summary["contact"]["force_error"], 1e-6, "the load decides it")
+        for row in summary["comparison"]:
+            self.assertIs(row["bounded"], True)
+            self.assertIsNotNone(row["error"], row["quantity"])
 
     @for_both
     def test_the_log_file_is_what_was_said(self, name, results):

@@ -284,7 +284,8 @@ class PlaneReport(ReportTest):
         peak, hertz = (self.summary[section]["peak_pressure"]["value"] for section in ("contact", "hertz"))
         error = self.summary["contact"]["peak_pressure_error"]
         for figure in ("232.39", peak_in_psi(self.summary), "72675", "72600", f"{100 * (peak / hertz - 1):+.2f} %",
-                       f"{100 * error:.2g} %"):
+                       f"{100 * error:.2g} %", "± error", f"± {100 * error:.2g} %",
+                       f"± {100 * self.summary['contact']['half_width_error']:.2g} %"):
             self.assertIn(figure, text)
         self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
 

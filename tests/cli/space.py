@@ -140,6 +140,34 @@ class Space(CliTest):
                                msg="where the round begins")
         self.assertLess(min(self.layers(case)) / max(self.layers(case)), 0.05)
 
+    def test_figures_that_no_mesh_bounds_have_no_number(self):
+        summary = self.run_case(self.write("sharp", ["Held at = one end", "Root gap = 5 mm"], accuracy="20 %"))
+        self.assertFalse(summary["contact"]["edge"]["bounded"])
+        log = (self.directory / "sharp" / "results" / "log.txt").read_text()
+        rows = {row["quantity"]: row for row in summary["comparison"]}
+        for name in ("edge pressure", "line load, greater end"):
+            with self.subTest(name):
+                self.assertIs(rows[name]["bounded"], False)
+                self.assertIsNone(rows[name]["computed"])
+                self.assertIsNone(rows[name]["error"])
+                line = next(line for line in log.splitlines() if line.startswith(name))
+                self.assertRegex(line, r"\] +not bounded .* -$")
+        for name in ("pressure in the middle", "half-width", "greatest shear, middle", "line load, middle",
+                     "pin deflection", "bending stress at the root"):
+            with self.subTest(name):
+                self.assertGreater(rows[name]["error"], 0)
+                self.assertGreater(number(rows[name]["computed"]), 0)
+        self.assertNotIn("greatest shear", rows)
+        for error in (summary["contact"]["max_shear_error"], summary["line_load"]["end_error"]):
+            self.assertIsNone(error)
+        for error in (summary["contact"]["mid_length_pressure_error"], summary["line_load"]["middle_error"],
+                      summary["pin"]["tip_deflection_error"], summary["pin"]["slope_error"],
+                      summary["pin"]["root_stress_error"]):
+            self.assertGreater(error, 0)
+        report = (self.directory / "sharp" / "results" / "report.html").read_text()
+        self.assertIn("<td>not bounded</td>", report)
+        self.assertIn("± ", report)
+
     def test_a_contact_does_not_open_wholly_before_it_is_solved(self):
         # A hundred nodes are closed at first on the fourth mesh, all in tension after some steps of smoothing.
         case = self.directory / "loose"
