@@ -569,9 +569,10 @@ class NestedIteration {
       solution_.contacts.push_back(contact_result(solution_.problem.pairs[i], level_.interfaces[i],
                                                   state_.contacts[i], solution_.scales));
     for (ContactResult<dim>& contact : solution_.contacts) {
-      const auto is_lateral = lateral_directions(solution_.mesh, solution_.problem, contact);
+      const auto places = mirrors(solution_.mesh, solution_.problem, contact);
       for (unsigned int i = 0; i < dim; ++i)
-        if (is_lateral[i]) std::swap(contact.force[i], contact.lateral_force[i]);
+        if (places[i]) std::swap(contact.force[i], contact.lateral_force[i]);
+      if constexpr (dim == 2) count_from_mirrors(contact, places, solution_.scales.length);
     }
     solution_.reactions = reactions(solution_, level_, state_);
     const AppliedLoad<dim> load = applied_load(solution_, level_);

@@ -81,23 +81,23 @@ std::optional<double> symmetry_plane(const mesh::MeshData<dim>& mesh, const Prob
 }
 
 template <int dim>
-std::array<bool, static_cast<std::size_t>(dim)> lateral_directions(
+std::array<std::optional<double>, static_cast<std::size_t>(dim)> mirrors(
     const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
     const ContactResult<dim>& contact) {
-  std::array<bool, static_cast<std::size_t>(dim)> is_lateral{};
+  std::array<std::optional<double>, static_cast<std::size_t>(dim)> places;
   for (unsigned int axis = 0; axis < dim; ++axis)
-    is_lateral[axis] = symmetry_plane(mesh, problem, contact, axis).has_value();
-  if (dim == 2 && problem.plane == PlaneKind::axisymmetric) is_lateral[0] = true;
-  return is_lateral;
+    places[axis] = symmetry_plane(mesh, problem, contact, axis);
+  if (dim == 2 && problem.plane == PlaneKind::axisymmetric) places[0] = 0.;
+  return places;
 }
 
 template std::optional<double> symmetry_plane(const mesh::MeshData<2>&, const Problem<2>&,
                                               const ContactResult<2>&, unsigned int);
 template std::optional<double> symmetry_plane(const mesh::MeshData<3>&, const Problem<3>&,
                                               const ContactResult<3>&, unsigned int);
-template std::array<bool, 2> lateral_directions(const mesh::MeshData<2>&, const Problem<2>&,
-                                                const ContactResult<2>&);
-template std::array<bool, 3> lateral_directions(const mesh::MeshData<3>&, const Problem<3>&,
-                                                const ContactResult<3>&);
+template std::array<std::optional<double>, 2> mirrors(const mesh::MeshData<2>&, const Problem<2>&,
+                                                      const ContactResult<2>&);
+template std::array<std::optional<double>, 3> mirrors(const mesh::MeshData<3>&, const Problem<3>&,
+                                                      const ContactResult<3>&);
 
 }  // namespace geneva::fem

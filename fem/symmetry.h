@@ -18,10 +18,11 @@ template <int dim>
 std::optional<double> symmetry_plane(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                                      const ContactResult<dim>& contact, unsigned int axis);
 
-/// By component, whether the force of a contact has none for the whole: along the normal of a plane
-/// of symmetry the other half has the opposite one, around an axis of revolution the other side.
+/// By component, the place of the plane of symmetry that bounds a contact there, or of the axis of
+/// revolution [m]. The force of the whole contact has no such component: the other half or side has
+/// the opposite one.
 template <int dim>
-std::array<bool, static_cast<std::size_t>(dim)> lateral_directions(
+std::array<std::optional<double>, static_cast<std::size_t>(dim)> mirrors(
     const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
     const ContactResult<dim>& contact);
 

@@ -213,8 +213,8 @@ ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std:
   return result;
 }
 
-void add_intervals(ContactResult<2>& result) {
-  result.intervals = fitted_intervals(result.nodes);
+void take_half_width(ContactResult<2>& result) {
+  result.half_width = 0.;
   for (const ContactInterval& interval : result.intervals)
     if (interval.half_width() > result.half_width) {
       result.half_width = interval.half_width();
@@ -261,7 +261,8 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
     }
   }
   if constexpr (dim == 2) {
-    add_intervals(result);
+    result.intervals = fitted_intervals(result.nodes);
+    take_half_width(result);
     result.peak_pressure = fitted_peak(result.nodes);
   } else {
     add_faces(interface, result);
@@ -271,6 +272,24 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
   result.has_one_curvature = has_one_curvature(interface.source, active_nodes(interface)) &&
                              has_one_curvature(interface.target, loaded_target_nodes(interface));
   return result;
+}
+
+void count_from_mirrors(ContactResult<2>& contact,
+                        const std::array<std::optional<double>, 2>& places, const double size) {
+  constexpr double rounding = 1e-9;
+  const auto is_mirrored = [&](const ContactNode<2>& node) {
+    for (std::size_t i = 0; i < 2; ++i)
+      if (places[i] && std::abs(node.position[i] - *places[i]) <= rounding * size) return true;
+    return false;
+  };
+  for (ContactInterval& interval : contact.intervals) {
+    const ContactNode<2>& first = contact.nodes.front();
+    const ContactNode<2>& last = contact.nodes.back();
+    const bool at_start = interval.begin <= first.arc_length;
+    const bool at_end = interval.end >= last.arc_length;
+    if (at_start != at_end && is_mirrored(at_start ? first : last)) interval.symmetric = true;
+  }
+  take_half_width(contact);
 }
 
 template ContactResult<2> contact_result(const ContactPair&, const ContactInterface<2>&,

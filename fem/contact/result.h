@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "fem/contact/active_set.h"
 #include "fem/solution.h"
 
@@ -9,5 +12,12 @@ namespace geneva::fem {
 template <int dim>
 ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterface<dim>& interface,
                                   const ContactState& state, const Scales& scales);
+
+/// Counts the half-width of intervals with one free end from the plane of symmetry or axis of
+/// revolution that the other lies on, whatever the pressure there is.
+/// @param places of the planes normal to x and y [m]
+/// @param size of the model [m]
+void count_from_mirrors(ContactResult<2>& contact,
+                        const std::array<std::optional<double>, 2>& places, double size);
 
 }  // namespace geneva::fem
