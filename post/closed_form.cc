@@ -89,7 +89,7 @@ std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
   form.normal = centre.normal;
   if (axisymmetric)
     form.point = loads::hertz_point(form.force, form.relative_radius, form.contact_modulus,
-                                    std::max(source.poissons_ratio, target.poissons_ratio));
+                                    std::min(source.poissons_ratio, target.poissons_ratio));
   else
     form.line = loads::hertz_line(form.force / solution.problem.thickness, form.relative_radius,
                                   form.contact_modulus);

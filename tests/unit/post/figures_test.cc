@@ -18,6 +18,20 @@ struct Mesh {
   Figures figures;
 };
 
+/// Nodes in contact under a pressure, by the distance from the middle over the half-width 1e-3.
+template <typename Pressure>
+std::vector<fem::ContactNode<2>> nodes_with(const Pressure& pressure) {
+  std::vector<fem::ContactNode<2>> nodes;
+  for (int i = 0; i <= 100; ++i) {
+    fem::ContactNode<2> node{};
+    node.arc_length = 2e-5 * i;
+    node.pressure = pressure(i / 50. - 1.);
+    node.tributary = 1.;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
 /// A plane run with a hundred nodes across the contact, so that little is left to where they stand.
 struct FewMeshes {
   explicit FewMeshes(const std::vector<Mesh>& meshes) {
@@ -35,6 +49,7 @@ struct FewMeshes {
     contact.half_width = 1e-3;
     contact.active_nodes = 100;
     contact.intervals = {{0., 2e-3, false}};
+    contact.nodes = nodes_with([](const double x) { return std::sqrt(1. - x * x); });
     solution.contacts = {contact};
     solution.has_free_ends = true;
   }
@@ -81,6 +96,13 @@ TEST(FigureErrors, AreLargeUntilTheCellsAroundWereRefined) {
   FewMeshes without_ends(zone_meshes(Figure::half_width, settled));
   without_ends.solution.has_free_ends = false;
   EXPECT_LT(without_ends.error(Figure::half_width), 0.01);
+}
+
+TEST(FigureErrors, OfAHalfWidthAreThoseOfANodeWhereThePressureIsNotHertzs) {
+  FewMeshes punch(zone_meshes(Figure::half_width, {0.98, 0.98, 0.98}));
+  const double of_hertz = punch.error(Figure::half_width);
+  punch.solution.contacts[0].nodes = nodes_with([](const double) { return 1.; });
+  EXPECT_NEAR(punch.error(Figure::half_width) - of_hertz, 0.02, 1e-9);
 }
 
 TEST(FigureErrors, AreNotKnownOnOneMesh) {
