@@ -52,9 +52,11 @@ double end_uncertainty(const ContactInterface<2>& interface, const std::vector<d
     const bool starts_free = begin > 0 && !active[begin - 1];
     const bool ends_free = end < active.size() && !active[end];
     if (!starts_free && !ends_free) continue;
-    // A zone with one free end is half of one: the other end is a plane of symmetry, or lies in the
-    // smooth middle of the contact.
-    const bool is_half = !is_on_axis && !(starts_free && ends_free);
+    // A contact with one free end is half of one: the other end is a plane of symmetry. A zone that
+    // ends in the smooth middle of a contact stands for itself.
+    const bool ends_in_middle =
+        (begin > 0 && active[begin - 1]) || (end < active.size() && active[end]);
+    const bool is_half = !is_on_axis && !ends_in_middle && !(starts_free && ends_free);
     const double nodes = static_cast<double>(end - begin) * (is_half ? 2. : 1.);
     uncertainty = std::max(uncertainty, coefficient * peak / (nodes * nodes));
   }

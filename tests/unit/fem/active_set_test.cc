@@ -249,6 +249,17 @@ TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
   EXPECT_TRUE(has_free_ends<2>({with_active(one_end)}));
 }
 
+TEST(ErrorEstimate, CountsTheNodesBesideASmoothMiddleOnce) {
+  std::vector<bool> active(40, true);
+  active.front() = active.back() = false;
+  ContactInterface<2> interface = with_active(active);
+  const auto at = [&](const std::size_t i) { return interface.source.nodes[i].arc_length; };
+  interface.smooth = {{at(9), at(30)}};
+  const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
+  EXPECT_NEAR(end_error<2>({interface}, {even(active, 1.)}, false),
+              end_error<2>({with_active(eight)}, {even(eight, 1.)}, false), 1e-15);
+}
+
 TEST(ErrorEstimate, OfALoneNodeBeyondTheContactCountsLittle) {
   const std::vector<bool> active{false, true, false, true, true, true, true, true, true, false};
   ContactState state = even(active, 1.);
