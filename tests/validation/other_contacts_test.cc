@@ -30,7 +30,7 @@ mesh::MeshData<2> sphere_on_block(const double R) {
   return mesh;
 }
 
-fem::Problem<2> sphere_on_block_problem(const double force, const fem::Material& material) {
+fem::Problem<2> sphere_on_block_problem(const double force, const fem::Material& material = steel) {
   fem::Problem<2> problem;
   problem.plane = fem::PlaneKind::axisymmetric;
   problem.bodies = {{"sphere", material, {}}, {"block", material, {}}};
@@ -74,7 +74,7 @@ TEST(Resultant, OfASphereIsItsAxialLoad) {
   const double force = std::pow(0.1, 3) * R * R / 0.75 *
                        loads::contact_modulus({2e11, 0.3}, {2e11, 0.3});  // Johnson, Eq. 4.22
   for (const bool block_is_source : {false, true}) {
-    fem::Problem<2> problem = sphere_on_block_problem(force, steel);
+    fem::Problem<2> problem = sphere_on_block_problem(force);
     if (block_is_source) problem.pairs = {{"top", "sphere"}};
     const fem::Solution<2> solution = solve(sphere_on_block(R), problem);
     const fem::ContactResult<2>& contact = solution.contacts[0];
