@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 
 import geneva_cli
 from geneva_cli import CliTest, look_up, number
@@ -85,7 +86,10 @@ class Space(CliTest):
                                          thickness="51 mm"))
         plane = self.run_case(self.write("plane", dimension=2, thickness="51 mm"))
         ratio = self.value(flush, "contact.mid_length_pressure") / self.value(plane, "contact.peak_pressure")
-        self.assertAlmostEqual(ratio, 1., delta=0.015)
+        even = self.value(plane, "contact.force") / 0.051
+        load = self.value(flush, "line_load.middle") / even
+        self.assertAlmostEqual(load, 1.02, delta=0.01, msg="what the ends do not carry")
+        self.assertAlmostEqual(ratio / math.sqrt(load), 1., delta=0.01)
 
     def test_a_logarithmic_profile_carries_its_design_load_evenly(self):
         case = self.write("logarithmic", ["Held at = core", "Profile = logarithmic", "Profile length = 6 mm",
@@ -119,7 +123,7 @@ class Space(CliTest):
         self.assertAlmostEqual(force / self.value(summary, "contact.force"), 1., delta=2e-3)
 
     def test_layers_become_thinner_towards_the_ends_of_a_line_contact_only(self):
-        line = self.write("line", ["Held at = core"])
+        line = self.write("line", ["Held at = core"], accuracy="3 %")
         crown = self.write("crown", ["Held at = core", "Profile = crown", "Crown radius = 60 mm"], modulus="20 GPa")
         for case in (line, crown):
             self.run_case(case)
@@ -141,7 +145,7 @@ class Space(CliTest):
         self.assertLess(min(self.layers(case)) / max(self.layers(case)), 0.05)
 
     def test_figures_that_no_mesh_bounds_have_no_number(self):
-        summary = self.run_case(self.write("sharp", ["Held at = one end", "Root gap = 5 mm"], accuracy="20 %"))
+        summary = self.run_case(self.write("sharp", ["Held at = one end", "Root gap = 5 mm"]))
         self.assertFalse(summary["contact"]["edge"]["bounded"])
         log = (self.directory / "sharp" / "results" / "log.txt").read_text()
         rows = {row["quantity"]: row for row in summary["comparison"]}
