@@ -235,12 +235,18 @@ class Surfaces(Refusals):
             stream.write('Physical Curve("block lid") = {203};\n')
         self.assert_refused(case, "geometry.geo", "block top", "block lid")
 
-    def test_bodies_that_share_a_point_are_refused(self):
-        case = self.copy_case(GEOMETRY)
-        with open(case / "geometry.geo", "a", encoding="utf-8") as stream:
-            stream.write("Coherence;\n")
-        replace_in(case / "geometry.geo", "Point(203) = {W, 0, 0};", "Point(203) = {0, 0, 0};")
-        self.assert_refused(case, "geometry.geo", "cylinder", "block")
+    def test_bodies_that_share_a_point_are_not_welded_there(self):
+        peaks = []
+        for name, more in (("apart", ""), ("joined", "Coherence;\n")):
+            case = self.copy_case(GEOMETRY, name)
+            with open(case / "geometry.geo", "a", encoding="utf-8") as stream:
+                stream.write(more)
+            replace_in(case / "geometry.geo", "Point(203) = {W, 0, 0};", "Point(203) = {0, 0, 0};")
+            run = self.geneva("run", case)
+            self.assertEqual(run.code, NOT_CONVERGED, run.describe())
+            self.assertIn("sharp edge", run.err)
+            peaks.append(read_summary(case / "results")["solver"]["levels"][5]["peak_pressure"]["value"])
+        self.assert_close(peaks[1], peaks[0], 1e-6, "peak on a mesh")
 
     def test_a_body_that_nothing_holds_is_named(self):
         for changes in ({"Geometry/Supports": None}, {"Geometry/Supports": "block bottom: x"}):
