@@ -154,7 +154,7 @@ class NestedIteration {
           quoted(pair), gap * solution_.scales.length));
     open_gap_ = gap;
     for (ContactInterface<dim>& interface : level_.interfaces)
-      interface.active = first_touch(interface.rows, interface.source.length);
+      interface.active = first_touch(interface);
     refined_ = Refined::zone;
     flag(state_.displacement);
     refine_flagged(state_.displacement);
@@ -261,7 +261,7 @@ class NestedIteration {
     zone_error_ =
         std::max(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
     surroundings_error_ = found.surroundings_error;
-    if (now.nodes_across < fewest_active_nodes || has_spread()) zone_error_ = 1.;
+    if (!shows_zone_error() || has_spread()) zone_error_ = 1.;
     solution_.has_free_ends = has_free_ends(level_.interfaces);
     if (!solution_.has_free_ends || surroundings_are_fine_) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
@@ -272,15 +272,31 @@ class NestedIteration {
       contact.peak_pressure *= 1. + solution_.correction;
   }
 
+  /// Whether there are enough nodes for a pressure of use, in the plane on two meshes of the zone;
+  /// in space, where meshes are dear, on the last one.
+  [[nodiscard]] bool shows_zone_error() const {
+    const auto& history = solution_.history;
+    if (history.back().nodes_across < fewest_active_nodes) return false;
+    if (dim == 3) return true;
+    for (std::size_t i = 1; i < history.size(); ++i)
+      if (history[i].refined == Refined::zone &&
+          std::min(history[i - 1].nodes_across, history[i].nodes_across) >= fewest_active_nodes)
+        return true;
+    return false;
+  }
+
   [[nodiscard]] Extrapolation extrapolation_of(double LevelRecord::*pressure) const {
     std::vector<MeshValue> values;
-    for (const LevelRecord& level : solution_.history)
-      if (level.*pressure > 0.)
+    for (const LevelRecord& level : solution_.history) {
+      if (level.nodes_across < nodes_for_grading)
+        values.clear();
+      else if (level.*pressure > 0.)
         values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
+    }
     if (values.empty()) return {0., 1., 1.};
-    return extrapolate(
-        values, grading_,
-        {dim == 2 && !has_prescribed_displacement(solution_.problem), reaches_axis()});
+    return extrapolate(values, grading_,
+                       {dim == 2 && !has_prescribed_displacement(solution_.problem), reaches_axis(),
+                        peaks_beside_end(level_.interfaces, state_.contacts)});
   }
 
   /// Pressures in the middle half of each contact's length and at its ends.

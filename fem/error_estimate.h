@@ -35,6 +35,7 @@ struct Convergence {
   bool forces_are_given;  ///< whether loads alone decide how great the contact's force is and where
                           ///< along its length it goes
   bool is_on_axis;  ///< of revolution: the nodes beside it are off, by a share of the order 1/N^2
+  bool peaks_beside_end;  ///< see peaks_beside_end()
 };
 
 /// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
@@ -48,7 +49,8 @@ struct Convergence {
 /// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
 /// assumed. Three quarters are corrected where the forces are given and four tenths stay in doubt;
-/// else what is left lies between nothing and all, and the middle is taken.
+/// else what is left lies between nothing and all, and the middle is taken. Where the pressure
+/// peaks beside an end the measure says nothing of the sign, and nothing is corrected.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
@@ -59,12 +61,20 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
 double error_of(double zone_error, double surroundings_error);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 0.8/N^2 with N nodes across; of every run of nodes as its pressure is to the greatest.
+/// an edge: 0.8/N^2. In the plane N is twice the number of nodes from the end to the peak, less
+/// one, in space the nodes across; every run of nodes counts as its pressure is to the greatest.
 /// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
 /// it
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
                  const std::vector<ContactState>& states, bool is_on_axis);
+
+/// Whether the greatest pressure stands much nearer to a free end than to the middle of its
+/// contact, as where a flat becomes round: a third of the contact's nodes away from the end at
+/// most.
+template <int dim>
+bool peaks_beside_end(const std::vector<ContactInterface<dim>>& interfaces,
+                      const std::vector<ContactState>& states);
 
 /// Whether any contact ends within the surfaces: others do not depend on the cells around them.
 template <int dim>

@@ -91,6 +91,23 @@ double source_share(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem
   return source / (source + compliance(mesh, problem, pair.target));
 }
 
+/// Direction in which the ties' forces push a pair's source to its target; 0 without ties.
+template <int dim>
+dealii::Tensor<1, dim> approach_of(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                                   const ContactPair& pair) {
+  const auto body_of = [&](const std::string& surface) {
+    return *mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin();
+  };
+  dealii::Tensor<1, dim> push;
+  for (const RigidTie<dim>& tie : problem.ties) {
+    const auto body = body_of(tie.surface);
+    const int sign =
+        (body == body_of(pair.source) ? 1 : 0) - (body == body_of(pair.target) ? 1 : 0);
+    for (unsigned int i = 0; i < dim; ++i) push[i] += sign * tie.force * tie.direction[i];
+  }
+  return push.norm() > 0. ? push / push.norm() : push;
+}
+
 template <int dim>
 std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary,
                                                    const mesh::MeshData<dim>& mesh,
@@ -110,7 +127,8 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
                                                  },
                                                  source_share(mesh, problem, problem.pairs[i]),
                                                  problem.pairs[i].clearance, communicator});
-    interface.active = first_touch(interface.rows, interface.source.length);
+    interface.approach = approach_of(mesh, problem, problem.pairs[i]);
+    interface.active = first_touch(interface);
     interfaces.push_back(std::move(interface));
   }
   return interfaces;

@@ -144,7 +144,7 @@ double error_of(const Course& course, const Figure figure, const double grading,
   const double open = (own.first + unfitted) * size + own.second * size * size;
   if (is_depth(figure)) return open;
   const fem::Extrapolation found =
-      fem::extrapolate(course.values, grading, {forces_are_given, false});
+      fem::extrapolate(course.values, grading, {forces_are_given, false, false});
   const double zone = own.is_fitted && course.values.size() > 1
                           ? std::max(open, left_at_second_order(course))
                           : found.zone_error;

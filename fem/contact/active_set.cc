@@ -24,6 +24,25 @@ double initial_gap(const MortarRow<dim>& row) {
   return row.initial_gap / row.weight;
 }
 
+/// Rows that close more slowly than this share of the approach do not stop it.
+constexpr double least_closing_rate = 0.2;
+
+template <int dim>
+double closing_rate(const MortarRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
+  return -(row.normal * approach);
+}
+
+/// How far the source has to move along the approach until a row touches, without end where it
+/// leads past; the gap itself where the approach is not known or the bodies overlap.
+template <int dim>
+double way_to_touch(const MortarRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
+  const double gap = initial_gap(row);
+  if (approach.norm() == 0.) return gap;
+  const double rate = closing_rate(row, approach);
+  if (rate <= least_closing_rate) return std::numeric_limits<double>::max();
+  return gap > 0. ? gap / rate : gap;
+}
+
 /// The component to solve a row for; none if all are held.
 template <int dim>
 int pivot_component(const MortarRow<dim>& row, const SurfaceNode<dim>& node,
@@ -119,13 +138,20 @@ double bend_of_pressure(const ContactInterface<2>& interface, const ContactState
 }  // namespace
 
 template <int dim>
-std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, const double length) {
+std::vector<bool> first_touch(const ContactInterface<dim>& interface) {
+  const bool meets_approach =
+      std::any_of(interface.rows.begin(), interface.rows.end(), [&](const MortarRow<dim>& row) {
+        return closing_rate(row, interface.approach) > least_closing_rate;
+      });
+  const dealii::Tensor<1, dim> approach =
+      meets_approach ? interface.approach : dealii::Tensor<1, dim>();
   double smallest = std::numeric_limits<double>::max();
-  for (const MortarRow<dim>& row : rows) smallest = std::min(smallest, initial_gap(row));
+  for (const MortarRow<dim>& row : interface.rows)
+    smallest = std::min(smallest, way_to_touch(row, approach));
   std::vector<bool> active;
-  active.reserve(rows.size());
-  for (const MortarRow<dim>& row : rows)
-    active.push_back(initial_gap(row) <= smallest + 1e-9 * length);
+  active.reserve(interface.rows.size());
+  for (const MortarRow<dim>& row : interface.rows)
+    active.push_back(way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length);
   return active;
 }
 
@@ -142,7 +168,7 @@ std::vector<bool> inherited(const ContactInterface<2>& interface,
         }));
   }
   if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
-    return first_touch(interface.rows, interface.source.length);
+    return first_touch(interface);
   return active;
 }
 
@@ -170,7 +196,7 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
                      }));
   }
   if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
-    return first_touch(interface.rows, interface.source.length);
+    return first_touch(interface);
   return active;
 }
 
@@ -307,14 +333,14 @@ std::vector<bool> updated(const ContactInterface<dim>& interface, const ContactS
   return active;
 }
 
-template std::vector<bool> first_touch(const std::vector<MortarRow<2>>&, double);
+template std::vector<bool> first_touch(const ContactInterface<2>&);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<2>&,
                                const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 template std::vector<bool> updated(const ContactInterface<2>&, const ContactState&);
-template std::vector<bool> first_touch(const std::vector<MortarRow<3>>&, double);
+template std::vector<bool> first_touch(const ContactInterface<3>&);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<3>&,

@@ -23,6 +23,8 @@ struct ContactInterface {
   std::vector<MortarRow<dim>> rows;
   std::vector<bool> active;  ///< by row
   ArcIntervals smooth = {};  ///< of the source, in the plane: there the edges are short enough
+  dealii::Tensor<1, dim> approach = {};  ///< unit vector along which loads push the source to the
+                                         ///< target; 0 if not known
 };
 
 /// Contact pressure and gap at the source nodes, by row.
@@ -32,9 +34,10 @@ struct ContactState {
   double approach = 0.;          ///< greatest change of a gap by the displacement
 };
 
-/// The rows that touch first: those whose initial gap is the smallest.
+/// The rows that touch first: those whose initial gap along the approach is the smallest. Where a
+/// pin fits the bottom of its slot, gaps across the approach are small, too, but never close.
 template <int dim>
-std::vector<bool> first_touch(const std::vector<MortarRow<dim>>& rows, double length);
+std::vector<bool> first_touch(const ContactInterface<dim>& interface);
 
 /// The rows within the contact that the coarser mesh found, or first_touch if there is none.
 /// @param intervals of the coarser mesh's contact [m]

@@ -72,6 +72,13 @@ class SlotBottom(CliTest):
         changes = {"Mechanism/Type": "internal", "Mechanism/Stations": "6"}
         self.check_conforming(self.run_with("internal", changes))
 
+    def test_a_pin_beside_the_bottom_touches_the_wall_that_the_load_pushes_it_to(self):
+        """Gaps to the bottom are small all around, but close along the load on one side only."""
+        summary = self.run_with("beside", {"Mechanism/Type": "internal", "Mechanism/Stations": "18",
+                                           "Mechanism/Driver angle": "3 deg"})
+        self.assert_close(number(summary["contact"]["peak_pressure"]), number(summary["hertz"]["peak_pressure"]), 0.01,
+                          "Hertz's line contact on the straight wall")
+
     def test_a_pin_with_clearance_presses_on_wall_and_bottom(self):
         """Between Hertz's pressure on the straight wall and that in the bottom alone."""
         summary = self.run_with("clearance", {"Mechanism/Slot clearance": "0.4 mm"})

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "fem/contact/result.h"
 #include "fem/error_estimate.h"
@@ -34,9 +35,26 @@ TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
   for (const double lift : {0., 0.3, -2.}) {
     for (MortarRow<2>& row : interface.rows)
       row.initial_gap = row.weight * (lift + (row.node == 2 || row.node == 3 ? 0. : 0.1));
-    EXPECT_EQ(first_touch(interface.rows, 1.),
-              (std::vector<bool>{false, false, true, true, false}));
+    EXPECT_EQ(first_touch(interface), (std::vector<bool>{false, false, true, true, false}));
   }
+}
+
+TEST(ActiveSet, FirstTouchIsAlongTheApproach) {
+  ContactInterface<2> interface = flat_pair(2);
+  const double root = std::sqrt(0.5);
+  const std::vector<dealii::Tensor<1, 2>> normals{
+      dealii::Point<2>(1., 0.), dealii::Point<2>(root, root), dealii::Point<2>(0., 1.)};
+  const std::vector<double> gaps{-0.1, 0.2, 0.3};
+  for (std::size_t i = 0; i < 3; ++i) {
+    interface.rows[i].normal = normals[i];
+    interface.rows[i].initial_gap = interface.rows[i].weight * gaps[i];
+  }
+  EXPECT_EQ(first_touch(interface), (std::vector<bool>{true, false, false})) << "not known";
+  interface.approach = dealii::Point<2>(0., -1.);
+  EXPECT_EQ(first_touch(interface), (std::vector<bool>{false, true, false}))
+      << "the first never closes, the second after 0.28";
+  interface.approach = dealii::Point<2>(0., 1.);
+  EXPECT_EQ(first_touch(interface), (std::vector<bool>{true, false, false})) << "away from all";
 }
 
 TEST(ActiveSet, IntervalsReachFromFirstToLastActiveNode) {
@@ -226,43 +244,73 @@ TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
   EXPECT_EQ(contact_result({"a", "b"}, interface, state, {1., 1.}).max_penetration, 0.2);
 }
 
-/// The same pressure in every active row.
-ContactState even(const std::vector<bool>& active, const double pressure) {
+/// Pressures that rise in the active rows to a peak in the middle, or in a given row.
+ContactState rising(const std::vector<bool>& active, const double peak,
+                    const std::optional<std::size_t> at = {}) {
+  const std::size_t top = at.value_or(active.size() / 2);
   ContactState state{};
-  for (const bool is_active : active) state.pressure.push_back(is_active ? pressure : 0.);
+  for (std::size_t i = 0; i < active.size(); ++i) {
+    const double distance = i > top ? static_cast<double>(i - top) : static_cast<double>(top - i);
+    state.pressure.push_back(active[i] ? peak * (1. - 1e-3 * distance) : 0.);
+  }
   return state;
 }
 
 TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
-  const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, true, false};
-  const std::vector<bool> one_end{true, true, true, true, true, true, true, true, false};
+  const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, false};
+  const std::vector<bool> one_end{true, true, true, true, false};
   const std::vector<bool> no_end(8, true);
-  const double with_two = end_error<2>({with_active(free_ends)}, {even(free_ends, 1.)}, false);
-  EXPECT_GT(with_two, 0.5 / 64.) << "of the order 1/N^2 with 8 nodes";
-  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {even(one_end, 1.)}, false), with_two / 4.,
+  const double with_two = end_error<2>({with_active(free_ends)}, {rising(free_ends, 1.)}, false);
+  EXPECT_GT(with_two, 0.5 / 49.) << "of the order 1/N^2 with 7 nodes";
+  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, false), with_two,
               1e-15)
-      << "half a contact with twice as many nodes";
-  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {even(one_end, 1.)}, true), with_two, 1e-15)
+      << "half of that contact";
+  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, true),
+              with_two * 49. / 16., 1e-15)
       << "on an axis";
-  EXPECT_EQ(end_error<2>({with_active(no_end)}, {even(no_end, 1.)}, false), 0.);
+  EXPECT_EQ(end_error<2>({with_active(no_end)}, {rising(no_end, 1.)}, false), 0.);
   EXPECT_FALSE(has_free_ends<2>({with_active(no_end)}));
   EXPECT_TRUE(has_free_ends<2>({with_active(one_end)}));
 }
 
-TEST(ErrorEstimate, CountsTheNodesBesideASmoothMiddleOnce) {
-  std::vector<bool> active(40, true);
+TEST(ErrorEstimate, CountsTheNodesBetweenAFreeEndAndThePeak) {
+  std::vector<bool> active(42, true);
   active.front() = active.back() = false;
+  const std::vector<bool> seven{false, true, true, true, true, true, true, true, false};
+  const double of_seven = end_error<2>({with_active(seven)}, {rising(seven, 1.)}, false);
+  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 4)}, false), of_seven, 1e-15);
+  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 37)}, false), of_seven,
+              1e-15);
   ContactInterface<2> interface = with_active(active);
   const auto at = [&](const std::size_t i) { return interface.source.nodes[i].arc_length; };
   interface.smooth = {{at(9), at(30)}};
-  const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
-  EXPECT_NEAR(end_error<2>({interface}, {even(active, 1.)}, false),
-              end_error<2>({with_active(eight)}, {even(eight, 1.)}, false), 1e-15);
+  EXPECT_NEAR(end_error<2>({interface}, {rising(active, 1., 4)}, false), of_seven, 1e-15)
+      << "and not those of a smooth middle";
+}
+
+TEST(ErrorEstimate, TellsAPeakBesideAnEndFromOneInTheMiddle) {
+  std::vector<bool> active(42, true);
+  active.front() = active.back() = false;
+  const std::vector<bool> open(4, false);
+  const std::vector<bool> half{true, true, true, true, true, true, false};
+  const auto is_beside_end = [&](const std::size_t peak) {
+    return peaks_beside_end<2>({with_active(open), with_active(active)},
+                               {rising(open, 0.), rising(active, 1., peak)});
+  };
+  EXPECT_TRUE(is_beside_end(5));
+  EXPECT_TRUE(is_beside_end(36));
+  EXPECT_FALSE(is_beside_end(14));
+  EXPECT_FALSE(is_beside_end(20));
+  EXPECT_FALSE(peaks_beside_end<2>({with_active(half)}, {rising(half, 1., 0)}))
+      << "half of a contact with the peak on the plane of symmetry";
+  EXPECT_FALSE(peaks_beside_end<2>({with_active(active), with_active(half)},
+                                   {rising(active, 1., 5), rising(half, 2., 0)}))
+      << "the pair with the greatest pressure decides";
 }
 
 TEST(ErrorEstimate, OfALoneNodeBeyondTheContactCountsLittle) {
   const std::vector<bool> active{false, true, false, true, true, true, true, true, true, false};
-  ContactState state = even(active, 1.);
+  ContactState state = rising(active, 1.);
   state.pressure[1] = 0.01;
   EXPECT_LT(end_error<2>({with_active(active)}, {state}, false), 0.1);
 }
@@ -271,14 +319,14 @@ TEST(ErrorEstimate, OfSeveralPairsCountsEachAsItsPeakAndNotOpenOnes) {
   const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
   const std::vector<bool> two{false, true, true, false};
   const std::vector<bool> open(4, false);
-  const double of_eight = end_error<2>({with_active(eight)}, {even(eight, 1.)}, false);
-  const double of_two = end_error<2>({with_active(two)}, {even(two, 1.)}, false);
+  const double of_eight = end_error<2>({with_active(eight)}, {rising(eight, 1.)}, false);
+  const double of_two = end_error<2>({with_active(two)}, {rising(two, 1.)}, false);
   EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(open)},
-                                {even(eight, 3.), even(open, 0.)}, false),
+                                {rising(eight, 3.), rising(open, 0.)}, false),
                    of_eight);
-  EXPECT_DOUBLE_EQ(
-      end_error<2>({with_active(eight), with_active(two)}, {even(eight, 4.), even(two, 2.)}, false),
-      of_two / 2.);
+  EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(two)},
+                                {rising(eight, 4.), rising(two, 2.)}, false),
+                   of_two / 2.);
 }
 
 std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsigned int nodes) {
@@ -386,7 +434,7 @@ TEST(NoProgress, IsSeenWhereNeitherNodesNorPressureChangeOnThreeMeshes) {
   EXPECT_FALSE(stands_still(growing)) << "a flat face in contact";
 }
 
-constexpr Convergence forces_given{true, false};
+constexpr Convergence forces_given{true, false, false};
 
 TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
   // 1 + 0.08 h^2 + 0.05 s with the cells' size h in the zone and the size measure s around it
@@ -419,9 +467,19 @@ TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
                                       {1.1, Refined::zone, 1, 1.},
                                       {1.02, Refined::surroundings, 0, 0.2}};
   const double left = -0.08 / 1.02 / 4.;
-  EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).correction, left / 2., 1e-12);
-  EXPECT_NEAR(extrapolate(values, 0.2, {false, false}).surroundings_error, -left / 2., 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).correction, left / 2., 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).surroundings_error, -left / 2.,
+              1e-12);
   EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * left, 1e-12);
+}
+
+TEST(Extrapolation, CorrectsNothingWhereThePressurePeaksBesideAnEnd) {
+  const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
+                                      {1.1, Refined::zone, 1, 1.},
+                                      {1.02, Refined::surroundings, 0, 0.2}};
+  const Extrapolation found = extrapolate(values, 0.2, {true, false, true});
+  EXPECT_EQ(found.correction, 0.);
+  EXPECT_NEAR(found.surroundings_error, 0.08 / 1.02 / 4., 1e-12);
 }
 
 TEST(ErrorEstimate, TakesItsPartsAsIndependent) {
@@ -434,10 +492,11 @@ TEST(Extrapolation, CorrectsTheZoneOnAnAxisOfRevolution) {
   const std::vector<MeshValue> values{{value(1.), Refined::nothing, 0, 1.},
                                       {value(0.5), Refined::zone, 1, 1.},
                                       {value(0.25), Refined::zone, 1, 1.}};
-  const Extrapolation found = extrapolate(values, 0.2, {true, true});
+  const Extrapolation found = extrapolate(values, 0.2, {true, true, false});
   EXPECT_NEAR(values.back().value * (1. + found.correction), 1., 1e-12);
   EXPECT_EQ(extrapolate(values, 0.2, forces_given).correction, 0.);
-  EXPECT_EQ(extrapolate(values, 0.2, {false, true}).correction, 0.) << "a force that still changes";
+  EXPECT_EQ(extrapolate(values, 0.2, {false, true, false}).correction, 0.)
+      << "a force that still changes";
 }
 
 TEST(Extrapolation, SaysNothingSmallOfCellsThatWereNeverRefined) {
