@@ -489,7 +489,8 @@ class NestedIteration {
   double flag(const Vector& displacement) {
     return flag_cells(
         *solution_.dof_handler, displacement, level_.interfaces, surface_ids(),
-        {refined_ == Refined::zone, is_resolved() ? std::optional(grading_) : std::nullopt});
+        {refined_ == Refined::zone, is_resolved() ? std::optional(grading_) : std::nullopt,
+         size_growth(solution_.problem)});
   }
 
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no

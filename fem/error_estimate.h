@@ -50,7 +50,7 @@ struct Convergence {
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
 /// assumed. Three quarters are corrected where the forces are given and four tenths stay in doubt;
 /// else what is left lies between nothing and all, and the middle is taken. Where the pressure
-/// peaks beside an end the measure says nothing of the sign, and nothing is corrected.
+/// peaks beside an end half is corrected and all stays in doubt.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,

@@ -9,7 +9,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <set>
 
 #include "fem/refinement_zone.h"
 
@@ -56,24 +55,87 @@ double size_of(const typename dealii::DoFHandler<dim>::active_cell_iterator& cel
   return std::max(extents[1], extents[dim - 1] / elongation);
 }
 
-/// A contact zone as seen from the cells around it.
+/// A contact as seen from the cells around it.
 template <int dim>
 struct ZoneOutline {
   std::vector<dealii::Point<dim>> nodes;  ///< in contact, of both sides: a gap may have been wide
-  double next_size;                       ///< edge length in the zone after this refinement
+  std::vector<double> sizes;              ///< of the edges at these nodes after this refinement
   double elongation;                      ///< greatest ratio of a face's edges in the zone
-  double width;  ///< of the contact; in space its edges times the nodes across
+  double width;       ///< of the contact; in space its edges times the nodes across
+  double zone_width;  ///< without a smooth middle
 };
 
+/// Nodes of the target opposite to the chosen rows.
 template <int dim>
-void add_target_nodes(const ContactInterface<dim>& interface,
-                      std::vector<dealii::Point<dim>>& nodes) {
-  const std::vector<bool> in_zone = zone_rows(interface);
-  std::set<std::size_t> opposite;
-  for (std::size_t i = 0; i < in_zone.size(); ++i)
-    if (in_zone[i])
-      for (const auto& [node, coupling] : interface.rows[i].coupling) opposite.insert(node);
-  for (const std::size_t node : opposite) nodes.push_back(interface.target.nodes[node].position);
+std::vector<bool> opposite_nodes(const ContactInterface<dim>& interface,
+                                 const std::vector<bool>& rows) {
+  std::vector<bool> opposite(interface.target.nodes.size(), false);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i])
+      for (const auto& [node, coupling] : interface.rows[i].coupling) opposite[node] = true;
+  return opposite;
+}
+
+/// Sums up the lengths of edges, half at each of their ends, over the chosen nodes.
+double length_of(const Surface<2>& surface, const std::vector<bool>& nodes) {
+  double length = 0.;
+  for (const SurfaceFace<2>& face : surface.faces)
+    for (const unsigned int node : face.nodes)
+      if (nodes[node]) length += longest_edge(surface, face) / 2.;
+  return length;
+}
+
+/// The longest edge at each node of a surface.
+std::vector<double> edges_at_nodes(const Surface<2>& surface) {
+  std::vector<double> edges(surface.nodes.size(), 0.);
+  for (const SurfaceFace<2>& face : surface.faces)
+    for (const unsigned int node : face.nodes)
+      edges[node] = std::max(edges[node], longest_edge(surface, face));
+  return edges;
+}
+
+/// Adds a surface's nodes in contact; the edges of those in the zone shrink by a factor.
+void add_nodes(ZoneOutline<2>& outline, const Surface<2>& surface, const std::vector<bool>& active,
+               const std::vector<bool>& in_zone, const double factor) {
+  const std::vector<double> edges = edges_at_nodes(surface);
+  for (std::size_t node = 0; node < active.size(); ++node)
+    if (active[node]) {
+      outline.nodes.push_back(surface.nodes[node].position);
+      outline.sizes.push_back(edges[node] * (in_zone[node] ? factor : 1.));
+    }
+}
+
+ZoneOutline<2> outline_of(const ContactInterface<2>& interface, const double factor) {
+  const std::vector<bool> active = active_nodes(interface);
+  const std::vector<bool> in_zone = zone_nodes(interface);
+  ZoneOutline<2> outline{
+      {}, {}, 1., length_of(interface.source, active), length_of(interface.source, in_zone)};
+  add_nodes(outline, interface.source, active, in_zone, factor);
+  add_nodes(outline, interface.target, opposite_nodes(interface, interface.active),
+            opposite_nodes(interface, zone_rows(interface)), factor);
+  return outline;
+}
+
+ZoneOutline<3> outline_of(const ContactInterface<3>& interface, const double factor) {
+  ZoneOutline<3> outline{{}, {}, 1., 0., 0.};
+  const std::vector<bool> active = active_nodes(interface);
+  double shortest = std::numeric_limits<double>::max();
+  for (const SurfaceFace<3>& face : interface.source.faces)
+    if (std::any_of(face.nodes.begin(), face.nodes.end(),
+                    [&](const unsigned int node) { return active[node]; })) {
+      const double edge = shortest_edge(interface.source, face);
+      shortest = std::min(shortest, edge);
+      outline.elongation =
+          std::max(outline.elongation, longest_edge(interface.source, face) / edge);
+    }
+  const std::vector<bool> opposite = opposite_nodes(interface, interface.active);
+  for (std::size_t node = 0; node < active.size(); ++node)
+    if (active[node]) outline.nodes.push_back(interface.source.nodes[node].position);
+  for (std::size_t node = 0; node < opposite.size(); ++node)
+    if (opposite[node]) outline.nodes.push_back(interface.target.nodes[node].position);
+  outline.sizes.assign(outline.nodes.size(), shortest * factor);
+  outline.width = outline.zone_width = nodes_across(interface) * shortest;
+  return outline;
 }
 
 template <int dim>
@@ -81,61 +143,71 @@ std::vector<ZoneOutline<dim>> zone_outlines(const std::vector<ContactInterface<d
                                             const bool zone_is_refined) {
   std::vector<ZoneOutline<dim>> zones;
   for (const ContactInterface<dim>& interface : interfaces) {
-    ZoneOutline<dim> zone{{}, 0., 1., 0.};
-    const std::vector<bool> in_zone = zone_nodes(interface);
-    double shortest = std::numeric_limits<double>::max();
-    for (const SurfaceFace<dim>& face : interface.source.faces)
-      if (std::any_of(face.nodes.begin(), face.nodes.end(),
-                      [&](const unsigned int node) { return in_zone[node]; })) {
-        const double edge = shortest_edge(interface.source, face);
-        shortest = std::min(shortest, edge);
-        zone.elongation = std::max(zone.elongation, longest_edge(interface.source, face) / edge);
-      }
-    for (std::size_t node = 0; node < in_zone.size(); ++node)
-      if (in_zone[node]) zone.nodes.push_back(interface.source.nodes[node].position);
-    const std::size_t across_source = zone.nodes.size();
-    add_target_nodes(interface, zone.nodes);
-    zone.next_size = zone_is_refined ? shortest / 2. : shortest;
-    const auto across =
-        dim == 2 ? across_source : static_cast<std::size_t>(nodes_across(interface));
-    zone.width = static_cast<double>(across) * shortest;
-    if (!zone.nodes.empty()) zones.push_back(zone);
+    const ZoneOutline<dim> outline = outline_of(interface, zone_is_refined ? 0.5 : 1.);
+    if (!outline.nodes.empty()) zones.push_back(outline);
   }
   return zones;
 }
 
-/// Calls a function for every cell of this rank and every zone with the distance of the two.
+/// Finds a contact's node that is next to a point.
+template <int dim>
+class NearestNode {
+ public:
+  explicit NearestNode(const ZoneOutline<dim>& zone)
+      : tree_(dealii::pack_rtree_of_indices(zone.nodes)) {}
+
+  [[nodiscard]] std::size_t operator()(const dealii::Point<dim>& point) const {
+    std::vector<std::size_t> nearest;
+    tree_.query(boost::geometry::index::nearest(point, 1), std::back_inserter(nearest));
+    return nearest.front();
+  }
+
+ private:
+  decltype(dealii::pack_rtree_of_indices(std::vector<dealii::Point<dim>>())) tree_;
+};
+
+/// What a cell is beside the contact's node next to it.
+struct BesideZone {
+  double distance;   ///< from the cell's centre
+  double next_size;  ///< of the edges at that node
+};
+
+/// Calls a function for every cell of this rank and every zone.
 template <int dim, typename Function>
 void visit_cells(const dealii::DoFHandler<dim>& dof_handler,
                  const std::vector<ZoneOutline<dim>>& zones, const Function& visit) {
   for (const ZoneOutline<dim>& zone : zones) {
-    const auto tree = dealii::pack_rtree(zone.nodes);
+    const NearestNode<dim> nearest(zone);
     for (const auto& cell : dof_handler.active_cell_iterators()) {
       if (!cell->is_locally_owned()) continue;
       const dealii::Point<dim> centre = cell->center();
-      std::vector<dealii::Point<dim>> nearest;
-      tree.query(boost::geometry::index::nearest(centre, 1), std::back_inserter(nearest));
-      visit(cell, zone, centre.distance(nearest.front()));
+      const std::size_t node = nearest(centre);
+      visit(cell, zone, BesideZone{centre.distance(zone.nodes[node]), zone.sizes[node]});
     }
   }
 }
 
+/// How the sizes of cells grow with their distance from a contact.
+struct Sizes {
+  double grading;
+  double growth;  ///< see size_growth()
+};
+
 /// Greatest size of a cell at a distance from a contact.
 template <int dim>
-double size_at(const double distance, const ZoneOutline<dim>& zone, const double grading) {
+double size_at(const double distance, const ZoneOutline<dim>& zone, const Sizes& sizes) {
   const double even = 2. * zone.width;  // as far as stresses of the contact's own field matter
-  if (dim == 3 || distance < even) return grading * distance;
-  return grading * distance * std::sqrt(distance / even);
+  return sizes.grading * distance * std::pow(std::max(1., distance / even), sizes.growth - 1.);
 }
 
 template <int dim>
 unsigned int flag_surroundings(dealii::DoFHandler<dim>& dof_handler,
-                               const std::vector<ZoneOutline<dim>>& zones, const double grading) {
+                               const std::vector<ZoneOutline<dim>>& zones, const Sizes& sizes) {
   unsigned int flagged = 0;
   visit_cells(
       dof_handler, zones,
-      [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
-        const double wanted = std::max(size_at(distance, zone, grading), zone.next_size);
+      [&](const auto& cell, const ZoneOutline<dim>& zone, const BesideZone& beside) {
+        const double wanted = std::max(size_at(beside.distance, zone, sizes), beside.next_size);
         if (cell->refine_flag_set() || size_of<dim>(cell, zone.elongation) <= size_slack * wanted)
           return;
         cell->set_refine_flag();
@@ -157,7 +229,7 @@ std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> unflagged(
   return cells;
 }
 
-/// Outlines whose size is that of the zones' greatest cells, and these cells.
+/// Outlines with sizes that no cell of the zone exceeds, and these cells.
 template <int dim>
 struct ZoneCells {
   std::vector<ZoneOutline<dim>> zones;
@@ -171,9 +243,13 @@ ZoneCells<dim> zones_with_cells(dealii::DoFHandler<dim>& dof_handler,
   flag_zone(dof_handler, interfaces, surface_ids, ZonePart::all);
   ZoneCells<dim> result{zone_outlines(interfaces, false), unflagged(dof_handler)};
   for (ZoneOutline<dim>& zone : result.zones) {
+    const NearestNode<dim> nearest(zone);
+    double factor = 1.;
     for (const auto& cell : result.cells)
-      zone.next_size = std::max(zone.next_size, size_of<dim>(cell, zone.elongation));
-    zone.next_size = dealii::Utilities::MPI::max(zone.next_size, dof_handler.get_communicator());
+      factor = std::max(factor,
+                        size_of<dim>(cell, zone.elongation) / zone.sizes[nearest(cell->center())]);
+    factor = dealii::Utilities::MPI::max(factor, dof_handler.get_communicator());
+    for (double& size : zone.sizes) size *= factor;
   }
   return result;
 }
@@ -202,9 +278,9 @@ template <int dim>
 unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
                                     const dealii::TrilinosWrappers::MPI::Vector& displacement,
                                     const std::vector<ContactInterface<dim>>& interfaces,
-                                    const SurfaceIds& surface_ids, const double grading) {
+                                    const SurfaceIds& surface_ids, const Sizes& sizes) {
   const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
-  unsigned int flagged = flag_surroundings(dof_handler, zones, grading);
+  unsigned int flagged = flag_surroundings(dof_handler, zones, sizes);
   flagged += flag_energy(dof_handler, displacement);
   for (const auto& cell : zone_cells)
     if (cell->refine_flag_set()) {
@@ -225,12 +301,13 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
   if (wanted.zone) {
     flagged += flag_zone(dof_handler, interfaces, surface_ids, ZonePart::all);
     if (wanted.grading) {
-      flagged += flag_surroundings(dof_handler, zone_outlines(interfaces, true), *wanted.grading);
+      flagged += flag_surroundings(dof_handler, zone_outlines(interfaces, true),
+                                   {*wanted.grading, wanted.growth});
       flagged += flag_energy(dof_handler, displacement);
     }
   } else if (wanted.grading) {
-    flagged +=
-        flag_only_surroundings(dof_handler, displacement, interfaces, surface_ids, *wanted.grading);
+    flagged += flag_only_surroundings(dof_handler, displacement, interfaces, surface_ids,
+                                      {*wanted.grading, wanted.growth});
   }
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
@@ -243,16 +320,21 @@ int size_decay(const Problem<dim>& problem) {
 }
 
 template <int dim>
+double size_growth(const Problem<dim>& problem) {
+  return dim == 3 || has_prescribed_displacement(problem) ? 1. : 1.5;
+}
+
+template <int dim>
 double size_measure(dealii::DoFHandler<dim>& dof_handler,
                     const std::vector<ContactInterface<dim>>& interfaces,
                     const SurfaceIds& surface_ids, const int decay) {
   double sum = 0.;
   visit_cells(dof_handler, zones_with_cells(dof_handler, interfaces, surface_ids).zones,
-              [&](const auto& cell, const ZoneOutline<dim>& zone, const double distance) {
+              [&](const auto& cell, const ZoneOutline<dim>& zone, const BesideZone& beside) {
                 const double size = size_of<dim>(cell, zone.elongation);
-                if (size > size_slack * zone.next_size)
+                if (size > size_slack * beside.next_size)
                   sum += size * size * cell->measure() /
-                         std::pow(std::max(distance, zone.width / 2.), decay);
+                         std::pow(std::max(beside.distance, zone.zone_width / 2.), decay);
               });
   return dealii::Utilities::MPI::sum(sum, dof_handler.get_communicator());
 }
@@ -271,6 +353,8 @@ template unsigned int flag_cells(dealii::DoFHandler<2>&,
                                  const Wanted&);
 template int size_decay(const Problem<2>&);
 template int size_decay(const Problem<3>&);
+template double size_growth(const Problem<2>&);
+template double size_growth(const Problem<3>&);
 template double size_measure(dealii::DoFHandler<2>&, const std::vector<ContactInterface<2>>&,
                              const SurfaceIds&, int);
 template double size_measure(dealii::DoFHandler<3>&, const std::vector<ContactInterface<3>>&,

@@ -16,11 +16,11 @@ namespace geneva::fem {
 /// What is to be refined.
 struct Wanted {
   bool zone;  ///< the contact zones; else only the cells around them
-  /// Greatest ratio of a cell's size to its distance from the contact; in the plane that up
-  /// to two widths of the contact from it, and beyond in proportion to the root of the distance.
-  /// Nothing while the contact is not resolved well enough for sizes and energy norm to make sense:
+  /// Greatest ratio of a cell's size to its distance from the contact, see size_growth(). Nothing
+  /// while the contact is not resolved well enough for sizes and energy norm to make sense:
   /// then only the zones are refined.
   std::optional<double> grading;
+  double growth;  ///< see size_growth()
 };
 
 /// Flags the cells to refine: evenly those along every contact zone, so that the contact pressure
@@ -44,6 +44,15 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
 /// where along the length it goes, and the dual solution is a force: m is less by 2.
 template <int dim>
 int size_decay(const Problem<dim>& problem);
+
+/// Power of the distance that sizes of cells grow with, farther than two widths of the contact
+/// away.
+///
+/// The least number of cells for an error of the sum of h^2 V/r^m, in the plane with a number of
+/// V/h^2, has h in proportion to r^(m/4): 1.5 where loads give the contact's force, and 1 under a
+/// prescribed displacement, where cells far away decide how great it is. In space 1.
+template <int dim>
+double size_growth(const Problem<dim>& problem);
 
 /// What the error of the peak pressure that comes from the cells around the contacts is
 /// proportional to: the sum over those larger than the cells of the contact zones of h^2 V/max(r,
