@@ -60,22 +60,11 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   return problem;
 }
 
-/// The outlines without the round bottom in the driving wall: in space coarse faces of the pin
-/// would meet those of the bottom across the slot.
-std::vector<loads::Outline> with_straight_wall(std::vector<loads::Outline> outlines) {
-  for (loads::Outline& outline : outlines)
-    for (loads::Loop& loop : outline.loops)
-      for (loads::Segment& segment : loop)
-        if (segment.is_arc && segment.surface == "driving wall") segment.surface = "slots";
-  return outlines;
-}
-
 /// Pin and wheel in the plane, or drawn out.
 template <int dim>
 mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const MechanismState& state,
                                    const ContactGeometry& geometry) {
-  mesh::MeshData<2> plane = mesh::mesh_outlines(
-      dim == 2 ? geometry.outlines : with_straight_wall(geometry.outlines), geometry.sizing);
+  mesh::MeshData<2> plane = mesh::mesh_outlines(geometry.outlines, geometry.sizing);
   if constexpr (dim == 2) {
     return plane;
   } else {

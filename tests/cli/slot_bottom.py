@@ -79,6 +79,14 @@ class SlotBottom(CliTest):
         self.assert_close(number(summary["contact"]["peak_pressure"]), number(summary["hertz"]["peak_pressure"]), 0.01,
                           "Hertz's line contact on the straight wall")
 
+    def test_in_space_wall_and_bottom_are_one_surface_as_well(self):
+        plane = self.run_with("plane", {"Mechanism/Driver angle": "1.125 deg"})
+        changes = {"Dimension": "3", "Accuracy": "5 %", "Mechanism/Driver angle": "1.125 deg"}
+        space = self.run_with("space", changes)
+        # a pin as long as thick, held at both ends: its middle is near plane strain
+        self.assert_close(number(space["contact"]["mid_length_pressure"]),
+                          number(plane["contact"]["peak_pressure"]), 0.05, "in the middle")
+
     def test_a_pin_with_clearance_presses_on_wall_and_bottom(self):
         """Between Hertz's pressure on the straight wall and that in the bottom alone."""
         summary = self.run_with("clearance", {"Mechanism/Slot clearance": "0.4 mm"})
