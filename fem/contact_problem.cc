@@ -259,7 +259,7 @@ class NestedIteration {
     Extrapolation found = extrapolation_of(is_bounded ? &LevelRecord::peak_pressure
                                                       : &LevelRecord::mid_length_pressure);
     zone_error_ =
-        std::max(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
+        error_of(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
     surroundings_error_ = found.surroundings_error;
     if (!shows_zone_error() || has_spread()) zone_error_ = 1.;
     solution_.has_free_ends = has_free_ends(level_.interfaces);

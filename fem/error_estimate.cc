@@ -185,8 +185,8 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   return result;
 }
 
-double error_of(const double zone_error, const double surroundings_error) {
-  return std::min(1., std::hypot(zone_error, surroundings_error));
+double error_of(const double one, const double other) {
+  return std::min(1., std::hypot(one, other));
 }
 
 template <int dim>

@@ -56,9 +56,9 @@ struct Convergence {
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
                           const Convergence& convergence);
 
-/// Both parts together, which know nothing of each other: the root of the sum of their squares, at
+/// Two parts together that know nothing of each other: the root of the sum of their squares, at
 /// most 1.
-double error_of(double zone_error, double surroundings_error);
+double error_of(double one, double other);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
 /// an edge: 0.8/N^2. In the plane N is twice the number of nodes from the end to the peak, less
