@@ -165,8 +165,10 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   const bool is_measured = convergence.forces_are_given && !convergence.peaks_beside_end;
   const double taken = is_measured ? 0.75 : 0.5;
   const double doubt = is_measured ? 0.4 : convergence.peaks_beside_end ? 1. : 0.5;
-  // A smaller fall of the measure shows too little of the error.
-  constexpr double least_ratio = 1.2;
+  // A smaller fall of the measure shows too little of the error; and halved cells lower an error of
+  // second order to a quarter at best, however far the measure falls.
+  constexpr double least_ratio = 1.5;
+  constexpr double greatest_ratio = 4.;
   const auto zone_changes = changes(values, Refined::zone);
   Extrapolation result{0., std::min(1., zone_error(zone_changes)),
                        std::min(1., greatest_grading_coefficient * grading * grading)};
@@ -177,7 +179,8 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double ratio = values[i - 1].size_measure / values[i].size_measure;
     if (values[i].refined != Refined::surroundings || !(ratio >= least_ratio)) continue;
-    const double left = (1. - values[i - 1].value / values[i].value) / (ratio - 1.);
+    const double left =
+        (1. - values[i - 1].value / values[i].value) / (std::min(ratio, greatest_ratio) - 1.);
     of_surroundings = taken * left;
     result.surroundings_error = doubt * std::abs(left);
   }

@@ -135,7 +135,7 @@ double left_at_second_order(const Course& course) {
 double error_of(const Course& course, const Figure figure, const double grading,
                 const bool forces_are_given, const ContactCells& cells, const int dim) {
   // What the conjugate gradients leave of a force that the loads decide.
-  constexpr double solver_tolerance = 1e-8;
+  constexpr double solver_tolerance = 1e-7;
   const Evaluation own = evaluation(figure, cells, dim);
   const double size = cells.size;
   // Then too few nodes and cells carry a parabola or a cubic.

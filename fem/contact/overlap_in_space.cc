@@ -18,6 +18,11 @@ namespace {
 /// Overlaps smaller than this share of the source face are round-off.
 constexpr double least_share = 1e-12;
 
+/// Faces can touch only if their outward normals are opposed by more than this cosine. Where a face
+/// reaches past the silhouette of a round target, the faces there stand almost upright on it: along
+/// their normals the gap looks small.
+constexpr double opposed_in_space = -0.5;
+
 using Polygon = std::vector<Point<2>>;
 
 double area(const Polygon& polygon) {
@@ -146,7 +151,7 @@ OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& so
 std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& source_polygon,
                                const Surface<3>& target, const SurfaceFace<3>& face,
                                Polygon polygon) {
-  if (plane.normal() * flat_normal(target, face) > opposed) return std::nullopt;
+  if (plane.normal() * flat_normal(target, face) > opposed_in_space) return std::nullopt;
   // An overlap of a quarter of the surface is no interference: it is the body's far side.
   if (plane.height(face_middle(target, face)) < -0.25 * target.length) return std::nullopt;
   std::reverse(polygon.begin(), polygon.end());

@@ -12,7 +12,7 @@
 
 namespace geneva::fem {
 
-/// Faces can touch only if their outward normals are opposed by more than this cosine.
+/// In the plane faces can touch only if their outward normals are opposed by more than this cosine.
 constexpr double opposed = -0.1;
 
 /// z component of the vector product of two vectors in the plane.

@@ -5,7 +5,7 @@ import json
 import math
 
 import geneva_cli
-from geneva_cli import CliTest, look_up, number
+from geneva_cli import CliTest, look_up, number, set_parameter
 
 CASE = """set Model        = mechanism
 set Dimension    = {dimension}
@@ -196,6 +196,15 @@ class Space(CliTest):
             self.assertLess(summary["equilibrium"]["moment_defect"], 1e-6)
         log = (self.directory / "crown-60" / "results" / "log.txt").read_text()
         self.assertIn("the surfaces face each other over 17 mm: their ends carry nothing", log)
+
+    def test_a_soft_wheel_under_a_stiff_pin_is_solved(self):
+        case = self.write("soft", ["Held at = core", "Profile = crown", "Crown radius = 60 mm"], modulus="20 GPa")
+        text = (case / "case.prm").read_text()
+        (case / "case.prm").write_text(set_parameter(text, "Mechanism/Pin material/Young's modulus", "200000 GPa"))
+        summary = self.run_case(case)
+        for key in ("peak_pressure", "half_width", "half_length"):
+            with self.subTest(key):
+                self.assert_close(self.value(summary, f"contact.{key}"), self.value(summary, f"hertz.{key}"), 0.03, key)
 
     def test_inches_and_metres_and_any_number_of_ranks_give_the_same(self):
         pin = ["Held at = one end", "Profile = crown", "Crown radius = 100 mm", "Tilt = 0.2 deg"]

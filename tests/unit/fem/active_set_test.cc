@@ -442,10 +442,10 @@ TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
   const std::vector<MeshValue> values{{value(1., 1.), Refined::nothing, 0, 1.},
                                       {value(0.5, 1.), Refined::zone, 1, 1.},
                                       {value(0.25, 1.), Refined::zone, 1, 1.},
-                                      {value(0.25, 0.2), Refined::surroundings, 0, 0.2}};
+                                      {value(0.25, 0.25), Refined::surroundings, 0, 0.25}};
   const Extrapolation found = extrapolate(values, 0.2, forces_given);
-  EXPECT_NEAR(found.correction, -0.75 * 0.05 * 0.2, 2e-4);
-  EXPECT_NEAR(found.surroundings_error, 0.4 * 0.01, 2e-4);
+  EXPECT_NEAR(found.correction, -0.75 * 0.05 * 0.25, 2e-4);
+  EXPECT_NEAR(found.surroundings_error, 0.4 * 0.05 * 0.25, 2e-4);
   EXPECT_NEAR(found.zone_error, 0.08 / 16., 2e-4);
 }
 
@@ -465,21 +465,34 @@ TEST(Extrapolation, DoesNotTrustTwoMeshesThatAgree) {
 TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
   const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
                                       {1.1, Refined::zone, 1, 1.},
-                                      {1.02, Refined::surroundings, 0, 0.2}};
-  const double left = -0.08 / 1.02 / 4.;
+                                      {1.02, Refined::surroundings, 0, 0.25}};
+  const double left = -0.08 / 1.02 / 3.;
   EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).correction, left / 2., 1e-12);
   EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).surroundings_error, -left / 2.,
               1e-12);
   EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * left, 1e-12);
 }
 
+TEST(Extrapolation, TakesNoMoreFromAFallOfTheMeasureThanHalvedCellsCanGive) {
+  const auto left_with = [](const double measure) {
+    const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
+                                        {1.1, Refined::zone, 1, 1.},
+                                        {1.02, Refined::surroundings, 0, measure}};
+    return extrapolate(values, 0.2, forces_given);
+  };
+  EXPECT_NEAR(left_with(0.01).correction, left_with(0.25).correction, 1e-12);
+  EXPECT_NEAR(left_with(0.25).correction, -0.75 * 0.08 / 1.02 / 3., 1e-12);
+  EXPECT_EQ(left_with(0.8).correction, 0.) << "hardly any of the error is seen";
+  EXPECT_NEAR(left_with(0.8).surroundings_error, 0.35 * 0.04, 1e-12) << "the worst that was seen";
+}
+
 TEST(Extrapolation, LeavesAllInDoubtWhereThePressurePeaksBesideAnEnd) {
   const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
                                       {1.1, Refined::zone, 1, 1.},
-                                      {1.02, Refined::surroundings, 0, 0.2}};
+                                      {1.02, Refined::surroundings, 0, 0.25}};
   const Extrapolation found = extrapolate(values, 0.2, {true, false, true});
-  EXPECT_NEAR(found.correction, -0.08 / 1.02 / 8., 1e-12);
-  EXPECT_NEAR(found.surroundings_error, 0.08 / 1.02 / 4., 1e-12);
+  EXPECT_NEAR(found.correction, -0.08 / 1.02 / 6., 1e-12);
+  EXPECT_NEAR(found.surroundings_error, 0.08 / 1.02 / 3., 1e-12);
 }
 
 TEST(ErrorEstimate, TakesItsPartsAsIndependent) {
