@@ -94,10 +94,32 @@ std::vector<double> edges_at_nodes(const Surface<2>& surface) {
   return edges;
 }
 
+/// The longest edge at each node of source and target.
+struct EdgesAtNodes {
+  std::vector<double> source, target;
+};
+
+/// In the smooth middle both sides count as what the coarser one is there: else a cell of that side
+/// would be refined for its finer neighbours over the gap, and then those for it, on every mesh.
+EdgesAtNodes edges_at_nodes(const ContactInterface<2>& interface) {
+  EdgesAtNodes edges{edges_at_nodes(interface.source), edges_at_nodes(interface.target)};
+  const EdgesAtNodes own = edges;
+  const std::vector<bool> in_zone = zone_rows(interface);
+  for (std::size_t i = 0; i < in_zone.size(); ++i) {
+    if (!interface.active[i] || in_zone[i]) continue;
+    const unsigned int node = interface.rows[i].node;
+    for (const auto& [opposite, coupling] : interface.rows[i].coupling) {
+      edges.source[node] = std::max(edges.source[node], own.target[opposite]);
+      edges.target[opposite] = std::max(edges.target[opposite], own.source[node]);
+    }
+  }
+  return edges;
+}
+
 /// Adds a surface's nodes in contact; the edges of those in the zone shrink by a factor.
-void add_nodes(ZoneOutline<2>& outline, const Surface<2>& surface, const std::vector<bool>& active,
-               const std::vector<bool>& in_zone, const double factor) {
-  const std::vector<double> edges = edges_at_nodes(surface);
+void add_nodes(ZoneOutline<2>& outline, const Surface<2>& surface, const std::vector<double>& edges,
+               const std::vector<bool>& active, const std::vector<bool>& in_zone,
+               const double factor) {
   for (std::size_t node = 0; node < active.size(); ++node)
     if (active[node]) {
       outline.nodes.push_back(surface.nodes[node].position);
@@ -108,10 +130,11 @@ void add_nodes(ZoneOutline<2>& outline, const Surface<2>& surface, const std::ve
 ZoneOutline<2> outline_of(const ContactInterface<2>& interface, const double factor) {
   const std::vector<bool> active = active_nodes(interface);
   const std::vector<bool> in_zone = zone_nodes(interface);
+  const EdgesAtNodes edges = edges_at_nodes(interface);
   ZoneOutline<2> outline{
       {}, {}, 1., length_of(interface.source, active), length_of(interface.source, in_zone)};
-  add_nodes(outline, interface.source, active, in_zone, factor);
-  add_nodes(outline, interface.target, opposite_nodes(interface, interface.active),
+  add_nodes(outline, interface.source, edges.source, active, in_zone, factor);
+  add_nodes(outline, interface.target, edges.target, opposite_nodes(interface, interface.active),
             opposite_nodes(interface, zone_rows(interface)), factor);
   return outline;
 }
