@@ -27,8 +27,7 @@ namespace {
 /// Whether the wheel is so soft that in space, where systems are not factorised, its wall has to be
 /// the contact's source: with a stiff one the conjugate gradients take hundreds of iterations.
 bool is_on_soft_wheel(const MechanismCase& mechanism) {
-  constexpr double very_stiff = 100.;
-  return mechanism.pin.youngs_modulus > very_stiff * mechanism.wheel.youngs_modulus;
+  return mechanism.pin.youngs_modulus > fem::very_stiff * mechanism.wheel.youngs_modulus;
 }
 
 /// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.

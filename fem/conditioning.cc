@@ -32,10 +32,6 @@ double stiffness_ratio(const Problem<dim>& problem) {
   return stiff->material.youngs_modulus / soft->material.youngs_modulus;
 }
 
-/// Ratio of the stiffnesses of two bodies from which on point smoothers fail. Up to it the
-/// multigrid takes 38 iterations at most, with a ratio of 1000 it takes 116.
-constexpr double very_stiff = 100.;
-
 template <int dim>
 const Body<dim>& body_of(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh,
                          const std::string& surface) {

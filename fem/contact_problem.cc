@@ -34,10 +34,6 @@ namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// With fewer active nodes the load still acts on a point: only the contact zone is refined.
-constexpr unsigned int nodes_for_grading = 3;
-/// With fewer active nodes the pressure is of no use.
-constexpr unsigned int fewest_active_nodes = 6;
 /// Zones are made more even as long as that lowers their unevenness by this factor.
 constexpr double least_gain = 0.9;
 /// Cells that a refinement makes beyond the flagged ones' children, to keep the mesh graded.
@@ -261,7 +257,7 @@ class NestedIteration {
     zone_error_ =
         error_of(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
     surroundings_error_ = found.surroundings_error;
-    if (!shows_zone_error() || has_spread()) zone_error_ = 1.;
+    if (!shows_zone_error<dim>(solution_.history) || has_spread()) zone_error_ = 1.;
     solution_.has_free_ends = has_free_ends(level_.interfaces);
     if (!solution_.has_free_ends || surroundings_are_fine_) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
@@ -272,27 +268,8 @@ class NestedIteration {
       contact.peak_pressure *= 1. + solution_.correction;
   }
 
-  /// Whether there are enough nodes for a pressure of use, in the plane on two meshes of the zone;
-  /// in space, where meshes are dear, on the last one.
-  [[nodiscard]] bool shows_zone_error() const {
-    const auto& history = solution_.history;
-    if (history.back().nodes_across < fewest_active_nodes) return false;
-    if (dim == 3) return true;
-    for (std::size_t i = 1; i < history.size(); ++i)
-      if (history[i].refined == Refined::zone &&
-          std::min(history[i - 1].nodes_across, history[i].nodes_across) >= fewest_active_nodes)
-        return true;
-    return false;
-  }
-
   [[nodiscard]] Extrapolation extrapolation_of(double LevelRecord::*pressure) const {
-    std::vector<MeshValue> values;
-    for (const LevelRecord& level : solution_.history) {
-      if (level.nodes_across < nodes_for_grading)
-        values.clear();
-      else if (level.*pressure > 0.)
-        values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
-    }
+    const std::vector<MeshValue> values = resolved_values(solution_.history, pressure);
     if (values.empty()) return {0., 1., 1.};
     return extrapolate(values, grading_,
                        {dim == 2 && !has_prescribed_displacement(solution_.problem), reaches_axis(),

@@ -155,6 +155,28 @@ double first_grading(const double accuracy) {
   return std::min(greatest, std::sqrt(25. * accuracy));
 }
 
+template <int dim>
+bool shows_zone_error(const std::vector<LevelRecord>& history) {
+  if (history.back().nodes_across < fewest_active_nodes) return false;
+  const auto steps = zone_steps(history);
+  return dim == 3 || std::any_of(steps.begin(), steps.end(), [&](const std::size_t i) {
+           return std::min(history[i - 1].nodes_across, history[i].nodes_across) >=
+                  fewest_active_nodes;
+         });
+}
+
+std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
+                                       double LevelRecord::*pressure) {
+  std::vector<MeshValue> values;
+  for (const LevelRecord& level : history) {
+    if (level.nodes_across < nodes_for_grading)
+      values.clear();
+    else if (level.*pressure > 0.)
+      values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
+  }
+  return values;
+}
+
 Extrapolation extrapolate(const std::vector<MeshValue>& values, const double grading,
                           const Convergence& convergence) {
   // Of what the size measure promises, and in doubt. Measured on random line contacts and wheels
@@ -165,8 +187,8 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   const bool is_measured = convergence.forces_are_given && !convergence.peaks_beside_end;
   const double taken = is_measured ? 0.75 : 0.5;
   const double doubt = is_measured ? 0.4 : convergence.peaks_beside_end ? 1. : 0.5;
-  // A smaller fall of the measure shows too little of the error; and halved cells lower an error of
-  // second order to a quarter at best, however far the measure falls.
+  // A smaller fall of the measure would make more than twice the change of it; and halved cells
+  // lower an error of second order to a quarter at best, however far the measure falls.
   constexpr double least_ratio = 1.5;
   constexpr double greatest_ratio = 4.;
   const auto zone_changes = changes(values, Refined::zone);
@@ -276,6 +298,8 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
   return edge;
 }
 
+template bool shows_zone_error<2>(const std::vector<LevelRecord>&);
+template bool shows_zone_error<3>(const std::vector<LevelRecord>&);
 template double first_grading<2>(double);
 template double first_grading<3>(double);
 template double end_error(const std::vector<ContactInterface<2>>&, const std::vector<ContactState>&,

@@ -38,6 +38,22 @@ struct Convergence {
   bool peaks_beside_end;  ///< see peaks_beside_end()
 };
 
+/// With fewer nodes across a contact the load still acts on a point: only the zone is refined.
+constexpr unsigned int nodes_for_grading = 3;
+/// With fewer nodes across a contact its pressure is of no use.
+constexpr unsigned int fewest_active_nodes = 6;
+
+/// Whether the meshes show what refinement of the zone leaves: in the plane if two of them have
+/// enough nodes for a pressure of use, in space, where meshes are dear, if the last one has.
+/// @param history levels so far, the newest last
+template <int dim>
+bool shows_zone_error(const std::vector<LevelRecord>& history);
+
+/// A pressure [Pa] on the meshes since the last one on which the load acted on a point.
+/// @param history levels so far, the newest last
+std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
+                                       double LevelRecord::*pressure);
+
 /// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
 /// meshes that reduced it.
 ///

@@ -55,8 +55,9 @@ template <int dim>
 double size_growth(const Problem<dim>& problem);
 
 /// What the error of the peak pressure that comes from the cells around the contacts is
-/// proportional to: the sum over those larger than the cells of the contact zones of h^2 V/max(r,
-/// b)^m, h being the size, r the distance from the nearest contact and b its half-width.
+/// proportional to: the sum over those larger than the contact's edges next to them of h^2 V/max(r,
+/// b)^m, h being the size, r the distance from the nearest node in contact and b half of the zone's
+/// width.
 /// @param decay m, see size_decay()
 template <int dim>
 double size_measure(dealii::DoFHandler<dim>& dof_handler,

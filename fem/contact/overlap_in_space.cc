@@ -20,7 +20,8 @@ constexpr double least_share = 1e-12;
 
 /// Faces can touch only if their outward normals are opposed by more than this cosine. Where a face
 /// reaches past the silhouette of a round target, the faces there stand almost upright on it: along
-/// their normals the gap looks small.
+/// their normals the gap looks small. Coarse faces that belong together are 45 degrees off at most,
+/// with two of them in a quarter.
 constexpr double opposed_in_space = -0.5;
 
 using Polygon = std::vector<Point<2>>;

@@ -473,6 +473,21 @@ TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
   EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * left, 1e-12);
 }
 
+TEST(ErrorEstimate, AsksForTwoMeshesOfTheZoneWithEnoughNodesInThePlane) {
+  std::vector<LevelRecord> history = history_of({1., 1.1, 1.12}, 3);
+  for (LevelRecord& level : history) level.refined = Refined::zone;
+  const auto with_nodes = [&](const std::vector<unsigned int>& nodes) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) history[i].nodes_across = nodes[i];
+    return history;
+  };
+  EXPECT_FALSE(shows_zone_error<2>(with_nodes({3, 5, 10})));
+  EXPECT_TRUE(shows_zone_error<3>(with_nodes({3, 5, 10})));
+  EXPECT_TRUE(shows_zone_error<2>(with_nodes({3, 6, 11})));
+  EXPECT_FALSE(shows_zone_error<3>(with_nodes({6, 6, 5})));
+  EXPECT_EQ(resolved_values(with_nodes({3, 2, 5}), &LevelRecord::peak_pressure).size(), 1U);
+  EXPECT_EQ(resolved_values(with_nodes({3, 5, 10}), &LevelRecord::peak_pressure).size(), 3U);
+}
+
 TEST(Extrapolation, TakesNoMoreFromAFallOfTheMeasureThanHalvedCellsCanGive) {
   const auto left_with = [](const double measure) {
     const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
