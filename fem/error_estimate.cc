@@ -188,9 +188,12 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   const double taken = is_measured ? 0.75 : 0.5;
   const double doubt = is_measured ? 0.4 : convergence.peaks_beside_end ? 1. : 0.5;
   // A smaller fall of the measure would make more than twice the change of it; and halved cells
-  // lower an error of second order to a quarter at best, however far the measure falls.
+  // lower an error of second order to a quarter at best, however far the measure falls. Where a
+  // displacement is given, the stiffness of the bodies decides how great the force is, and its
+  // error falls as the energy's does: by half where a support ends on a straight side, where the
+  // displacement goes with the root of the distance (Williams 1952).
   constexpr double least_ratio = 1.5;
-  constexpr double greatest_ratio = 4.;
+  const double greatest_ratio = convergence.forces_are_given ? 4. : 2.;
   const auto zone_changes = changes(values, Refined::zone);
   Extrapolation result{0., std::min(1., zone_error(zone_changes)),
                        std::min(1., greatest_grading_coefficient * grading * grading)};

@@ -462,15 +462,15 @@ TEST(Extrapolation, DoesNotTrustTwoMeshesThatAgree) {
       << "what the change before leaves at second order";
 }
 
-TEST(Extrapolation, TakesTheMiddleWhereTheForceDependsOnTheCellsToo) {
+TEST(Extrapolation, TakesTheMiddleOfTheFirstOrderWhereTheForceDependsOnTheCellsToo) {
   const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 1.},
                                       {1.1, Refined::zone, 1, 1.},
                                       {1.02, Refined::surroundings, 0, 0.25}};
-  const double left = -0.08 / 1.02 / 3.;
-  EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).correction, left / 2., 1e-12);
-  EXPECT_NEAR(extrapolate(values, 0.2, {false, false, false}).surroundings_error, -left / 2.,
-              1e-12);
-  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * left, 1e-12);
+  const double change = -0.08 / 1.02;
+  const Extrapolation found = extrapolate(values, 0.2, {false, false, false});
+  EXPECT_NEAR(found.correction, change / 2., 1e-12) << "an error of stiffness is halved at most";
+  EXPECT_NEAR(found.surroundings_error, -change / 2., 1e-12);
+  EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * change / 3., 1e-12);
 }
 
 TEST(ErrorEstimate, AsksForTwoMeshesOfTheZoneWithEnoughNodesInThePlane) {
