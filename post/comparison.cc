@@ -75,7 +75,7 @@ std::vector<ComparisonRow> shear_rows(const fem::Solution<3>& solution,
                    value_of(errors, Figure::max_shear_depth))};
   if (analysis.sections.empty())
     return {unbounded_row("greatest shear", Dimension::stress, closed.shear)};
-  const ContactSection& middle = middle_section(contact, analysis.frame, analysis.sections);
+  const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
   return {row_of("greatest shear, middle", Dimension::stress, middle.max_shear, closed.shear,
                  value_of(errors, Figure::mid_length_shear)),
           row_of("its depth", Dimension::length, middle.max_shear_depth, closed.depth,

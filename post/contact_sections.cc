@@ -6,6 +6,7 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 
@@ -120,6 +121,21 @@ std::vector<ContactSection> mirrored(const std::vector<ContactSection>& sections
   return all;
 }
 
+/// Linear between two sections.
+ContactSection between(const ContactSection& below, const ContactSection& above, const double z) {
+  const double share = (z - below.z) / (above.z - below.z);
+  const auto value = [&](double ContactSection::*figure) {
+    return (1. - share) * below.*figure + share * above.*figure;
+  };
+  using Section = ContactSection;
+  return {z,
+          value(&Section::line_load),
+          value(&Section::peak_pressure),
+          value(&Section::half_width),
+          value(&Section::max_shear),
+          value(&Section::max_shear_depth)};
+}
+
 }  // namespace
 
 std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
@@ -153,16 +169,17 @@ ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& 
   return {greatest.first, greatest.second};
 }
 
-const ContactSection& middle_section(const fem::ContactResult<3>& contact,
-                                     const ContactFrame& frame,
-                                     const std::vector<ContactSection>& sections) {
+ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                              const std::vector<ContactSection>& sections) {
+  if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
   const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
   const double middle = (lowest + highest) / 2.;
-  if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
-  return *std::min_element(sections.begin(), sections.end(),
-                           [&](const ContactSection& a, const ContactSection& b) {
-                             return std::abs(a.z - middle) < std::abs(b.z - middle);
-                           });
+  const auto above =
+      std::find_if(sections.begin(), sections.end(),
+                   [&](const ContactSection& section) { return section.z >= middle; });
+  if (above == sections.begin()) return sections.front();
+  if (above == sections.end()) return sections.back();
+  return between(*std::prev(above), *above, middle);
 }
 
 LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,

@@ -35,11 +35,11 @@ struct ShearBelow {
 ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
                           double half_width, const std::vector<CellStress<3>>& cells);
 
-/// The section nearest to the middle of the surfaces' length.
+/// The section in the middle of the surfaces' length, between its two neighbours: of a bent or
+/// tilted pin they differ. Where the middle is not loaded, the loaded section next to it.
 /// @throws std::invalid_argument if there is none
-const ContactSection& middle_section(const fem::ContactResult<3>& contact,
-                                     const ContactFrame& frame,
-                                     const std::vector<ContactSection>& sections);
+ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                              const std::vector<ContactSection>& sections);
 
 /// The line load in the middle of the surfaces' length and at its more heavily loaded end [N/m].
 struct LineLoad {

@@ -90,11 +90,19 @@ bool is_global(const Figure figure) {
   return figure == Figure::force || figure >= Figure::bore_torque;
 }
 
-/// Of the pin as a whole: corners at its root and of the slot leave an error of the first order of
-/// the cells around, wherever they are.
+/// Of the pin as a whole: all cells around count alike, wherever they are, and not by their distance
+/// from the contact.
 bool is_of_bending(const Figure figure) {
   return figure == Figure::tip_deflection || figure == Figure::slope ||
          figure == Figure::root_stress;
+}
+
+/// What cells of the size gamma times their distance from the contact leave open of a pin's bending,
+/// over gamma: of the first order, since its root is clamped. Measured on random pins with one cell
+/// in the free length, 0.2 to 0.9 of the diameter long: deflection and slope off by up to 0.26, the
+/// stress by up to 0.16.
+double bending_coefficient(const Figure figure) {
+  return figure == Figure::root_stress ? 0.15 : is_of_bending(figure) ? 0.25 : 0.;
 }
 
 /// A figure on the meshes that have it.
@@ -112,7 +120,8 @@ Course course_of(const std::vector<fem::LevelRecord>& history, const Figure figu
     if (value == 0.) continue;
     const fem::LevelRecord& record = history[mesh];
     course.values.push_back({value, record.refined, record.halvings,
-                             is_of_bending(figure) ? record.grading : record.size_measure});
+                             is_of_bending(figure) ? record.grading * record.grading
+                                                     : record.size_measure});
     course.nodes_across.push_back(record.nodes_across);
   }
   return course;
@@ -167,8 +176,10 @@ Figures errors_of(const fem::Solution<dim>& solution, const ContactCells& cells,
                               is_local ? history.back().grading : 0., forces_are_given, cells, dim);
   }
   const double of_width = value_of(errors, Figure::half_width).value_or(0.);
-  for (auto& [figure, error] : errors)
+  for (auto& [figure, error] : errors) {
     if (is_depth(figure)) error += of_width;
+    error += bending_coefficient(figure) * history.back().grading;
+  }
   return errors;
 }
 
@@ -200,7 +211,7 @@ Figures figures(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& 
               {Figure::max_shear, analysis.max_shear},
               {Figure::max_shear_depth, analysis.max_shear_depth}};
   if (analysis.sections.empty()) return all;
-  const ContactSection& middle = middle_section(contact, analysis.frame, analysis.sections);
+  const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
   const LineLoad load = line_load(contact, analysis.frame, analysis.sections);
   all[Figure::mid_length_pressure] = middle.peak_pressure;
   all[Figure::mid_length_shear] = middle.max_shear;

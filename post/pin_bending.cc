@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "loads/pi.h"
 #include "mesh/dense_algebra.h"
@@ -65,59 +66,49 @@ class PinMotion {
         bodies.begin());
   }
 
-  /// Fits u = u0 + u' (z - z0) along the force and w = w0 - turn eta along the axis over all
-  /// quadrature points within a slice; with their images if z is a plane of symmetry.
+  /// Fits u = u0 + u' (z - z0) along the force and w = w0 + w' (z - z0) - (turn + turn' (z - z0))
+  /// eta along the axis over a slice; with its image if z is a plane of symmetry. The primed terms
+  /// keep a slice whose cells reach beyond it on one side from counting as its middle.
   [[nodiscard]] SliceMotion at(const double z, const double from, const double to,
                                const bool is_mirrored = false) const {
     const double length = solution_.scales.length;
-    dealii::FEValues<3> values(
-        *solution_.element, dealii::QGauss<3>(2),
-        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
     const dealii::FEValuesExtractors::Vector all(0);
-    std::vector<dealii::Tensor<1, 3>> u(values.n_quadrature_points);
+    std::vector<dealii::Tensor<1, 3>> u;
     Fit<2> along;
-    Fit<2> axial;
-    for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
-      if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
-      const double middle = cell->center()[2] * length;
-      const double reach = cell->diameter() * length;
-      if (middle + reach < from || middle - reach > to) continue;
-      values.reinit(cell);
+    Fit<4> axial;
+    for_each_cell(from, to, [&](const dealii::FEValues<3>& values) {
+      u.resize(values.n_quadrature_points);
       values[all].get_function_values(solution_.displacement, u);
       for (unsigned int q = 0; q < u.size(); ++q) {
         const dealii::Point<3> x = length * values.quadrature_point(q);
         if (x[2] < from || x[2] > to) continue;
-        along.add(values.JxW(q), {1., (x[2] - z) / pin_.diameter}, along_force(u[q]) * length);
-        axial.add(values.JxW(q), {1., eta(x) / pin_.diameter}, u[q][2] * length);
-        if (!is_mirrored) continue;
-        along.add(values.JxW(q), {1., (z - x[2]) / pin_.diameter}, along_force(u[q]) * length);
-        axial.add(values.JxW(q), {1., eta(x) / pin_.diameter}, -u[q][2] * length);
+        const double zeta = (x[2] - z) / pin_.diameter;
+        const double across = eta(x) / pin_.diameter;
+        const auto add = [&](const double place, const double w) {
+          along.add(values.JxW(q), {1., place}, along_force(u[q]) * length);
+          axial.add(values.JxW(q), {1., place, across, place * across}, w);
+        };
+        add(zeta, u[q][2] * length);
+        if (is_mirrored) add(-zeta, -u[q][2] * length);
       }
-    }
+    });
     const MPI_Comm communicator = solution_.dof_handler->get_communicator();
-    return {along.solve(communicator)(0), axial.solve(communicator)(1) / pin_.diameter};
+    return {along.solve(communicator)(0), axial.solve(communicator)(2) / pin_.diameter};
   }
 
-  /// Second moment of area of the cross-section as meshed, the mean over the pin's length [m^4].
-  [[nodiscard]] double second_moment() const {
+  /// Second moment of area of the cross-section as meshed, the mean over a slice [m^4].
+  [[nodiscard]] double second_moment(const double from, const double to) const {
     const double length = solution_.scales.length;
-    dealii::FEValues<3> values(*solution_.element, dealii::QGauss<3>(2),
-                               dealii::update_quadrature_points | dealii::update_JxW_values);
     double moment = 0.;
-    double lowest = pin_.root;
-    for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
-      if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
-      for (const unsigned int vertex : cell->vertex_indices())
-        lowest = std::min(lowest, length * cell->vertex(vertex)[2]);
-      values.reinit(cell);
+    for_each_cell(from, to, [&](const dealii::FEValues<3>& values) {
       for (unsigned int q = 0; q < values.n_quadrature_points; ++q) {
-        const double distance = eta(length * values.quadrature_point(q));
-        moment += std::pow(length, 3) * values.JxW(q) * distance * distance;
+        const dealii::Point<3> x = length * values.quadrature_point(q);
+        if (x[2] < from || x[2] > to) continue;
+        moment += std::pow(length, 3) * values.JxW(q) * eta(x) * eta(x);
       }
-    }
-    const MPI_Comm communicator = solution_.dof_handler->get_communicator();
-    return dealii::Utilities::MPI::sum(moment, communicator) /
-           (pin_.root - dealii::Utilities::MPI::min(lowest, communicator));
+    });
+    return dealii::Utilities::MPI::sum(moment, solution_.dof_handler->get_communicator()) /
+           (to - from);
   }
 
   /// Distance from the pin's axis along the force.
@@ -127,6 +118,32 @@ class PinMotion {
   [[nodiscard]] unsigned int body() const { return body_; }
 
  private:
+  /// Calls f with the evaluation of each cell of the pin that reaches into a slice: at points that
+  /// are evenly spaced, each for the same share of its cell, and denser than the slice is thick.
+  template <typename F>
+  void for_each_cell(const double from, const double to, const F& f) const {
+    constexpr unsigned int most_points = 16;
+    const double length = solution_.scales.length;
+    std::map<unsigned int, dealii::FEValues<3>> values_by_points;
+    for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
+      if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
+      const double middle = cell->center()[2] * length;
+      const double size = cell->diameter() * length;
+      if (middle + size < from || middle - size > to) continue;
+      const unsigned int points = std::clamp(
+          static_cast<unsigned int>(std::ceil(4. * size / (to - from))), 2U, most_points);
+      dealii::FEValues<3>& values =
+          values_by_points
+              .try_emplace(points, *solution_.element,
+                           dealii::QIterated<3>(dealii::QMidpoint<1>(), points),
+                           dealii::update_values | dealii::update_quadrature_points |
+                               dealii::update_JxW_values)
+              .first->second;
+      values.reinit(cell);
+      f(values);
+    }
+  }
+
   [[nodiscard]] double along_force(const dealii::Tensor<1, 3>& u) const {
     return u[0] * pin_.direction[0] + u[1] * pin_.direction[1];
   }
@@ -176,10 +193,13 @@ PinBending pin_bending(const fem::Solution<3>& solution, const PinPlace& pin,
   const SliceMotion root = motion.at(pin.root, pin.root - reach, pin.root);
   const SliceMotion middle =
       motion.at(pin.middle, pin.middle - reach, pin.middle + reach, pin.is_half);
+  // Where the moment is greatest and the cells are coarse.
+  const double section =
+      motion.second_moment(pin.root - std::max(pin.free_length, reach), pin.root);
   return {std::abs(tip.along_force - root.along_force), std::abs(middle.turn),
           is_short && !pin.held_at_both_ends ? stress_of_reaction(solution, pin)
                                              : root_stress(solution, pin, motion, cells),
-          motion.second_moment() / (loads::pi * std::pow(pin.diameter, 4) / 64.)};
+          section / (loads::pi * std::pow(pin.diameter, 4) / 64.)};
 }
 
 }  // namespace geneva::post

@@ -29,7 +29,8 @@ struct PinBending {
                           ///< that of the root [m]
   double slope;           ///< turn of the cross-section in the middle of the wheel [rad]
   double root_stress;     ///< bending stress at the root [Pa]
-  double section_moment;  ///< second moment of area of the meshed cross-section over the circle's
+  double section_moment;  ///< second moment of area of the meshed cross-section over the circle's,
+                          ///< mean over the free length
 };
 
 /// Over all ranks. Each value is a least-squares fit over the cells of a slice of the pin: the

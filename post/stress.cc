@@ -75,6 +75,23 @@ StressPeak<dim> greatest(const MPI_Comm communicator, const StressPeak<dim>& loc
 /// A sample of the shear stress near its maximum.
 using Sample = std::array<double, 3>;  ///< x, y, value
 
+/// This rank's samples in one body, since the field of the other one is not continuous with it, and
+/// beyond an axis of revolution their images.
+std::vector<Sample> samples_around(const Point<2>& place, const double radius, const int body,
+                                   const std::vector<CellStress<2>>& stresses,
+                                   const bool has_axis) {
+  std::vector<Sample> samples;
+  for (const CellStress<2>& cell : stresses) {
+    if (static_cast<int>(cell.body) != body) continue;
+    const Point<2> image(-cell.centre[0], cell.centre[1]);
+    const double shear = in_plane_shear(cell.stress);
+    if (cell.centre.distance(place) < radius)
+      samples.push_back({cell.centre[0], cell.centre[1], shear});
+    if (has_axis && image.distance(place) < radius) samples.push_back({image[0], image[1], shear});
+  }
+  return samples;
+}
+
 /// Monomials x^i y^j up to a degree, and their derivatives by x and y.
 struct Monomials {
   std::vector<double> value, by_x, by_y;
@@ -257,18 +274,20 @@ StressPeak<2> peak_shear(const fem::Solution<2>& solution,
                          const double distance) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   StressPeak<2> local;
+  int body = 0;
   for (const CellStress<2>& cell : stresses) {
     const double shear = in_plane_shear(cell.stress);
-    if (cell.centre.distance(around) < distance && shear > local.value)
-      local = {shear, {cell.centre[0], cell.centre[1]}};
+    if (cell.centre.distance(around) >= distance || shear <= local.value) continue;
+    local = {shear, {cell.centre[0], cell.centre[1]}};
+    body = static_cast<int>(cell.body);
   }
   const StressPeak<2> peak = greatest(communicator, local);
+  const bool is_here = local.value == peak.value && local.place == peak.place;
+  body = dealii::Utilities::MPI::max(is_here ? body : -1, communicator);
   const double radius = 0.15 * distance;
-  const Point<2> place(peak.place[0], peak.place[1]);
-  std::vector<Sample> samples;
-  for (const CellStress<2>& cell : stresses)
-    if (cell.centre.distance(place) < radius)
-      samples.push_back({cell.centre[0], cell.centre[1], in_plane_shear(cell.stress)});
+  const auto samples =
+      samples_around(Point<2>(peak.place[0], peak.place[1]), radius, body, stresses,
+                     solution.problem.plane == fem::PlaneKind::axisymmetric);
   std::vector<Sample> all;
   for (const auto& part : dealii::Utilities::MPI::all_gather(communicator, samples))
     all.insert(all.end(), part.begin(), part.end());

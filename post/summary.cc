@@ -96,7 +96,7 @@ json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<
   section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
   add_shear_errors(section, solution, errors);
   if (!analysis.sections.empty()) {
-    const ContactSection& middle = middle_section(contact, analysis.frame, analysis.sections);
+    const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
     section["mid_length_pressure"] =
         quantity((1. + solution.correction) * middle.peak_pressure, "Pa");
     section["mid_length_pressure_error"] = error_value(errors, Figure::mid_length_pressure);

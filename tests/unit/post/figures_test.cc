@@ -130,4 +130,20 @@ TEST(FigureErrors, AreGivenForEveryFigureOfEveryContact) {
   EXPECT_LT(errors.mechanism.at(Figure::bore_torque), 1e-6);
 }
 
+TEST(FigureErrors, OfAPinsBendingGrowWithTheCellsAroundAndHoldAllOfTheirLastChange) {
+  FewMeshes run(std::vector<Mesh>{{Refined::nothing, 1., {}}, {Refined::surroundings, 1., {}}});
+  run.solution.history[0].grading = 0.4;
+  for (const double deflection : {1.04, 1.}) {
+    post::Figures& bending = run.figures[deflection > 1. ? 0 : 1].mechanism;
+    bending = {{Figure::tip_deflection, deflection}, {Figure::root_stress, 1.}};
+  }
+  const Figures errors = post::figure_errors(run.solution, run.figures).mechanism;
+  // The ratio of size to distance was halved, and so was an error of stiffness at least; one of
+  // second order would leave a third of the change.
+  const double left = 0.04 / 3.;
+  EXPECT_GE(errors.at(Figure::tip_deflection), 0.25 * 0.2 + left);
+  EXPECT_LT(errors.at(Figure::tip_deflection), errors.at(Figure::root_stress) + 0.02 + 2. * left);
+  EXPECT_GE(errors.at(Figure::root_stress), 0.15 * 0.2);
+}
+
 }  // namespace

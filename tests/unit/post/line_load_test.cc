@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
+#include "post/contact_sections.h"
 #include "post/crown_output.h"
 
 namespace geneva::post {
@@ -36,6 +38,42 @@ TEST(GreatestMeanLoad, OfAPeakIsTheMeanAroundIt) {
   const GreatestMean greatest = greatest_mean_load(sections, 0.2);
   EXPECT_NEAR(greatest.value, 9.5, 1e-14);
   EXPECT_NEAR(greatest.place, 0., 1e-14);
+}
+
+/// A contact whose surfaces reach from z = 0 to 4.
+fem::ContactResult<3> contact_of_length_four() {
+  fem::ContactResult<3> contact;
+  for (const double z : {0., 4.}) {
+    fem::ContactNode<3> node{};
+    node.position = {0., 0., z};
+    contact.nodes.push_back(node);
+  }
+  return contact;
+}
+
+TEST(MiddleSection, LiesBetweenItsNeighbours) {
+  const std::vector<ContactSection> sections{{0., 1., 10., 3., 5., 0.2},
+                                             {1., 2., 20., 4., 6., 0.4},
+                                             {3., 6., 40., 8., 8., 0.8},
+                                             {4., 7., 70., 9., 9., 1.}};
+  const ContactSection middle = middle_section(contact_of_length_four(), {}, sections);
+  EXPECT_NEAR(middle.z, 2., 1e-14);
+  EXPECT_NEAR(middle.line_load, 4., 1e-14);
+  EXPECT_NEAR(middle.peak_pressure, 30., 1e-13);
+  EXPECT_NEAR(middle.half_width, 6., 1e-14);
+  EXPECT_NEAR(middle.max_shear, 7., 1e-14);
+  EXPECT_NEAR(middle.max_shear_depth, 0.6, 1e-14);
+}
+
+TEST(MiddleSection, IsALayerThatStandsThere) {
+  const auto sections = sections_of({{1., 2.}, {2., 5.}, {3., 3.}});
+  EXPECT_EQ(middle_section(contact_of_length_four(), {}, sections).line_load, 5.);
+}
+
+TEST(MiddleSection, IsTheNextLoadedOneWhereTheMiddleCarriesNothing) {
+  EXPECT_EQ(middle_section(contact_of_length_four(), {}, sections_of({{3., 2.}, {4., 5.}})).z, 3.);
+  EXPECT_EQ(middle_section(contact_of_length_four(), {}, sections_of({{0., 2.}, {1., 5.}})).z, 1.);
+  EXPECT_THROW(middle_section(contact_of_length_four(), {}, {}), std::invalid_argument);
 }
 
 }  // namespace
