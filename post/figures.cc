@@ -90,17 +90,17 @@ bool is_global(const Figure figure) {
   return figure == Figure::force || figure >= Figure::bore_torque;
 }
 
-/// Of the pin as a whole: all cells around count alike, wherever they are, and not by their distance
-/// from the contact.
+/// Of the pin as a whole: all cells around count alike, wherever they are, and not by their
+/// distance from the contact.
 bool is_of_bending(const Figure figure) {
   return figure == Figure::tip_deflection || figure == Figure::slope ||
          figure == Figure::root_stress;
 }
 
-/// What cells of the size gamma times their distance from the contact leave open of a pin's bending,
-/// over gamma: of the first order, since its root is clamped. Measured on random pins with one cell
-/// in the free length, 0.2 to 0.9 of the diameter long: deflection and slope off by up to 0.26, the
-/// stress by up to 0.16.
+/// What cells of the size gamma times their distance from the contact leave open of a pin's
+/// bending, over gamma: of the first order, since its root is clamped. Measured on random pins with
+/// one cell in the free length, 0.2 to 0.9 of the diameter long: deflection and slope off by up to
+/// 0.26, the stress by up to 0.16.
 double bending_coefficient(const Figure figure) {
   return figure == Figure::root_stress ? 0.15 : is_of_bending(figure) ? 0.25 : 0.;
 }
@@ -119,9 +119,9 @@ Course course_of(const std::vector<fem::LevelRecord>& history, const Figure figu
     const double value = value_of(on_mesh(mesh), figure).value_or(0.);
     if (value == 0.) continue;
     const fem::LevelRecord& record = history[mesh];
-    course.values.push_back({value, record.refined, record.halvings,
-                             is_of_bending(figure) ? record.grading * record.grading
-                                                     : record.size_measure});
+    course.values.push_back(
+        {value, record.refined, record.halvings,
+         is_of_bending(figure) ? record.grading * record.grading : record.size_measure});
     course.nodes_across.push_back(record.nodes_across);
   }
   return course;
