@@ -5,7 +5,7 @@
 
 #include "app/mechanism_state.h"
 #include "loads/wheel/outline.h"
-#include "mesh/gmsh_mesher.h"
+#include "mesh/outline_mesh.h"
 
 namespace geneva::app {
 

@@ -113,8 +113,9 @@ struct Solved {
   bool is_accurate;
 };
 
-Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings& settings) {
-  const Model<3> model = make_model<3>(communicator, given);
+Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings& settings,
+             std::optional<mesh::Mesher>& mesher) {
+  const Model<3> model = make_model<3>(communicator, given, mesher);
   const fem::Solution<3> solution =
       fem::solve_contact(communicator, model.mesh, model.problem, settings, {});
   return {post::load_evenness(solution, post::analyse(solution)),
@@ -156,8 +157,8 @@ double least_uneven(const std::pair<double, double>& logarithms, const Ratio& ra
   return std::exp(logarithm);
 }
 
-post::CrownReport search(const MPI_Comm communicator, const Case& given,
-                         ProgressDisplay& progress) {
+post::CrownReport search(const MPI_Comm communicator, const Case& given, ProgressDisplay& progress,
+                         std::optional<mesh::Mesher>& mesher) {
   post::CrownReport report{};
   report.about = header_of(given);
   report.geneva_version = version;
@@ -169,7 +170,8 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given,
     settings.accuracy = std::max(search_accuracy, settings.accuracy);
     settings.max_dofs = std::min(unknowns, settings.max_dofs);
     return [&, settings, is_scan](const double size) {
-      const double ratio = solve(communicator, with_size(given, size), settings).load.ratio();
+      const double ratio =
+          solve(communicator, with_size(given, size), settings, mesher).load.ratio();
       report.trials.push_back({size, ratio, is_scan});
       progress.line(fmt::format("{} {:>10.4g} {}: greatest over even line load {:.4f}",
                                 report.parameter, size * length.factor, length.name, ratio));
@@ -199,7 +201,7 @@ std::vector<std::string> write_crown(const Case& given, const post::CrownReport&
 }  // namespace
 
 int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
-                 const fs::path& output) {
+                 const fs::path& output, std::optional<mesh::Mesher>& mesher) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Case given = read_case(case_directory);
   const fs::path directory = output.empty() ? given.directory / "results" : output;
@@ -209,11 +211,11 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
       if (is_first) check_writable(directory);
     });
     ProgressDisplay progress(is_first, given.units);
-    post::CrownReport report = search(communicator, given, progress);
+    post::CrownReport report = search(communicator, given, progress, mesher);
     progress.line("solving both pins as accurately as the case asks");
-    const Solved before = solve(communicator, given, given.settings);
+    const Solved before = solve(communicator, given, given.settings, mesher);
     const Case changed = with_size(given, report.size);
-    const Solved after = solve(communicator, changed, given.settings);
+    const Solved after = solve(communicator, changed, given.settings, mesher);
     report.before = before.load;
     report.after = after.load;
     report.drop = drop_at_faces(changed);

@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -15,8 +16,8 @@
 #include "mesh/compact_cells.h"
 #include "mesh/extrusion.h"
 #include "mesh/filled_hole.h"
-#include "mesh/gmsh_mesher.h"
 #include "mesh/kinks.h"
+#include "mesh/outline_mesh.h"
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
 
@@ -71,8 +72,9 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
 /// Pin and wheel in the plane, or drawn out.
 template <int dim>
 mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const MechanismState& state,
-                                   const ContactGeometry& geometry) {
-  mesh::MeshData<2> plane = mesh::mesh_outlines(geometry.outlines, geometry.sizing);
+                                   const ContactGeometry& geometry, mesh::Mesher& mesher,
+                                   const mesh::MesherLimits& limits) {
+  mesh::MeshData<2> plane = mesh::mesh_outlines(geometry.outlines, geometry.sizing, mesher, limits);
   if constexpr (dim == 2) {
     return plane;
   } else {
@@ -86,8 +88,8 @@ mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const Mechani
 
 /// Runs a task on rank 0 that may refuse its input, and makes all ranks refuse together.
 template <int dim>
-mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
-                                 const std::function<mesh::MeshData<dim>()>& task) {
+mesh::MeshData<dim> meshed_on_rank_zero(const MPI_Comm communicator,
+                                        const std::function<mesh::MeshData<dim>()>& task) {
   mesh::MeshData<dim> mesh;
   together(communicator, [&] {
     if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) mesh = task();
@@ -97,9 +99,10 @@ mesh::MeshData<dim> on_rank_zero(const MPI_Comm communicator,
 
 /// The user's mesh, in the plane with cells that suit the contact.
 template <int dim>
-mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Problem<dim>& problem) {
-  mesh::MeshData<dim> mesh =
-      mesh::read_geometry<dim>(geometry.file, geometry.length_unit, geometry.circle_tolerance);
+mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Problem<dim>& problem,
+                                  mesh::Mesher& mesher, const mesh::MesherLimits& limits) {
+  mesh::MeshData<dim> mesh = mesh::read_geometry<dim>(geometry.file, geometry.length_unit,
+                                                      geometry.circle_tolerance, mesher, limits);
   if constexpr (dim == 2) {
     std::vector<std::string> surfaces;
     for (const fem::ContactPair& pair : problem.pairs)
@@ -144,10 +147,17 @@ std::string greater_force(const MechanismState& state) {
 }  // namespace
 
 template <int dim>
-Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
+Model<dim> make_model(const MPI_Comm communicator, const Case& given,
+                      std::optional<mesh::Mesher>& mesher) {
   if (given.synthesis)
     refuse_model(given, "there is no contact to solve", "geneva run", "mechanism or geometry");
   Model<dim> model;
+  const mesh::MesherLimits limits{given.settings.max_memory,
+                                  std::min(given.settings.max_seconds, mesh::longest_meshing)};
+  const auto on_rank_zero = [&](const auto& task) {
+    model.mesh = meshed_on_rank_zero<dim>(communicator, task);
+    if (mesher) model.gmsh_version = mesher->gmsh_version();
+  };
   if (given.mechanism) {
     model.mechanism = mechanism_state(*given.mechanism);
     model.notices = notices_of(*given.mechanism, given.units);
@@ -155,21 +165,24 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given) {
       model.notices.push_back(notice);
     const MechanismState& state = *model.mechanism;
     const ContactGeometry geometry = contact_geometry(*given.mechanism, state);
-    model.mesh = on_rank_zero<dim>(
-        communicator, [&] { return mechanism_mesh<dim>(*given.mechanism, state, geometry); });
+    on_rank_zero(
+        [&] { return mechanism_mesh<dim>(*given.mechanism, state, geometry, *mesher, limits); });
     model.held_surface = geometry.held_surface;
     model.problem = mechanism_problem(*given.mechanism, state, model.mesh, geometry.held_surface);
     return model;
   }
   model.problem = std::get<fem::Problem<dim>>(given.geometry->problem);
-  model.mesh = on_rank_zero<dim>(communicator,
-                                 [&] { return geometry_mesh(*given.geometry, model.problem); });
+  on_rank_zero([&] { return geometry_mesh(*given.geometry, model.problem, *mesher, limits); });
   model.notices = polygon_notices(model.mesh, model.problem);
+  if (mesher && !mesher->was_enclosed())
+    model.notices.push_back(
+        "this system cannot shut Gmsh in (Landlock and seccomp of Linux 5.13): only its time and "
+        "memory were limited; run no geometry of people whom you do not trust");
   fem::order_bodies(model.problem, model.mesh);
   return model;
 }
 
-template Model<2> make_model(MPI_Comm, const Case&);
-template Model<3> make_model(MPI_Comm, const Case&);
+template Model<2> make_model(MPI_Comm, const Case&, std::optional<mesh::Mesher>&);
+template Model<3> make_model(MPI_Comm, const Case&, std::optional<mesh::Mesher>&);
 
 }  // namespace geneva::app

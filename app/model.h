@@ -10,6 +10,7 @@
 #include "app/mechanism_state.h"
 #include "fem/problem.h"
 #include "mesh/mesh_data.h"
+#include "mesh/mesher.h"
 
 namespace geneva::app {
 
@@ -21,11 +22,15 @@ struct Model {
   std::optional<MechanismState> mechanism;
   std::string held_surface;          ///< of the mechanism's wheel or block
   std::vector<std::string> notices;  ///< defaults that the user should know of
+  std::string gmsh_version;          ///< on rank 0
 };
 
 /// Mesh and problem of a case; rank 0 meshes, all ranks get the result.
+/// @param mesher on rank 0
 /// @throws std::invalid_argument on all ranks if the case cannot be meshed
+/// @throws base::LimitReached on all ranks if meshing takes more than the case allows
 template <int dim>
-Model<dim> make_model(MPI_Comm communicator, const Case& given);
+Model<dim> make_model(MPI_Comm communicator, const Case& given,
+                      std::optional<mesh::Mesher>& mesher);
 
 }  // namespace geneva::app

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/case_file.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -11,12 +12,16 @@ namespace geneva::app {
 /// named already.
 template <typename Task>
 auto naming(const Case& given, const Task& task) {
+  const auto named = [&](const std::string& text) {
+    const bool names_a_file = text.find(given.directory.string()) != std::string::npos;
+    return names_a_file ? text : (given.directory / "case.prm").string() + ": " + text;
+  };
   try {
     return task();
   } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    if (text.find(given.directory.string()) != std::string::npos) throw;
-    throw std::invalid_argument((given.directory / "case.prm").string() + ": " + text);
+    throw std::invalid_argument(named(error.what()));
+  } catch (const base::LimitReached& error) {
+    throw base::LimitReached(named(error.what()));
   }
 }
 

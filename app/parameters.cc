@@ -536,13 +536,16 @@ std::vector<Parameter> settings_parameters() {
        "Maximum memory",
        "16 GB",
        positive(Dimension::memory),
-       "How much memory all processes together may use (B, kB, MB, GB, TB, or the powers of 1024 "
+       "How much memory all processes together, and the meshing before, may use (B, kB, MB, GB, "
+       "TB, or the powers of 1024 "
        "KiB, MiB, GiB, TiB)."},
       {{},
        "Maximum time",
        "24 h",
        positive(Dimension::time),
-       "How long the contact solve may take: no mesh is begun that would end later."},
+       "How long the coarse mesh (at most 10 min) and the contact solve may take each: no mesh is "
+       "begun "
+       "that would end later."},
       {{},
        "Maximum active-set steps",
        "50",

@@ -4,7 +4,6 @@
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -193,7 +192,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
   report.geneva_version = version;
-  report.gmsh_version = GMSH_API_VERSION;
+  report.gmsh_version = model.gmsh_version;
   report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   report.peak_memory = peak_memory(communicator);
   return report;
@@ -237,11 +236,12 @@ std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& so
 /// Mesh, solution, results and files of a case.
 template <int dim>
 int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directory,
-        const dealii::Timer& total) {
+        const dealii::Timer& total, std::optional<mesh::Mesher>& mesher) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
-  const Model<dim> model = naming(given, [&] { return make_model<dim>(communicator, given); });
+  const Model<dim> model =
+      naming(given, [&] { return make_model<dim>(communicator, given, mesher); });
   const double mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
@@ -284,7 +284,8 @@ int run(const MPI_Comm communicator, const Case& given, OutputDirectory& directo
 
 }  // namespace
 
-int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output) {
+int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output,
+             std::optional<mesh::Mesher>& mesher) {
   const dealii::Timer total;
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Case given = read_case(case_directory);
@@ -293,8 +294,8 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
     directory = std::make_unique<OutputDirectory>(
         output.empty() ? given.directory / "results" : output, is_first);
   });
-  return given.dimension == 3 ? run<3>(communicator, given, *directory, total)
-                              : run<2>(communicator, given, *directory, total);
+  return given.dimension == 3 ? run<3>(communicator, given, *directory, total, mesher)
+                              : run<2>(communicator, given, *directory, total, mesher);
 }
 
 }  // namespace geneva::app

@@ -41,6 +41,14 @@ void check_bore(const GenevaDimensions& dimensions) {
         "bore radius is {:.6g} mm: the slots come as near as {:.6g} mm to the wheel's axis and the "
         "bore must stay inside; make the bore smaller or the slots shallower",
         mm(dimensions.bore_radius), mm(lowest));
+  // Below, the stress at the bore is all that a mesh can follow, and Gmsh takes its points for one.
+  constexpr double least_share = 1e-4;
+  const double least = least_share * dimensions.wheel_diameter;
+  if (dimensions.bore_radius < least)
+    refuse(
+        "bore radius is {:.3g} mm: the wheel is held there, and it must be at least {:.3g} mm, a "
+        "ten-thousandth of the wheel's diameter; leave it out for one that fits",
+        mm(dimensions.bore_radius), mm(least));
 }
 
 void check_locking_arc_clears_bore(const GenevaDimensions& dimensions) {

@@ -66,8 +66,8 @@ double peak_memory() {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
-void measure(const app::Case& given, const double accuracy) {
-  const app::Model<3> model = app::make_model<3>(MPI_COMM_WORLD, given);
+void measure(const app::Case& given, const double accuracy, std::optional<mesh::Mesher>& mesher) {
+  const app::Model<3> model = app::make_model<3>(MPI_COMM_WORLD, given, mesher);
   fem::Settings settings = given.settings;
   settings.accuracy = accuracy;
   settings.max_memory = 24e9;
@@ -100,10 +100,11 @@ int main(int argc, char** argv) {
     return 1;
   }
   const app::Case given = app::read_case(argv[1]);
+  std::optional<mesh::Mesher> mesher(std::in_place, MESHER);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << fmt::format("{:>9}{:>8}{:>9}{:>10}{:>9}{:>6}{:>9}{:>9}{:>12}{:>9}\n", "unknowns",
                              "steps", "all [s]", "finest[s]", "plain[s]", "CG", "all/pl.",
                              "fin./pl.", "us/unknown", "mem [GB]");
-  for (int i = 2; i < argc; ++i) measure(given, std::atof(argv[i]));
+  for (int i = 2; i < argc; ++i) measure(given, std::atof(argv[i]), mesher);
   return 0;
 }

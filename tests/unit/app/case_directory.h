@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/case_file.h"
-#include "mesh/private_directory.h"
+#include "tests/support/private_directory.h"
 
 namespace geneva::app::test {
 
@@ -35,7 +35,7 @@ class CaseDirectory {
   }
 
  private:
-  mesh::PrivateDirectory directory_;
+  geneva::test::PrivateDirectory directory_;
 };
 
 /// Message of the refusal of a case text; "accepted" if there is none.

@@ -7,7 +7,7 @@
 #include "app/mechanism_motion.h"
 #include "app/motion_table.h"
 #include "loads/pi.h"
-#include "mesh/private_directory.h"
+#include "tests/support/private_directory.h"
 #include "tests/unit/app/case_directory.h"
 
 namespace {
@@ -118,7 +118,7 @@ class TableFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:
-  geneva::mesh::PrivateDirectory directory_;
+  geneva::test::PrivateDirectory directory_;
   std::filesystem::path path_;
 };
 

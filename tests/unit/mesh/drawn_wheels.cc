@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "loads/wheel/internal_outline.h"
-#include "mesh/gmsh_mesher.h"
+#include "mesher/outline_mesher.h"
+#include "test_mesher.h"
 
 namespace geneva::mesh::test {
 
@@ -18,7 +19,9 @@ DrawnWheel drawn(const loads::CommonDimensions& dimensions, const double pin_dis
   result.radius["pin"] = dimensions.pin_diameter / 2.;
   result.radius["pin core"] = dimensions.pin_core_radius;
   for (const auto& [surface, radius] : result.radius) result.size = std::max(result.size, radius);
-  result.mesh = mesh_outlines(result.outlines, sizing);
+  // In this process: there are hundreds, and a mesher of its own for each would take a minute.
+  result.mesh = mesher::mesh_outlines(result.outlines, sizing);
+  check(result.mesh);
   return result;
 }
 

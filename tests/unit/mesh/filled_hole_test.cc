@@ -6,8 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
+#include "test_mesher.h"
 #include "tests/unit/mesh/mesh_measures.h"
 
 namespace geneva::mesh::test {

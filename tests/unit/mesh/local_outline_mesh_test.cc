@@ -5,9 +5,9 @@
 #include <string>
 
 #include "loads/wheel/local_outline.h"
-#include "mesh/gmsh_mesher.h"
 #include "mesh/mesh_quality.h"
 #include "mesh_measures.h"
+#include "test_mesher.h"
 
 namespace geneva::mesh {
 namespace {

@@ -12,8 +12,8 @@
 #include "mesh/kinks.h"
 #include "mesh/onto_circles.h"
 #include "mesh/round_shapes.h"
-#include "mesh/user_geometry.h"
 #include "saved_mesh.h"
+#include "test_mesher.h"
 #include "tests/support/refusal.h"
 
 namespace geneva::mesh {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "loads/wheel/outline.h"
-#include "mesh/gmsh_mesher.h"
 #include "mesh_measures.h"
+#include "test_mesher.h"
 #include "tests/support/refusal.h"
 
 namespace geneva::mesh {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "case_directory.h"
-#include "mesh/gmsh_session.h"
+#include "mesher/gmsh_session.h"
 
 namespace geneva::mesh::test {
 
@@ -15,8 +15,8 @@ std::string saved(const std::string& geo, double version, bool binary, int dimen
   const CaseDirectory directory;
   const auto source = directory.write("source.geo", geo + "\n");
   const auto target = directory.path() / "saved.msh";
-  GmshSession session;
-  set_quadrilateral_options();
+  mesher::GmshSession session;
+  mesher::set_quadrilateral_options();
   const auto errors = session.errors_of([&] {
     gmsh::option::setNumber("Mesh.MshFileVersion", version);
     gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);

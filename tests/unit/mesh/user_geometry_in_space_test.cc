@@ -7,8 +7,8 @@
 #include <string>
 
 #include "case_directory.h"
-#include "mesh/user_geometry.h"
 #include "saved_mesh.h"
+#include "test_mesher.h"
 #include "tests/support/refusal.h"
 
 namespace geneva::mesh {

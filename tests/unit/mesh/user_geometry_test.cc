@@ -1,4 +1,3 @@
-#include "mesh/user_geometry.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include "case_directory.h"
 #include "mesh/mesh_quality.h"
 #include "saved_mesh.h"
+#include "test_mesher.h"
 #include "tests/support/refusal.h"
 
 namespace geneva::mesh {
@@ -64,11 +64,11 @@ MeshData<2> read(const std::string& name, const std::string& content, double uni
   return read_geometry<2>(directory.write(name, content), unit);
 }
 
-MeshData<2> read_geo(const std::string& content) { return read("geometry.geo", content); }
+MeshData<2> read_geo(const std::string& content) { return read("geometry.geo", content + "\n"); }
 
 void expect_geo_refused(const std::string& content, std::initializer_list<std::string> parts) {
   const CaseDirectory directory;
-  const auto file = directory.write("geometry.geo", content);
+  const auto file = directory.write("geometry.geo", content + "\n");
   expect_refused([&] { (void)read_geometry<2>(file, 1.); }, {file.string()});
   expect_refused([&] { (void)read_geometry<2>(file, 1.); }, parts);
 }
@@ -105,9 +105,15 @@ TEST(GeoFile, OfTwoBlocksHasTheirCellsAndNamesInOrder) {
   EXPECT_TRUE(mesh.circles.empty());
 }
 
-TEST(GeoFile, IsReadToItsLastStatementWithoutANewlineAtTheEnd) {
-  // Gmsh itself would drop the second statement of such a line
-  EXPECT_EQ(edges_of(read_geo(two_blocks + "a = 1; Physical Curve(\"last\") = {2};"), "last"), 2U);
+TEST(GeoFile, WithoutALineFeedAtTheEndIsRefusedAndNotReadInPart) {
+  const CaseDirectory directory;
+  const std::string last = "a = 1; Physical Curve(\"last\") = {2};";
+  EXPECT_EQ(edges_of(read_geo(two_blocks + last), "last"), 2U);
+  const auto file = directory.write("geometry.geo", two_blocks + last);
+  expect_refused([&] { (void)read_geometry<2>(file, 1.); }, {"last line has no end"});
+  (void)directory.write("part.geo", "a = 1; b = 2;");
+  const auto outer = directory.write("outer.geo", "Include \"part.geo\";\n" + two_blocks);
+  expect_refused([&] { (void)read_geometry<2>(outer, 1.); }, {"part.geo:1: the last line"});
 }
 
 TEST(GeoFile, IsScaledToMetres) {
@@ -180,11 +186,11 @@ EndFor)");
 
 TEST(GeoFile, MayIncludeAndMergeFilesOfItsDirectory) {
   const CaseDirectory directory;
-  (void)directory.write("parts/size.geo", "lc = 0.5;");
+  (void)directory.write("parts/size.geo", "lc = 0.5;\n");
   (void)directory.write("square.msh", Msh().text());
   const auto included = directory.write("disc.geo", "Include \"parts/size.geo\";\n" + disc);
   EXPECT_EQ(read_geometry<2>(included, 1.).bodies, std::vector<std::string>{"disc"});
-  const auto merged = directory.write("merged.geo", "Merge \"square.msh\";");
+  const auto merged = directory.write("merged.geo", "Merge \"square.msh\";\n");
   EXPECT_EQ(read_geometry<2>(merged, 1.).bodies, (std::vector<std::string>{"left", "right"}));
 }
 
@@ -195,18 +201,19 @@ TEST(GeoFile, CannotHideACommandWhereGmshTakesUpReadingAfterABranch) {
       "geometry.geo", fmt::format("E = 1; lc = 0.5;\nIf (0)\n x = E// EndIf System 'touch {}';\n"
                                   " ;\nEndIf\n{}",
                                   made.string(), disc));
-  EXPECT_EQ(read_geometry<2>(file, 1.).bodies, std::vector<std::string>{"disc"});
+  expect_refused([&] { (void)read_geometry<2>(file, 1.); }, {"aborting system call"});
   EXPECT_FALSE(std::filesystem::exists(made));
 }
 
-TEST(GeoFile, IsReadWithoutTheOptionFileBesideIt) {
+TEST(GeoFile, RunsNothingFromTheOptionFileBesideIt) {
   const CaseDirectory directory;
   const auto made = directory.path() / "made";
   const std::string command = fmt::format("SystemCall 'touch {}';", made.string());
   (void)directory.write("geometry.geo.opt", command);
   (void)directory.write("wheel.msh.opt", command);
-  (void)read_geometry<2>(directory.write("geometry.geo", two_blocks), 1.);
-  (void)read_geometry<2>(directory.write("wheel.msh", Msh().text()), 1.);
+  for (const auto& file :
+       {directory.write("geometry.geo", two_blocks), directory.write("wheel.msh", Msh().text())})
+    expect_refused([&] { (void)read_geometry<2>(file, 1.); }, {"aborting system call"});
   EXPECT_FALSE(std::filesystem::exists(made));
 }
 
@@ -235,7 +242,7 @@ TEST(GeoFile, WithAnErrorInAnIncludedFileIsRefusedWithThatLine) {
 
 TEST(GeoFile, CanBeReadAfterOneWithErrors) {
   expect_geo_refused("Point(1) = {0, 0};\nIf (1)\nx = {1, 2;\nEndIf", {});
-  expect_geo_refused("Point(1) = 0, 0};", {"closes no bracket"});
+  expect_geo_refused("Point(1) = 0, 0};", {":1: syntax error"});
   expect_geo_refused("Point(1) = ;\nPoint(2) = ;", {":1: syntax error", ":2: syntax error"});
   EXPECT_EQ(read_geo(two_blocks).cells.size(), 17U);
 }

@@ -204,6 +204,14 @@ TEST(GenevaDimensions, RefusesSlotIntoBore) {
                  {"bore radius is 13.3 mm", "13.2107 mm", "make the bore smaller"});
 }
 
+TEST(GenevaDimensions, RefusesBoreThatIsAPoint) {
+  GenevaDimensions wheel = four_stations();
+  wheel.bore_radius = 0.99e-4 * wheel.wheel_diameter;
+  expect_refused([&] { check(wheel); }, {"bore radius is", "at least 0.01 mm", "leave it out"});
+  wheel.bore_radius = 1.01e-4 * wheel.wheel_diameter;
+  EXPECT_NO_THROW(check(wheel));
+}
+
 TEST(GenevaDimensions, RefusesLockingArcThatMissesTheRim) {
   GenevaDimensions wheel = four_stations();
   wheel.locking_radius = 0.0207;  // the rim is 20.7107 mm from the arcs' centre

@@ -7,7 +7,10 @@
 
 #include "mesh/mesh_data.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
+
+using mesh::Circle;
+using mesh::MeshData;
 
 /// The names of a Gmsh model's parts.
 struct ModelLabels {
@@ -63,4 +66,4 @@ inline constexpr int quad_type = 3;
 inline constexpr int tetrahedron_type = 4;
 inline constexpr int hexahedron_type = 5;
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

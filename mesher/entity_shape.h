@@ -4,7 +4,9 @@
 
 #include "mesh/mesh_data.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
+
+using mesh::Circle;
 
 /// A curve or surface that is part of a circle, cylinder or sphere.
 struct RoundEntity {
@@ -20,4 +22,4 @@ struct RoundEntity {
 template <int dim>
 std::map<int, RoundEntity> round_entities(double tolerance);
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

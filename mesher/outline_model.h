@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "loads/wheel/outline.h"
-#include "mesh/model_reader.h"
-#include "mesh/size_field.h"
+#include "mesher/model_reader.h"
+#include "mesher/size_field.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 /// Outlines as the current model of Gmsh, in its built-in kernel, with a divided boundary.
 ///
@@ -68,4 +68,4 @@ class OutlineModel {
   std::size_t last_node_ = 0;
 };
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -1,11 +1,11 @@
-#include "mesh/gmsh_session.h"
+#include "mesher/gmsh_session.h"
 
 #include <gmsh.h>
 
 #include <exception>
 #include <string_view>
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 namespace {
 
@@ -56,4 +56,4 @@ void set_quadrilateral_options() {
   gmsh::option::setNumber("Mesh.RandomSeed", 1);
 }
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

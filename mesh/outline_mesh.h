@@ -7,17 +7,10 @@
 #include "loads/wheel/local_outline.h"
 #include "loads/wheel/outline.h"
 #include "mesh/mesh_data.h"
+#include "mesh/mesh_sizing.h"
+#include "mesh/mesher.h"
 
 namespace geneva::mesh {
-
-/// How fine the coarse mesh of an outline is; short and strongly curved segments get finer cells by
-/// themselves.
-struct MeshSizing {
-  double general;           ///< target cell size away from the contact [m]
-  double at_contact;        ///< target cell size at the contact [m]
-  loads::Point contact;     ///< where the bodies touch [m]
-  double contact_distance;  ///< cells grow from at_contact to general over this distance [m]
-};
 
 /// Sizing that gives some 250 cells for a wheel of four stations and its pin, and 900 for 24
 /// stations.
@@ -39,6 +32,8 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions);
 /// length. Runs on one rank, without MPI.
 /// @throws std::invalid_argument if sizes or outlines are unfit: not positive, an open loop
 /// @throws std::runtime_error if Gmsh fails or finds no mesh of good cells
-MeshData<2> mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing);
+/// @throws base::LimitReached if it takes more than `limits`
+MeshData<2> mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing,
+                          Mesher& mesher, const MesherLimits& limits);
 
 }  // namespace geneva::mesh

@@ -1,4 +1,4 @@
-#include "mesh/outline_model.h"
+#include "mesher/outline_model.h"
 
 #include <gmsh.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 namespace {
 
@@ -256,4 +256,4 @@ void OutlineModel::place(TaggedMesh<2>& read) const {
   }
 }
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

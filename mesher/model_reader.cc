@@ -1,4 +1,4 @@
-#include "mesh/model_reader.h"
+#include "mesher/model_reader.h"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -10,7 +10,11 @@
 
 #include "mesh/mesh_quality.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
+
+using mesh::Cell;
+using mesh::Corners;
+using mesh::Face;
 
 namespace {
 
@@ -253,4 +257,4 @@ template OtherCells count_other_cells<3>();
 template TaggedMesh<2> read_model(const ModelLabels&);
 template TaggedMesh<3> read_model(const ModelLabels&);
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 /// Gmsh from start to end: silent, without windows, without the user's configuration, on one
 /// thread.
@@ -30,4 +30,4 @@ class GmshSession {
 /// Quadrilaterals: frontal-Delaunay triangles, recombined by Blossom.
 void set_quadrilateral_options();
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -1,9 +1,9 @@
-#include "mesh/size_field.h"
+#include "mesher/size_field.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 namespace {
 
@@ -163,4 +163,4 @@ double SizeField::operator()(loads::Point place) const {
   return size;
 }
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -1,4 +1,4 @@
-#include "mesh/entity_shape.h"
+#include "mesher/entity_shape.h"
 
 #include <gmsh.h>
 
@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "mesh/model_reader.h"
 #include "mesh/round_shapes.h"
+#include "mesher/model_reader.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
+
+using mesh::Place;
 
 namespace {
 
@@ -127,13 +129,14 @@ ShapePoints shape_points(const int entity) {
 
 template <int dim>
 std::optional<Circle> exact_shape(const ShapePoints& of) {
-  return dim == 2 ? circle_through(of.points) : round_surface_through(of.points, of.normals);
+  return dim == 2 ? mesh::circle_through(of.points)
+                  : mesh::round_surface_through(of.points, of.normals);
 }
 
 template <int dim>
 std::optional<Circle> near_shape(const ShapePoints& of, const double tolerance) {
-  return dim == 2 ? circle_near(of.points, tolerance)
-                  : round_surface_near(of.points, of.normals, tolerance);
+  return dim == 2 ? mesh::circle_near(of.points, tolerance)
+                  : mesh::round_surface_near(of.points, of.normals, tolerance);
 }
 
 /// Round curves or surfaces that have one circle.
@@ -181,8 +184,8 @@ std::optional<Circle> common_circle(const RoundGroup& one, const RoundGroup& oth
     return near_shape<dim>(together(one.points, other.points), tolerance);
   const RoundGroup& exact = one.is_fitted ? other : one;
   const RoundGroup& fitted = one.is_fitted ? one : other;
-  return all_on(exact.circle, fitted.points.points, tolerance) ? std::optional(exact.circle)
-                                                               : std::nullopt;
+  return mesh::all_on(exact.circle, fitted.points.points, tolerance) ? std::optional(exact.circle)
+                                                                     : std::nullopt;
 }
 
 /// Joins a group with the first later one that has its circle.
@@ -222,4 +225,4 @@ std::map<int, RoundEntity> round_entities(const double tolerance) {
 template std::map<int, RoundEntity> round_entities<2>(double);
 template std::map<int, RoundEntity> round_entities<3>(double);
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

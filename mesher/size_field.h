@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "loads/wheel/outline.h"
-#include "mesh/gmsh_mesher.h"
+#include "mesh/outline_mesh.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
+
+using mesh::MeshSizing;
 
 /// Sense and extent of an arc: angle [rad] from its start to its end, positive counter-clockwise,
 /// below half a turn.
@@ -61,4 +63,4 @@ class SizeField {
   std::vector<FinePlace> fine_places_;  ///< smallest size first
 };
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -1,4 +1,4 @@
-#include "mesh/gmsh_mesher.h"
+#include "mesher/outline_mesher.h"
 
 #include <fmt/format.h>
 #include <gmsh.h>
@@ -10,12 +10,12 @@
 #include <string>
 #include <utility>
 
-#include "mesh/gmsh_session.h"
 #include "mesh/mesh_quality.h"
-#include "mesh/outline_model.h"
-#include "mesh/size_field.h"
+#include "mesher/gmsh_session.h"
+#include "mesher/outline_model.h"
+#include "mesher/size_field.h"
 
-namespace geneva::mesh {
+namespace geneva::mesher {
 
 namespace {
 
@@ -23,6 +23,8 @@ using loads::Loop;
 using loads::Outline;
 using loads::Point;
 using loads::Segment;
+using mesh::least_scaled_jacobian;
+using mesh::least_scaled_jacobian_refined;
 
 /// Lengths in outlines of extent 1 are rounded to this grid, so that the mesh does not depend on
 /// the last digits, which the unit of length changes.
@@ -62,36 +64,6 @@ std::vector<Outline> scaled(std::vector<Outline> outlines, double factor) {
 MeshSizing scaled(const MeshSizing& sizing, double factor) {
   return {scaled(sizing.general, factor), scaled(sizing.at_contact, factor),
           scaled(sizing.contact, factor), scaled(sizing.contact_distance, factor)};
-}
-
-/// An end of a segment and the next one's start may differ by rounding.
-constexpr double closed = 1e-9;
-
-void check_sizing(const MeshSizing& sizing) {
-  const bool fit = sizing.at_contact > 0. && sizing.general >= sizing.at_contact &&
-                   sizing.contact_distance > 0. && std::isfinite(sizing.general);
-  if (!fit)
-    throw std::invalid_argument(fmt::format(
-        "cell sizes are {:.6g} mm at the contact and {:.6g} mm in general, over {:.6g} mm: they "
-        "must be positive, and that at the contact the smaller one",
-        1e3 * sizing.at_contact, 1e3 * sizing.general, 1e3 * sizing.contact_distance));
-}
-
-void check_loops(const std::vector<Outline>& outlines, double scale) {
-  for (const Outline& outline : outlines) {
-    if (outline.loops.empty())
-      throw std::invalid_argument(fmt::format("outline '{}' has no boundary", outline.name));
-    for (const Loop& loop : outline.loops)
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Point gap_end = loop[(i + 1) % loop.size()].start;
-        if (std::hypot(loop[i].end.x - gap_end.x, loop[i].end.y - gap_end.y) <= closed * scale)
-          continue;
-        throw std::invalid_argument(fmt::format(
-            "outline '{}' is open: a segment ends at ({:.6g}, {:.6g}) m and the next one starts at "
-            "({:.6g}, {:.6g}) m",
-            outline.name, loop[i].end.x, loop[i].end.y, gap_end.x, gap_end.y));
-      }
-  }
 }
 
 /// One way of meshing: the sizes times a factor; each cell then divided into quadrilaterals or not.
@@ -139,34 +111,9 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
   return {std::nullopt, errors.front()};
 }
 
-/// Cells of an eighth of the pin's diameter at the contact.
-MeshSizing graded(double general, double pin_diameter, Point contact) {
-  const double at_contact = std::min(pin_diameter / 8., general);
-  const double zone_growth = 0.15;  // per length: a faster one distorts the cells near the contact
-  return {general, at_contact, contact,
-          std::max((general - at_contact) / zone_growth, pin_diameter)};
-}
-
 }  // namespace
 
-MeshSizing default_sizing(const loads::GenevaDimensions& dimensions, double pin_distance) {
-  return graded(0.06 * dimensions.wheel_diameter, dimensions.pin_diameter,
-                {pin_distance, dimensions.slot_width / 2.});
-}
-
-MeshSizing default_sizing(const loads::InternalDimensions& dimensions, double pin_distance) {
-  return graded(0.12 * dimensions.rim_radius, dimensions.pin_diameter,
-                {pin_distance, dimensions.slot_width / 2.});
-}
-
-MeshSizing default_sizing(const loads::LocalDimensions& dimensions) {
-  return graded(std::max(dimensions.width, dimensions.depth) / 8., dimensions.pin_diameter,
-                {0., 0.});
-}
-
 MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {
-  check_sizing(sizing);
-  check_loops(outlines, extent(outlines));
   std::optional<MeshData<2>> best;
   double best_quality = least_quality;
   std::string failure = "there are none";
@@ -195,8 +142,7 @@ MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing
         fmt::format("Gmsh found no mesh of good quadrilaterals for the outlines ({}): choose "
                     "another cell size, or dimensions without such narrow places",
                     failure));
-  check(*best);
   return *best;
 }
 
-}  // namespace geneva::mesh
+}  // namespace geneva::mesher

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/mesher_exchange.h"
+#include "mesh/mesher_process.h"
+
+namespace geneva::mesh {
+
+/// Where the mesher lies beside this program.
+std::filesystem::path mesher_beside_this_program();
+
+/// Gmsh in a process of its own: it runs what a stranger may have written, and may crash, run on or
+/// lie without harm to this one.
+///
+/// One process serves one task. The first one is started at once, so that it gets ready while this
+/// program does. Used on one rank, without MPI.
+class Mesher {
+ public:
+  /// @param program see mesher_beside_this_program
+  explicit Mesher(std::filesystem::path program);
+
+  /// The mesh of outlines or of a geometry.
+  /// @return what it says in place of a mesh, if it refuses, fails or crashes: Gmsh's errors, or
+  /// how it ended with the last that it said
+  /// @throws base::LimitReached if it takes more than it may
+  /// @throws std::runtime_error if it cannot be started
+  template <typename Task>
+  MesherAnswer answer(const Task& task, const MesherLimits& limits) {
+    return answer_to(json_of(task), limits);
+  }
+
+  /// Of the last answer: whether the system kept the mesher from files, processes and networks.
+  [[nodiscard]] bool was_enclosed() const { return was_enclosed_; }
+  /// Of the last answer.
+  [[nodiscard]] const std::string& gmsh_version() const { return gmsh_version_; }
+
+ private:
+  MesherAnswer answer_to(const nlohmann::json& task, const MesherLimits& limits);
+
+  std::filesystem::path program_;
+  std::optional<MesherProcess> waiting_;
+  bool was_enclosed_ = true;
+  std::string gmsh_version_;
+};
+
+}  // namespace geneva::mesh
