@@ -8,7 +8,6 @@
 #include <ctime>
 #include <map>
 #include <ostream>
-#include <stdexcept>
 #include <system_error>
 
 #include "app/case_content.h"
@@ -16,6 +15,7 @@
 #include "app/case_values.h"
 #include "app/parameter_text.h"
 #include "app/parameters.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -26,17 +26,16 @@ namespace fs = std::filesystem;
 /// The directory without a slash at its end.
 fs::path checked_directory(const fs::path& directory) {
   if (directory.empty())
-    throw std::invalid_argument("the case directory has no name: name a directory with a case.prm");
+    throw base::InputError("the case directory has no name: name a directory with a case.prm");
   std::error_code error;
   const std::string name = directory.string();
   if (!fs::exists(directory, error))
-    throw std::invalid_argument(fmt::format("{}: there is no such directory", name));
+    throw base::InputError(fmt::format("{}: there is no such directory", name));
   if (!fs::is_directory(directory, error))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: this is not a directory; name the directory that holds case.prm", name));
   if (!fs::exists(directory / "case.prm", error))
-    throw std::invalid_argument(
-        fmt::format("{}: there is no file case.prm in this directory", name));
+    throw base::InputError(fmt::format("{}: there is no file case.prm in this directory", name));
   return directory.has_filename() ? directory : directory.parent_path();
 }
 
@@ -63,7 +62,7 @@ void check_sections(const ParameterText& text, const std::string& model) {
     if (known == models.end()) continue;
     const auto& allowed = known->second;
     if (std::find(allowed.begin(), allowed.end(), model) == allowed.end())
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "{}, line {}: the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
           text.file, section.line, known->first, fmt::join(allowed, " or "), model,
           text.find({}, "Model") == nullptr ? " (default)" : ""));
@@ -197,7 +196,7 @@ void refuse_model(const Case& given, const std::string& reason, const std::strin
   const std::string model = given.mechanism  ? "mechanism"
                             : given.geometry ? "geometry"
                                              : "synthesis";
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("'Model' = '{}': {}; '{}' wants a case with Model = {}{}", model, reason, command,
                   wanted, given.synthesis ? ", this one is for 'geneva synthesize'" : ""));
 }

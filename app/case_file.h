@@ -147,7 +147,7 @@ struct Case {
 };
 
 /// Reads case.prm of a case directory.
-/// @throws std::invalid_argument naming file, parameter, the value found and what is allowed
+/// @throws base::InputError naming file, parameter, the value found and what is allowed
 Case read_case(const std::filesystem::path& directory);
 
 /// Name of the case: that of its directory, also where the user says ".".
@@ -160,7 +160,7 @@ post::CaseHeader header_of(const Case& given);
 /// @param reason what is missing there: "there is no wheel to design"
 /// @param command for example "geneva design"
 /// @param wanted models that it takes: "mechanism"
-/// @throws std::invalid_argument always, naming the case's model and these
+/// @throws base::InputError always, naming the case's model and these
 [[noreturn]] void refuse_model(const Case& given, const std::string& reason,
                                const std::string& command, const std::string& wanted);
 

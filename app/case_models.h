@@ -11,12 +11,12 @@
 namespace geneva::app {
 
 /// Reads the subsection Mechanism.
-/// @throws std::invalid_argument if values contradict each other or make no mechanism, or if the
+/// @throws base::InputError if values contradict each other or make no mechanism, or if the
 /// motion table is missing, outside of the case directory or no table
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
 
 /// Reads the subsection Pin of Mechanism.
-/// @throws std::invalid_argument if values contradict each other, or the profile's file is missing,
+/// @throws base::InputError if values contradict each other, or the profile's file is missing,
 /// outside of the case directory or no table
 PinCase read_pin(const CaseValues& values, const std::filesystem::path& directory);
 
@@ -29,26 +29,26 @@ void check_pin(const CaseValues& values, const MechanismCase& given, const Mecha
 void check_no_pin(const CaseValues& values);
 
 /// Reads the subsection Design of Mechanism.
-/// @throws std::invalid_argument if the shaft cannot be understood, or a value has no effect
+/// @throws base::InputError if the shaft cannot be understood, or a value has no effect
 /// without one
 DesignCase read_design(const CaseValues& values);
 
 /// Reads the subsection Geometry.
 /// @param dimension 2 or 3
-/// @throws std::invalid_argument if values contradict each other or the file is missing or outside
+/// @throws base::InputError if values contradict each other or the file is missing or outside
 /// of the case directory
 GeometryCase read_geometry_case(const CaseValues& values, const std::filesystem::path& directory,
                                 int dimension);
 
 /// What a geometry case may set depends on its own lists: the names of its bodies and loads, and
 /// the file found in its directory.
-/// @throws std::invalid_argument if a list has an empty or a double name, or without a file's name
+/// @throws base::InputError if a list has an empty or a double name, or without a file's name
 /// none or two are found
 std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
                                               const std::filesystem::path& directory);
 
 /// Reads the subsection Synthesis.
-/// @throws std::invalid_argument if a value is missing, has no effect with the kind of synthesis,
+/// @throws base::InputError if a value is missing, has no effect with the kind of synthesis,
 /// contradicts another one, or the points are missing, outside of the case directory or no table
 SynthesisCase read_synthesis(const CaseValues& values, const std::filesystem::path& directory);
 

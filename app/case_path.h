@@ -8,7 +8,7 @@
 namespace geneva::app {
 
 /// The file of the case directory that a parameter names.
-/// @throws std::invalid_argument if it lies outside of the directory or does not exist
+/// @throws base::InputError if it lies outside of the directory or does not exist
 std::filesystem::path file_in_directory(const CaseSection& section, const std::string& parameter,
                                         const std::filesystem::path& directory);
 

@@ -14,6 +14,7 @@
 
 #include "app/nearest_word.h"
 #include "app/quantity_pattern.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -87,7 +88,7 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
 }
 
 [[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
-  throw std::invalid_argument(fmt::format("{}, line {}: {}", text.file, line, reason));
+  throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
 }
 
 [[noreturn]] void refuse_unknown_section(const std::vector<Parameter>& parameters,
@@ -217,19 +218,19 @@ bool CaseValues::is_changed(const SectionPath& section, const std::string& name)
 void CaseValues::refuse(const SectionPath& section, const std::string& name,
                         const std::string& reason) const {
   if (const Assignment* found = text_.find(section, name)) app::refuse(text_, *found, reason);
-  throw std::invalid_argument(fmt::format("{}: {} = {} (default): {}", text_.file,
-                                          shown_name(section, name),
-                                          post::in_quotes(text(section, name)), reason));
+  throw base::InputError(fmt::format("{}: {} = {} (default): {}", text_.file,
+                                     shown_name(section, name),
+                                     post::in_quotes(text(section, name)), reason));
 }
 
 void CaseValues::refuse_missing(const SectionPath& section, const std::string& name,
                                 const std::string& reason) const {
-  throw std::invalid_argument(fmt::format("{}: {} is missing {}: {}", text_.file,
-                                          post::in_quotes(name), section_phrase(section), reason));
+  throw base::InputError(fmt::format("{}: {} is missing {}: {}", text_.file, post::in_quotes(name),
+                                     section_phrase(section), reason));
 }
 
 void CaseValues::refuse_section(const SectionPath& section, const std::string& reason) const {
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("{}: subsection {}: {}", text_.file, post::in_quotes(section.back()), reason));
 }
 

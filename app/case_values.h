@@ -24,7 +24,7 @@ void declare(dealii::ParameterHandler& handler, const std::vector<Parameter>& pa
 /// The parameters of a case: what its file says, checked, and the defaults of the rest.
 class CaseValues {
  public:
-  /// @throws std::invalid_argument for names that are not among the parameters (with the nearest
+  /// @throws base::InputError for names that are not among the parameters (with the nearest
   /// that is), values that their rule does not allow, and missing required ones
   CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text);
   CaseValues(const CaseValues&) = delete;
@@ -72,7 +72,7 @@ class CaseSection {
   [[nodiscard]] bool is_given(const std::string& name) const;
   /// Whether the parameter has another value than its default.
   [[nodiscard]] bool is_changed(const std::string& name) const;
-  /// @throws std::invalid_argument if the parameter is left out or a word stands in its place
+  /// @throws base::InputError if the parameter is left out or a word stands in its place
   [[nodiscard]] double value(const std::string& name) const;
   [[nodiscard]] std::optional<double> optional_value(const std::string& name) const;
   [[nodiscard]] std::vector<double> values(const std::string& name) const;

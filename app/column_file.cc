@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/parameter_rule.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -32,7 +33,7 @@ class ColumnReader {
   void read(const std::string& line) {
     const std::vector<std::string> parts = split_list(line);
     if (parts.size() != 2)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{} is not two columns separated by a comma", post::in_quotes(line)));
     if (units_)
       read_row(line, parts);
@@ -48,8 +49,8 @@ class ColumnReader {
     const std::size_t open = heading.find('[');
     if (trimmed(heading.substr(0, open)) != column.name || open == std::string::npos ||
         heading.back() != ']')
-      throw std::invalid_argument(fmt::format("the heading is {}: '{}' is wanted, with {}",
-                                              post::in_quotes(heading), example_, any_units()));
+      throw base::InputError(fmt::format("the heading is {}: '{}' is wanted, with {}",
+                                         post::in_quotes(heading), example_, any_units()));
     return post::parse_quantity("1 " + heading.substr(open + 1, heading.size() - open - 2),
                                 column.dimension);
   }
@@ -64,7 +65,7 @@ class ColumnReader {
     const auto first = number(parts[0]);
     const auto second = number(parts[1]);
     if (!first || !second)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{} is not two numbers separated by a comma", post::in_quotes(line)));
     values_[0].push_back(*first * (*units_)[0]);
     values_[1].push_back(*second * (*units_)[1]);
@@ -90,7 +91,7 @@ std::array<std::vector<double>, 2> read_two_columns(const std::filesystem::path&
     try {
       reader.read(line);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{}, line {}: {}", file.string(), line_number, error.what()));
     }
   }

@@ -19,7 +19,7 @@ struct Column {
 /// empty lines and lines that start with '#' are left out.
 /// @param example heading, for messages
 /// @return both columns in SI units, of equal length, finite; empty if there are no rows
-/// @throws std::invalid_argument with file, line, what was found and what is wanted, if the heading
+/// @throws base::InputError with file, line, what was found and what is wanted, if the heading
 /// is another one, a unit is of another dimension or a row is not two finite numbers
 std::array<std::vector<double>, 2> read_two_columns(const std::filesystem::path& file,
                                                     const std::array<Column, 2>& columns,

@@ -17,7 +17,7 @@ struct ContactGeometry {
 };
 
 /// Pin and wheel at the analysed driver angle, or pin and block.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 ContactGeometry contact_geometry(const MechanismCase& mechanism, const MechanismState& state);
 
 }  // namespace geneva::app

@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "app/case_file.h"
 #include "app/mechanism_picture.h"
@@ -21,6 +20,7 @@
 #include "app/report.h"
 #include "app/together.h"
 #include "app/version.h"
+#include "base/errors.h"
 #include "fem/contact_problem.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
@@ -51,11 +51,11 @@ void check(const Case& given) {
   if (!given.mechanism)
     refuse_model(given, "there is no pin to crown", "geneva design --crown", "mechanism");
   if (!given.mechanism->space)
-    throw std::invalid_argument(
+    throw base::InputError(
         "'Dimension' = '2': the crown acts along the pin; 'geneva design --crown' wants a case "
         "with Dimension = 3");
   if (given.mechanism->space->profile == Profile::table)
-    throw std::invalid_argument(
+    throw base::InputError(
         "'Pin/Profile' = 'table': it has no size to be searched for; 'crown' or 'logarithmic' is "
         "wanted");
 }
@@ -189,13 +189,11 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given, Progres
 /// @return names of the files of other cases that it removed
 std::vector<std::string> write_crown(const Case& given, const post::CrownReport& report,
                                      const fs::path& directory) {
-  std::vector<std::string> removed =
-      write_results(directory, given, "crown",
-                    {{"crown.json", post::crown_summary(report).dump(2) + "\n"},
-                     {"crown.csv", post::crown_csv(report, given.units)},
-                     {"mechanism.json", mechanism_text(*given.mechanism)}});
-  write_report(directory);
-  return removed;
+  return write_results(directory, given, "crown",
+                       {{"crown.json", post::crown_summary(report).dump(2) + "\n"},
+                        {"crown.csv", post::crown_csv(report, given.units)},
+                        {"mechanism.json", mechanism_text(*given.mechanism)}},
+                       write_report);
 }
 
 }  // namespace
@@ -208,7 +206,7 @@ int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
   return naming(given, [&] {
     check(given);
     together(communicator, [&] {
-      if (is_first) check_writable(directory);
+      if (is_first) base::check_replaceable(directory);
     });
     ProgressDisplay progress(is_first, given.units);
     post::CrownReport report = search(communicator, given, progress, mesher);

@@ -17,7 +17,7 @@ namespace geneva::app {
 /// @param output where crown.json goes; empty: results in the case's directory
 /// @param mesher on rank 0
 /// @return the exit code: 0, or 2 if the accuracy was not reached
-/// @throws std::invalid_argument on all ranks if the case is wrong or its pin has a tabulated
+/// @throws base::InputError on all ranks if the case is wrong or its pin has a tabulated
 /// profile
 int design_crown(MPI_Comm communicator, const std::filesystem::path& case_directory,
                  const std::filesystem::path& output, std::optional<mesh::Mesher>& mesher);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "app/mechanism_picture.h"
 #include "app/model.h"
@@ -13,6 +12,7 @@
 #include "app/output_directory.h"
 #include "app/report.h"
 #include "app/version.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -38,7 +38,7 @@ MechanismCase designed_mechanism(const Case& given) {
   if (mechanism.kind != MechanismCase::Kind::external ||
       mechanism.motion.kind != DriverMotion::Kind::constant ||
       mechanism.motion.acceleration != 0. || mechanism.pins != 1 || mechanism.pin_angles.size() > 1)
-    throw std::invalid_argument(
+    throw base::InputError(
         "'geneva design' follows Johnson's equations, which are those of an external Geneva with "
         "one pin at constant driver speed; 'geneva kinematics' knows the others");
   mechanism.angle_kind = MechanismCase::AngleKind::at_maximum_wheel_acceleration;
@@ -113,7 +113,7 @@ std::vector<fs::path> directories(const std::vector<Case>& cases, const fs::path
                                                 : output / name_of(given);
     fs::path directory = (fs::absolute(target) / "").lexically_normal().parent_path();
     if (std::find(result.begin(), result.end(), directory) != result.end())
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{}: the results of two cases would go into {}; name each case once, and "
                       "give cases of the same name without --output",
                       given.directory.string(), directory.string()));
@@ -166,8 +166,8 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
         write_results(targets[i], all[i], "design",
                       {{"design.json", post::design_summary(reports[i]).dump(2) + "\n"},
                        {"design.csv", post::design_csv(reports[i], all[i].units)},
-                       {"mechanism.json", mechanism_text(*all[i].mechanism)}});
-    write_report(targets[i]);
+                       {"mechanism.json", mechanism_text(*all[i].mechanism)}},
+                      write_report);
     if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
     std::cout << "design.json, design.csv and report.html in " << shown_path(targets[i]) << '\n';
   }

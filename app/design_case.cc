@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "app/case_models.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -11,7 +12,7 @@ namespace {
 double positive_length(const std::string& text) {
   const double length = post::parse_quantity(text, post::Dimension::length);
   if (length > 0.) return length;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("{}: the value must be greater than 0", post::in_quotes(text)));
 }
 
@@ -20,7 +21,7 @@ loads::ShaftSegment parse_segment(const std::string& text) {
   const std::string times = " x ";
   const std::size_t place = text.find(times);
   if (place == std::string::npos || text.find(times, place + 1) != std::string::npos)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: a segment is a diameter, '{}' and a length, for example '0.375 in x 5 in'",
                     post::in_quotes(text), times));
   return {positive_length(text.substr(0, place)),

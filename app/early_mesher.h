@@ -12,7 +12,7 @@ bool needs_mesher(const Request& request);
 
 /// A mesher for a request that needs one, on the process that the launcher of MPI programs, if
 /// there is one, will make the first rank.
-/// @throws std::runtime_error if the mesher cannot be started
+/// @throws base::InputError if the mesher cannot be started
 std::optional<mesh::Mesher> early_mesher(const Request& request);
 
 }  // namespace geneva::app

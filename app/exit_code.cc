@@ -1,12 +1,12 @@
 #include "app/exit_code.h"
 
-#include <deal.II/base/mpi.h>
+#include <fmt/format.h>
 
 #include <exception>
-#include <iostream>
-#include <stdexcept>
+#include <new>
 #include <string>
 
+#include "app/version.h"
 #include "base/errors.h"
 #include "fem/contact_problem.h"
 
@@ -14,27 +14,34 @@ namespace geneva::app {
 
 namespace {
 
-int say(const ExitCode code, const std::string& text) {
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cerr << "geneva: " << text << '\n';
-  return code;
+std::string bug(const std::string& what, const std::string& about) {
+  return fmt::format(
+      "internal error in geneva {} ({}): {}\nThis is a mistake in the program: please report it to "
+      "its maintainers (CITATION.cff) with this text and the case directory.",
+      version, about, what);
 }
 
 }  // namespace
 
-int exit_code_of(const std::function<int()>& command) {
+int exit_code_of(const std::function<int()>& command, const std::string& about, Ending& ending) {
+  const auto failed = [&](const ExitCode code, const std::string& text) {
+    ending.fail(code, text);
+    return code;
+  };
   try {
     return command();
-  } catch (const std::invalid_argument& error) {
-    return say(wrong_input, error.what());
+  } catch (const base::InputError& error) {
+    return failed(wrong_input, error.what());
   } catch (const fem::NotConverged& error) {
-    return say(not_converged, error.what());
+    return failed(not_converged, error.what());
   } catch (const base::LimitReached& error) {
-    return say(not_converged, error.what());
-  } catch (const std::runtime_error& error) {
-    return say(wrong_input, error.what());  // of the machine: a full disk, a missing unit database
+    return failed(not_converged, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(not_converged, fmt::format("memory ran out ({})", about));
   } catch (const std::exception& error) {
-    return say(internal_error, std::string("internal error, please report it: ") + error.what());
+    return failed(internal_error, bug(error.what(), about));
+  } catch (...) {
+    return failed(internal_error, bug("unknown exception", about));
   }
 }
 

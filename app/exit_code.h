@@ -1,14 +1,18 @@
 #pragma once
 
 #include <functional>
+#include <string>
+
+#include "app/ending.h"
 
 namespace geneva::app {
 
 /// A wrong case or a machine that cannot run it; a limit or an accuracy not reached; a bug.
 enum ExitCode { wrong_input = 1, not_converged = 2, internal_error = 3 };
 
-/// What a command returns or, if it throws, the exit code of that, after the first rank has said
+/// What a command returns or, if it throws, the exit code of that, after the user has been told
 /// why.
-int exit_code_of(const std::function<int()>& command);
+/// @param about what was to be done, for the report of a bug: "run CASE"
+int exit_code_of(const std::function<int()>& command, const std::string& about, Ending& ending);
 
 }  // namespace geneva::app

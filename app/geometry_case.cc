@@ -9,6 +9,7 @@
 
 #include "app/case_models.h"
 #include "app/case_path.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -41,7 +42,7 @@ std::string found_file(const ParameterText& text, const fs::path& directory) {
   const bool has_geo = fs::exists(directory / "geometry.geo", error);
   const bool has_msh = fs::exists(directory / "geometry.msh", error);
   if (has_geo == has_msh)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "{}: the case directory has {} 'geometry.geo' {} 'geometry.msh'; {} in the subsection "
         "'Geometry' names the file",
         text.file, has_geo ? "both" : "neither", has_geo ? "and" : "nor", "'set File = ...'"));

@@ -44,8 +44,8 @@ int kinematics_of_case(const std::filesystem::path& case_directory,
       write_results(target, given, "kinematics",
                     {{"kinematics.json", post::kinematics_summary(report).dump(2) + "\n"},
                      {"kinematics.csv", post::kinematics_csv(report, given.units)},
-                     {"mechanism.json", mechanism_text(*given.mechanism)}});
-  write_report(target);
+                     {"mechanism.json", mechanism_text(*given.mechanism)}},
+                    write_report);
   if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
   std::cout << "kinematics.json, kinematics.csv and report.html in " << shown_path(target) << '\n';
   return 0;

@@ -9,7 +9,7 @@ namespace geneva::app {
 
 /// Kinematics and pin force of a mechanism case over its cycle.
 /// @param steps rows of the curves, 1 or more
-/// @throws std::invalid_argument if the case has no mechanism, or where the loads room does
+/// @throws base::InputError if the case has no mechanism, or where the loads room does
 post::KinematicsReport make_kinematics(const Case& given, int steps);
 
 /// Does what `geneva kinematics` does: prints the characteristic values and writes kinematics.json

@@ -4,6 +4,8 @@
 #include <exception>
 #include <iostream>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <variant>
 
 #include "app/case_file.h"
@@ -11,12 +13,16 @@
 #include "app/crown.h"
 #include "app/design.h"
 #include "app/early_mesher.h"
+#include "app/ending.h"
 #include "app/exit_code.h"
+#include "app/interruption.h"
 #include "app/kinematics.h"
+#include "app/launch.h"
 #include "app/report.h"
 #include "app/run.h"
 #include "app/synthesis.h"
 #include "app/threads.h"
+#include "base/errors.h"
 #include "mesh/mesher.h"
 
 namespace {
@@ -46,16 +52,27 @@ int obey(const Request& request, std::optional<Mesher>& mesher) {
 int main(int argc, char** argv) try {
   geneva::app::use_one_thread();
   const auto asked = geneva::app::read_command_line(argc, argv);
-  if (const int* code = std::get_if<int>(&asked)) return *code;
+  if (const int* code = std::get_if<int>(&asked)) return geneva::app::with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
+  geneva::app::check_address_space();
+  const std::string task = geneva::app::command_text(argc, argv);
+  geneva::app::watch_for_interruption();
+  geneva::app::watch_for_termination(task);
   if (request.command == Request::Command::parameters) {
-    geneva::app::print_parameters(std::cout);
-    return 0;
+    std::ostringstream text;
+    geneva::app::print_parameters(text);
+    std::cout << text.str();
+    return geneva::app::with_output_checked(0);
   }
   std::optional<Mesher> mesher = geneva::app::early_mesher(request);  // gets ready while MPI does
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   dealii::deal_II_exceptions::disable_abort_on_exception();
-  return geneva::app::exit_code_of([&] { return obey(request, mesher); });
+  geneva::app::Ending ending(MPI_COMM_WORLD);
+  return geneva::app::with_output_checked(
+      geneva::app::exit_code_of([&] { return obey(request, mesher); }, task, ending));
+} catch (const geneva::base::InputError& error) {
+  std::cerr << "geneva: " << error.what() << '\n';
+  return geneva::app::wrong_input;
 } catch (const std::exception& error) {
   std::cerr << "geneva: cannot start: " << error.what() << '\n';
   return geneva::app::internal_error;

@@ -17,16 +17,16 @@ struct MechanismSizes {
 };
 
 /// The mechanism of a case.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 loads::Mechanism mechanism_of(const MechanismCase& mechanism);
 
 /// Engagements of its pins.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 std::vector<loads::Engagement> engagements_of(const MechanismCase& mechanism,
                                               const loads::Mechanism& with);
 
 /// With its pins and the motion of its driver.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 loads::DrivenMechanism driven_mechanism(const MechanismCase& mechanism);
 
 /// Sizes that are given or follow from Johnson's proportions.

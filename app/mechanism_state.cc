@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "app/parameters.h"
+#include "base/errors.h"
 #include "loads/design/johnson.h"
 #include "loads/pi.h"
 #include "loads/wheel/internal_outline.h"
@@ -40,7 +39,7 @@ double inertia_used(const MechanismCase& mechanism, const std::optional<double> 
   }
   const auto k5 = loads::johnson_row(mechanism.dimensions.stations).k5;
   if (!k5)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "'Wheel inertia' = 'Johnson': his Table 1 ends at 10 stations, the case has {}; use 'from "
         "geometry' or give a value",
         mechanism.dimensions.stations));
@@ -51,7 +50,7 @@ void refuse_braking(const loads::PinLoad& load, const MechanismDynamics& dynamic
   const double peak_angle = loads::peak_force_angle(dynamics.driven, dynamics.train);
   const loads::PinLoad peak =
       loads::pin_load(dynamics.driven.at_engaged_angle(peak_angle), dynamics.train);
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "'Driver angle' = {:.6g} deg: the pin force there is {:.4g} N, so the pin does not press on "
       "the driving wall; {}",
       load.driver_angle / loads::degree, load.force,

@@ -30,15 +30,15 @@ struct MechanismState : MechanismDynamics {
   double expected_bore_torque;  ///< J_L a + M_f + M_e [N m]
 };
 
-/// @throws std::invalid_argument if the drawn wheel's dimensions do not fit together
+/// @throws base::InputError if the drawn wheel's dimensions do not fit together
 void check_drawing(const MechanismCase& mechanism);
 
 /// Kinematics, dimensions and inertia of a mechanism case.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism);
 
 /// The same with the pin force at the angle that the case wants to be analysed.
-/// @throws std::invalid_argument where the loads room does, and if no force presses the pin on the
+/// @throws base::InputError where the loads room does, and if no force presses the pin on the
 /// driving wall
 MechanismState mechanism_state(const MechanismCase& mechanism);
 

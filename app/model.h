@@ -27,7 +27,7 @@ struct Model {
 
 /// Mesh and problem of a case; rank 0 meshes, all ranks get the result.
 /// @param mesher on rank 0
-/// @throws std::invalid_argument on all ranks if the case cannot be meshed
+/// @throws base::InputError on all ranks if the case cannot be meshed
 /// @throws base::LimitReached on all ranks if meshing takes more than the case allows
 template <int dim>
 Model<dim> make_model(MPI_Comm communicator, const Case& given,

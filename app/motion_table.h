@@ -13,7 +13,7 @@ struct MotionTable {
 
 /// Reads a comma-separated file: a heading "time [UNIT], angle [UNIT]" and a row of two numbers for
 /// each instant; empty lines and lines that start with '#' are left out.
-/// @throws std::invalid_argument with file, line, what was found and what is wanted, if the heading
+/// @throws base::InputError with file, line, what was found and what is wanted, if the heading
 /// is another one, a unit is of another dimension or a row is not two numbers
 MotionTable read_motion_table(const std::filesystem::path& file);
 

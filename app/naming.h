@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
 #include "app/case_file.h"
@@ -18,8 +17,8 @@ auto naming(const Case& given, const Task& task) {
   };
   try {
     return task();
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(named(error.what()));
+  } catch (const base::InputError& error) {
+    throw base::InputError(named(error.what()));
   } catch (const base::LimitReached& error) {
     throw base::LimitReached(named(error.what()));
   }

@@ -1,20 +1,20 @@
 #include "app/output_directory.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
+#include "base/errors.h"
+#include "base/output_file.h"
 #include "post/json_values.h"
-#include "post/output_file.h"
 #include "post/result_files.h"
 
 namespace geneva::app {
@@ -22,21 +22,6 @@ namespace geneva::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-[[noreturn]] void refuse_unwritable(const fs::path& directory, const std::error_code& error) {
-  throw std::invalid_argument(
-      fmt::format("results directory {} cannot be written{}; give another one with --output",
-                  directory.string(), error ? " (" + error.message() + ")" : ""));
-}
-
-[[noreturn]] void refuse_blocked(const fs::path& directory) {
-  throw std::invalid_argument(
-      fmt::format("results directory {}: a file of that name is in the way", directory.string()));
-}
-
-fs::path working_name(const fs::path& final) {
-  return final.parent_path() / fmt::format(".{}.partial", final.filename().string());
-}
 
 /// Whether a document in a directory is of a case, and in this program's format.
 bool is_of_case(const fs::path& directory, const std::string& document, const Case& given) {
@@ -59,32 +44,60 @@ bool is_input(const fs::path& file, const Case& given) {
                      [&](const fs::path& input) { return fs::equivalent(file, input, ignored); });
 }
 
-/// Removes the program's own files that are not of what was written.
-std::vector<std::string> remove_stale(const fs::path& directory, const Case& given,
-                                      const std::string& document,
-                                      const std::set<std::string>& written) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(directory)) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+/// Own files of a directory that do not stay beside a new document.
+struct Stale {
+  std::set<std::string> names;
+  std::vector<std::string> of_others;  ///< those that belonged to other documents
+};
+
+Stale stale_files(const fs::path& directory, const Case& given, const std::string& document,
+                  const std::set<std::string>& written) {
+  Stale stale;
+  if (!fs::is_directory(directory)) return stale;
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(directory)) files.insert(entry.path());
   // A case.prm alone is a user's, not the copy that a run makes.
-  const bool has_run = fs::exists(directory / "summary.json");
+  const bool has_run = document == "summary" || fs::exists(directory / "summary.json");
   std::set<std::string> kept;
   for (const post::ResultFiles& results : post::result_files())
     if (results.document != document && is_of_case(directory, results.document, given))
       kept.insert(results.document);
-  std::vector<std::string> removed;
   for (const fs::path& file : files) {
     const std::string name = file.filename().string();
     if (written.count(name) > 0 || is_input(file, given) || (name == "case.prm" && !has_run))
       continue;
-    if (post::is_shared_file(name)) fs::remove(file);
+    if (post::is_shared_file(name)) stale.names.insert(name);
     for (const post::ResultFiles& results : post::result_files()) {
       if (!post::belongs_to(results, name) || kept.count(results.document) > 0) continue;
-      fs::remove(file);
-      if (results.document != document) removed.push_back(name);
+      stale.names.insert(name);
+      if (results.document != document) stale.of_others.push_back(name);
     }
   }
-  return removed;
+  return stale;
+}
+
+/// Nothing else than a file may have the name of one that is going to be written.
+void check_names(const fs::path& directory, const std::string& document) {
+  std::error_code error;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error))
+    for (const post::ResultFiles& results : post::result_files())
+      if (const std::string name = entry->path().filename().string();
+          !entry->is_regular_file(error) &&
+          (post::is_shared_file(name) ||
+           (results.document == document && post::belongs_to(results, name))))
+        throw base::InputError(
+            fmt::format("{} is to be written, but it is not a file; move it away, or give another "
+                        "directory with --output",
+                        entry->path().string()));
+}
+
+void check_own_case(const fs::path& directory) {
+  if (fs::exists(directory / "case.prm") && !fs::exists(directory / "summary.json"))
+    throw base::InputError(
+        fmt::format("results directory {} holds a case of its own, whose case.prm would be "
+                    "overwritten; give another one with --output",
+                    directory.string()));
 }
 
 }  // namespace
@@ -94,45 +107,14 @@ std::string shown_path(const fs::path& path) {
   return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
-void check_writable(const fs::path& directory) {
-  const fs::path wanted = (fs::absolute(directory) / "").lexically_normal().parent_path();
-  std::error_code error;
-  if (fs::exists(wanted, error) && !fs::is_directory(wanted, error)) refuse_blocked(directory);
-  fs::path existing = wanted;
-  while (!fs::exists(existing, error)) existing = existing.parent_path();
-  if (!fs::is_directory(existing, error))
-    refuse_unwritable(directory, std::make_error_code(std::errc::not_a_directory));
-  if (access(existing.c_str(), W_OK | X_OK) != 0)
-    refuse_unwritable(directory, {errno, std::generic_category()});
-}
-
-void write_and_rename(const fs::path& file, const std::string& text) {
-  const fs::path directory = file.parent_path();
-  check_writable(directory);
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) refuse_unwritable(directory, error);
-  const fs::path partial = directory / fmt::format(".{}.partial", file.filename().string());
-  try {
-    std::ofstream stream = post::open_output(partial);
-    stream << text;
-    post::close_output(stream, partial);
-    fs::rename(partial, file);
-  } catch (const std::exception&) {
-    fs::remove(partial, error);
-    throw;
-  }
-}
-
 std::vector<std::string> write_results(const fs::path& directory, const Case& given,
                                        const std::string& document,
-                                       const std::map<std::string, std::string>& texts) {
-  std::set<std::string> written;
-  for (const auto& [name, text] : texts) {
-    write_and_rename(post::own_file(directory, name), text);
-    written.insert(name);
-  }
-  return remove_stale(directory, given, document, written);
+                                       const std::map<std::string, std::string>& texts,
+                                       const std::function<void(const fs::path&)>& complete) {
+  OutputDirectory output(directory, given, document, true);
+  for (const auto& [name, text] : texts)
+    base::write_text(post::own_file(output.working(), name), text);
+  return output.publish(complete);
 }
 
 std::string removal_notice(const std::vector<std::string>& removed) {
@@ -141,48 +123,38 @@ std::string removal_notice(const std::vector<std::string>& removed) {
                      fmt::join(removed, ", "));
 }
 
-OutputDirectory::OutputDirectory(const fs::path& final, const bool is_owner)
-    : final_(fs::absolute(final).lexically_normal()), is_owner_(is_owner) {
-  if (final_.filename().empty()) final_ = final_.parent_path();
-  working_ = working_name(final_);
-  if (!is_owner_) return;
+OutputDirectory::OutputDirectory(const fs::path& final, const Case& given, std::string document,
+                                 const bool is_owner)
+    : given_(given), document_(std::move(document)), working_(base::working_directory_of(final)) {
+  if (!is_owner) return;
+  base::check_replaceable(final);
+  check_names(final, document_);
+  if (document_ == "summary") check_own_case(final);
+  replacement_.emplace(final);
+}
+
+void OutputDirectory::check_space(const double size) const {
+  if (!replacement_) return;
   std::error_code error;
-  const bool is_blocked = fs::exists(final_, error) && !fs::is_directory(final_, error);
-  if (is_blocked) refuse_blocked(final_);
-  if (fs::exists(final_ / "case.prm", error) && !fs::exists(final_ / "summary.json", error))
-    throw std::invalid_argument(
-        fmt::format("results directory {} holds a case of its own, whose case.prm would be "
-                    "overwritten; give another "
-                    "one with --output",
-                    final_.string()));
-  const bool is_existing = fs::is_directory(final_, error);
-  fs::remove_all(working_, error);
-  for (fs::path parent = final_.parent_path(); !parent.empty() && !fs::exists(parent);
-       parent = parent.parent_path())
-    made_.push_back(parent);
-  fs::create_directories(working_, error);
-  if (error || (is_existing && access(final_.c_str(), W_OK | X_OK) != 0))
-    refuse_unwritable(final_, error);
+  const fs::space_info space = fs::space(working_, error);
+  if (error || static_cast<double>(space.available) >= size) return;
+  throw base::InputError(fmt::format(
+      "results directory {}: the results need about {:.3g} MB, and the disk has {:.3g} MB; make "
+      "room, or give another one with --output",
+      replacement_->final().string(), 1e-6 * size, 1e-6 * static_cast<double>(space.available)));
 }
 
-OutputDirectory::~OutputDirectory() {
-  std::error_code ignored;
-  if (!is_owner_) return;
-  fs::remove_all(working_, ignored);
-  for (const fs::path& parent : made_) fs::remove(parent, ignored);  // those still empty
-}
-
-std::vector<std::string> OutputDirectory::publish(const Case& given) {
-  if (!is_owner_) return {};
-  fs::create_directories(final_);
+std::vector<std::string> OutputDirectory::publish(
+    const std::function<void(const fs::path&)>& complete) {
+  if (!replacement_) return {};
   std::set<std::string> written;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(working_)) files.push_back(entry.path());
-  for (const fs::path& file : files) {
-    fs::rename(file, final_ / file.filename());
-    written.insert(file.filename().string());
-  }
-  return remove_stale(final_, given, "summary", written);
+  for (const auto& entry : fs::directory_iterator(working_))
+    written.insert(entry.path().filename().string());
+  const Stale stale = stale_files(replacement_->final(), given_, document_, written);
+  replacement_->keep([&](const std::string& name) { return stale.names.count(name) == 0; });
+  if (complete) complete(working_);
+  replacement_->commit();
+  return stale.of_others;
 }
 
 }  // namespace geneva::app

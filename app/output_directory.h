@@ -1,66 +1,64 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case_file.h"
+#include "base/directory_replacement.h"
 
 namespace geneva::app {
 
 /// A path as the user would write it: relative where it lies below the current directory.
 std::string shown_path(const std::filesystem::path& path);
 
-/// Tells before long work whether its results can be written: makes nothing.
-/// @throws std::invalid_argument if the directory cannot be made or written to
-void check_writable(const std::filesystem::path& directory);
-
-/// Writes one file under a hidden name and renames it; makes its directory.
-/// @throws std::invalid_argument if the directory cannot be made or written to; std::runtime_error
-/// if not everything could be written
-void write_and_rename(const std::filesystem::path& file, const std::string& text);
-
-/// Writes a document and the files that belong to it into a results directory, and removes what the
-/// program wrote there before: of the same document and of other cases. Documents of the same case
-/// (content_of()) stay with their files; so do files that are not the program's own, and those that
-/// the case reads.
+/// Writes a document and the files that belong to it into a results directory, which is replaced as
+/// a whole, without what the program wrote there before: of the same document and of other cases.
+/// Documents of the same case (content_of()) stay with their files; so do files that are not the
+/// program's own, and those that the case reads.
 /// @param document as in result_files(): "kinematics"
 /// @param texts of the files by their names
+/// @param complete adds what is made from all files of the directory; may be empty
 /// @return names of the files removed that belonged to other documents
-/// @throws std::invalid_argument and std::runtime_error where write_and_rename() does
-std::vector<std::string> write_results(const std::filesystem::path& directory, const Case& given,
-                                       const std::string& document,
-                                       const std::map<std::string, std::string>& texts);
+/// @throws base::InputError if something cannot be written; the directory is then as it was
+std::vector<std::string> write_results(
+    const std::filesystem::path& directory, const Case& given, const std::string& document,
+    const std::map<std::string, std::string>& texts,
+    const std::function<void(const std::filesystem::path&)>& complete);
 
 /// A sentence on what write_results() removed; empty if nothing was.
 std::string removal_notice(const std::vector<std::string>& removed);
 
 /// A results directory that is replaced only when everything has been written.
 ///
-/// Files are written into a hidden directory beside the final one and moved over by publish(),
-/// which removes what write_results() would. Without publish() the destructor removes the hidden
-/// directory and the final one is as it was. Rank 0 owns it; the others only know its name.
+/// Rank 0 owns it; the others only know its name.
 class OutputDirectory {
  public:
   /// @param final where the results go
+  /// @param document that is going to be written there, as in result_files()
   /// @param is_owner whether this rank makes, fills and removes directories
-  /// @throws std::invalid_argument if the directory cannot be made or written to
-  OutputDirectory(const std::filesystem::path& final, bool is_owner);
-  OutputDirectory(const OutputDirectory&) = delete;
-  OutputDirectory& operator=(const OutputDirectory&) = delete;
-  ~OutputDirectory();
+  /// @throws base::InputError if the directory cannot be replaced, or another run does so
+  OutputDirectory(const std::filesystem::path& final, const Case& given, std::string document,
+                  bool is_owner);
 
+  /// Where its files are written.
   [[nodiscard]] const std::filesystem::path& working() const { return working_; }
-  [[nodiscard]] const std::filesystem::path& final() const { return final_; }
-  /// @return names of the files removed that belonged to other documents than the run's
-  std::vector<std::string> publish(const Case& given);
+  /// @param size of what is going to be written [byte]
+  /// @throws base::InputError if the owner's disk has less
+  void check_space(double size) const;
+  /// Does what write_results() does when all files are in working().
+  /// @return names of the files removed that belonged to other documents
+  std::vector<std::string> publish(
+      const std::function<void(const std::filesystem::path&)>& complete);
 
  private:
-  std::filesystem::path final_;
+  const Case& given_;
+  std::string document_;
   std::filesystem::path working_;
-  std::vector<std::filesystem::path> made_;  ///< parents that did not exist, deepest first
-  bool is_owner_;
+  std::optional<base::DirectoryReplacement> replacement_;  ///< of the owner
 };
 
 }  // namespace geneva::app

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/errors.h"
+
 namespace geneva::app {
 
 namespace {
@@ -44,15 +46,15 @@ double whole_number(const std::string& text, const Range& range) {
   } catch (const std::invalid_argument&) {
     // said below, for whole numbers
   }
-  throw std::invalid_argument(fmt::format("{}: a whole number{} is wanted", post::in_quotes(text),
-                                          range.text.empty() ? "" : " " + range.text));
+  throw base::InputError(fmt::format("{}: a whole number{} is wanted", post::in_quotes(text),
+                                     range.text.empty() ? "" : " " + range.text));
 }
 
 double single_value(const QuantityRule& rule, const std::string& text) {
   const double value =
       rule.whole ? whole_number(text, rule.range) : post::parse_quantity(text, rule.dimension);
   if (!contains(rule.range, value))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: the value must be {}", post::in_quotes(text), rule.range.text));
   return value;
 }
@@ -108,7 +110,7 @@ std::vector<double> values(const QuantityRule& rule, const std::string& text) {
   const std::vector<std::string> parts =
       rule.count == 1 ? std::vector<std::string>{text} : split_list(text);
   if (parts.size() < rule.count || parts.size() > std::max(rule.count, rule.most))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: {} values separated by a comma are wanted, each {}, for example {}",
                     post::in_quotes(text), count_of(rule), wanted_value(rule),
                     post::example_of(rule.dimension)));
@@ -117,7 +119,7 @@ std::vector<double> values(const QuantityRule& rule, const std::string& text) {
     try {
       result.push_back(single_value(rule, part));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(error.what() + or_words(rule));
+      throw base::InputError(error.what() + or_words(rule));
     }
   }
   return result;

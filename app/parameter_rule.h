@@ -52,7 +52,7 @@ std::string allowed(const Rule& rule);
 bool is_word(const QuantityRule& rule, const std::string& text);
 
 /// Values in SI units.
-/// @throws std::invalid_argument with the text found and what is allowed, also where the text is a
+/// @throws base::InputError with the text found and what is allowed, also where the text is a
 /// word
 std::vector<double> values(const QuantityRule& rule, const std::string& text);
 

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "app/parameter_rule.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -20,24 +20,24 @@ constexpr std::size_t largest_file = 1000000;  // bytes
 constexpr std::size_t deepest_section = 2;
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& reason) {
-  throw std::invalid_argument(fmt::format("{}, line {}: {}", file, line, reason));
+  throw base::InputError(fmt::format("{}, line {}: {}", file, line, reason));
 }
 
 std::string read_content(const std::filesystem::path& file) {
   const std::string name = file.string();
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw std::invalid_argument(fmt::format("{}: there is no such file", name));
+    throw base::InputError(fmt::format("{}: there is no such file", name));
   if (!std::filesystem::is_regular_file(file, error))
-    throw std::invalid_argument(fmt::format("{}: this is not a file that can be read", name));
+    throw base::InputError(fmt::format("{}: this is not a file that can be read", name));
   std::ifstream stream(file, std::ios::binary);
   std::string content(largest_file + 1, '\0');
   stream.read(content.data(), static_cast<std::streamsize>(content.size()));
   if (!stream && !stream.eof())
-    throw std::invalid_argument(fmt::format("{}: the file cannot be read", name));
+    throw base::InputError(fmt::format("{}: the file cannot be read", name));
   content.resize(static_cast<std::size_t>(stream.gcount()));
   if (content.size() > largest_file)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: the file is larger than 1 MB: this is no case file", name));
   return content;
 }

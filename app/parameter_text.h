@@ -36,7 +36,7 @@ struct ParameterText {
 /// Reads a file of "set", "subsection" and "end" lines, with '#' before comments and '\' at the end
 /// of a line that goes on in the next one. An "include" is refused, since a case may come from
 /// anyone.
-/// @throws std::invalid_argument with file and line, if there is no such file, it is larger than 1
+/// @throws base::InputError with file and line, if there is no such file, it is larger than 1
 /// MB, not UTF-8 text, a line cannot be understood, subsections are not closed, or a name is set
 /// twice
 ParameterText read_parameter_text(const std::filesystem::path& file);

@@ -25,7 +25,7 @@ PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
 bool is_half_model(const MechanismCase& mechanism);
 
 /// What profile, tilt and edge breaks add to the gap.
-/// @throws std::invalid_argument where the loads room does
+/// @throws base::InputError where the loads room does
 loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state);
 
 /// The pin as a beam; none if its core is held.

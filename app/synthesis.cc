@@ -11,6 +11,7 @@
 #include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/version.h"
+#include "base/errors.h"
 #include "loads/pi.h"
 
 namespace geneva::app {
@@ -61,7 +62,7 @@ post::PathReport make_path(const PathCase& given) {
   try {
     return {given.task, loads::synthesise_path(given.task)};
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(given.file.string() + ": " + error.what());
+    throw base::InputError(given.file.string() + ": " + error.what());
   }
 }
 
@@ -106,7 +107,8 @@ int synthesize_case(const std::filesystem::path& case_directory,
   const auto removed =
       write_results(target, given, "synthesis",
                     {{"synthesis.json", post::synthesis_summary(report).dump(2) + "\n"},
-                     {"synthesis.csv", post::synthesis_csv(report, given.units)}});
+                     {"synthesis.csv", post::synthesis_csv(report, given.units)}},
+                    {});
   if (!removed.empty()) std::cout << removal_notice(removed) << '\n';
   std::cout << "synthesis.json and synthesis.csv in " << shown_path(target) << '\n';
   const std::string why = shortfall(report, given.units);

@@ -8,14 +8,14 @@
 namespace geneva::app {
 
 /// Dimensions of the linkage that a case asks for (Lecture 4).
-/// @throws std::invalid_argument if the case has another model, or where the loads room does
+/// @throws base::InputError if the case has another model, or where the loads room does
 post::SynthesisReport make_synthesis(const Case& given);
 
 /// Does what `geneva synthesize` does: prints the linkage or linkages and writes synthesis.json and
 /// synthesis.csv.
 /// @param output where the files go; empty: results in the case's directory
 /// @return exit code: 0, or 2 if no path generator was found
-/// @throws std::invalid_argument where make_synthesis() does, or if the files cannot be written
+/// @throws base::InputError where make_synthesis() does, or if the files cannot be written
 int synthesize_case(const std::filesystem::path& case_directory,
                     const std::filesystem::path& output);
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "app/case_models.h"
 #include "app/case_path.h"
 #include "app/column_file.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
@@ -85,13 +85,13 @@ std::vector<std::array<double, 2>> read_points(const fs::path& file) {
   std::vector<std::array<double, 2>> points;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     if (std::max(std::abs(columns[0][i]), std::abs(columns[1][i])) > greatest_coordinate)
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "{}: point {} is ({:.3g}, {:.3g}) m: a coordinate must be from -1000 to 1000 km",
           file.string(), i + 1, columns[0][i], columns[1][i]));
     points.push_back({columns[0][i], columns[1][i]});
   }
   if (points.size() < 2 || points.size() > most_points)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "{}: number of points is {}: a four-bar linkage can be made to pass 2 to {}; write a "
         "heading 'x [mm], y [mm]' and that many rows",
         file.string(), points.size(), most_points));

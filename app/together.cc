@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <boost/serialization/utility.hpp>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,25 +12,45 @@
 
 namespace geneva::app {
 
-void together(const MPI_Comm communicator, const std::function<void()>& task) {
-  std::string refusal;
-  std::string limit;
-  const auto text_of = [](const std::exception& error) {
-    const std::string text = error.what();
-    return text.empty() ? "unknown error" : text;
-  };
+namespace {
+
+enum class Failure { none, input, limit, memory, bug };
+
+[[noreturn]] void fail(const Failure failure, const std::string& text) {
+  switch (failure) {
+    case Failure::input:
+      throw base::InputError(text);
+    case Failure::limit:
+      throw base::LimitReached(text);
+    case Failure::memory:
+      throw std::bad_alloc();
+    default:
+      throw std::runtime_error(text);
+  }
+}
+
+std::pair<Failure, std::string> outcome_of(const std::function<void()>& task) {
   try {
     task();
+  } catch (const base::InputError& error) {
+    return {Failure::input, error.what()};
   } catch (const base::LimitReached& error) {
-    limit = text_of(error);
+    return {Failure::limit, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {Failure::memory, ""};
   } catch (const std::exception& error) {
-    refusal = text_of(error);
+    return {Failure::bug, error.what()};
   }
-  const std::pair own(refusal, limit);
-  for (const auto& [refused, met] : dealii::Utilities::MPI::all_gather(communicator, own)) {
-    if (!refused.empty()) throw std::invalid_argument(refused);
-    if (!met.empty()) throw base::LimitReached(met);
-  }
+  return {Failure::none, ""};
+}
+
+}  // namespace
+
+void together(const MPI_Comm communicator, const std::function<void()>& task) {
+  const auto [failure, text] = outcome_of(task);
+  const std::pair own(static_cast<int>(failure), text);
+  for (const auto& [code, why] : dealii::Utilities::MPI::all_gather(communicator, own))
+    if (static_cast<Failure>(code) != Failure::none) fail(static_cast<Failure>(code), why);
 }
 
 }  // namespace geneva::app

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include "base/errors.h"
 #include "fem/constraints.h"
 #include "fem/elasticity.h"
 
@@ -39,13 +39,13 @@ const Body<dim>& body_of(const Problem<dim>& problem, const mesh::MeshData<dim>&
 }
 
 /// @param remedy what helps besides another modulus, with a comma and "or"; may be empty
-/// @throws std::invalid_argument if the ratio is greater than most
+/// @throws base::InputError if the ratio is greater than most
 template <int dim>
 void check_ratio(const Body<dim>& stiff, const Body<dim>& soft, const double most,
                  const std::string& remedy) {
   const double ratio = stiff.material.youngs_modulus / soft.material.youngs_modulus;
   if (ratio <= most) return;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "body '{}' has {:.3g} times the Young's modulus of body '{}'; {:.0e} times is the most that "
       "can be solved: {}give '{}' {:.3g} Pa, which changes the contact's pressure by a share of "
       "{:.0e}",
@@ -124,7 +124,7 @@ void check_approach(const Level<dim>& level, const Problem<dim>& scaled_problem,
                                    : std::pow(force / softest, 2. / 3.)) +
                           greatest_prescribed(scaled_problem);
   if (approach == 0. || approach >= least) return;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("the load of {:.3g} N pushes the bodies into each other by about {:.1g} m, less "
                   "than the roundings of their coordinates show ({:.1g} m): take a greater load, "
                   "or smaller bodies",

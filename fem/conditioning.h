@@ -19,7 +19,7 @@ bool is_factorised(const Problem<dim>& problem);
 /// be forces comparable to the contact's; in space, also that no source is so much stiffer than its
 /// target that smoothers fail (their nodes follow the target's, which then carry a stiff body).
 /// @param problem in any units, its bodies in the order of the mesh's
-/// @throws std::invalid_argument naming the bodies, their ratio, what is allowed and what to do
+/// @throws base::InputError naming the bodies, their ratio, what is allowed and what to do
 template <int dim>
 void check_stiffness_ratio(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh);
 
@@ -27,7 +27,7 @@ void check_stiffness_ratio(const Problem<dim>& problem, const mesh::MeshData<dim
 /// their coordinates.
 /// @param level of the first mesh
 /// @param scaled_problem in the units of the triangulation
-/// @throws std::invalid_argument naming the approach and the rounding
+/// @throws base::InputError naming the approach and the rounding
 template <int dim>
 void check_approach(const Level<dim>& level, const Problem<dim>& scaled_problem,
                     const Scales& scales, MPI_Comm communicator);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/errors.h"
+
 namespace geneva::fem {
 
 unsigned int index_of(const std::vector<std::string>& names, const std::string& name) {
@@ -44,7 +46,7 @@ std::vector<ConstraintLine> support_lines(const Boundary<dim>& boundary,
         if (const auto value = support.displacement[component]) {
           const auto [entry, is_new] = values.emplace(node.dofs[component], *value);
           if (!is_new && entry->second != *value)
-            throw std::invalid_argument(
+            throw base::InputError(
                 "support '" + support.surface +
                 "' meets another support that prescribes a different displacement "
                 "at their common node");

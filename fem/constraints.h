@@ -28,7 +28,7 @@ struct ConstraintLine {
 };
 
 /// The supports as constraint lines, the same on all ranks.
-/// @throws std::invalid_argument if two supports prescribe different displacements at one node
+/// @throws base::InputError if two supports prescribe different displacements at one node
 template <int dim>
 std::vector<ConstraintLine> support_lines(const Boundary<dim>& boundary,
                                           const std::vector<Support<dim>>& supports,

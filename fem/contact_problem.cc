@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
+#include "base/errors.h"
 #include "fem/active_set_iteration.h"
 #include "fem/conditioning.h"
 #include "fem/constraints.h"
@@ -114,7 +114,7 @@ class NestedIteration {
       state = try_level();
     } catch (const dealii::SolverControl::NoConvergence& failure) {
       if (const std::string apart = open_pair(); !apart.empty())
-        throw std::invalid_argument(
+        throw base::InputError(
             fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
                         "check the direction of the load",
                         apart));
@@ -136,14 +136,14 @@ class NestedIteration {
   /// A node's gap is a mean over its edges: on long edges a contact may look open. The zone is
   /// refined until that gap is the one between the surfaces: three meshes with the same, since a
   /// refinement may change it little by chance.
-  /// @throws std::invalid_argument if it is open indeed
+  /// @throws base::InputError if it is open indeed
   void refine_open_contact() {
     constexpr double same = 0.01;
     constexpr unsigned int settled = 3;
     const auto [pair, gap] = nearest_pair();
     same_open_gaps_ = std::abs(gap - open_gap_) < same * gap ? same_open_gaps_ + 1 : 0;
     if (same_open_gaps_ == settled || n_refinements_ >= settings_.max_levels)
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "contact pair {} stays open under this load, by {:.3g} m where it is nearest: "
           "there is no contact to analyse; check the load and the distance of the "
           "bodies",

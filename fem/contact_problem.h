@@ -40,7 +40,7 @@ struct Progress {
 /// pressure is as accurate as asked.
 /// @param mesh coarse mesh, SI units, the same on all ranks
 /// @return the last converged state; `outcome` tells whether the accuracy was reached
-/// @throws std::invalid_argument where check() and check_rigid_motions() do, and if the load opens
+/// @throws base::InputError where check() and check_rigid_motions() do, and if the load opens
 /// all contact
 /// @throws NotConverged if not even the first mesh gave a state
 template <int dim>

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <set>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "fem/constraints.h"
 
 namespace geneva::fem {
@@ -18,7 +18,7 @@ void require_name(const std::vector<std::string>& names, const std::string& name
   std::string known;
   for (const std::string& candidate : names)
     if (!candidate.empty()) known += (known.empty() ? "'" : ", '") + candidate + "'";
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
 }
 
@@ -43,10 +43,10 @@ template <int dim>
 unsigned int contact_body(const mesh::MeshData<dim>& mesh, const std::string& surface) {
   const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
   if (bodies.empty())
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("'Contact pairs': surface '{}' is empty: it has no edges", surface));
   if (bodies.size() > 1)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "'Contact pairs': surface '{}' belongs to {} bodies; give each body its own surface",
         surface, bodies.size()));
   return *bodies.begin();
@@ -55,25 +55,25 @@ unsigned int contact_body(const mesh::MeshData<dim>& mesh, const std::string& su
 template <int dim>
 void check_pairs(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   if (problem.pairs.empty())
-    throw std::invalid_argument("'Contact pairs': there is none; at least one is needed");
+    throw base::InputError("'Contact pairs': there is none; at least one is needed");
   std::set<std::string> sources;
   for (const ContactPair& pair : problem.pairs) {
     if (pair.source == pair.target)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("'Contact pairs': surface '{}' cannot touch itself", pair.source));
     if (contact_body(mesh, pair.source) == contact_body(mesh, pair.target))
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("'Contact pairs': surfaces '{}' and '{}' belong to the same body",
                       pair.source, pair.target));
     if (!sources.insert(pair.source).second)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("'Contact pairs': surface '{}' is the source of two pairs; make it the "
                       "target of one of them",
                       pair.source));
   }
   for (const ContactPair& pair : problem.pairs)
     if (sources.count(pair.target) > 0)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("'Contact pairs': the surfaces overlap: '{}' is the source of one pair and "
                       "the target of another",
                       pair.target));
@@ -95,7 +95,7 @@ void check_held(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   }
   for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
     if (held.count(body) == 0)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("body '{}' has neither a support nor a contact surface: nothing holds it",
                       mesh.bodies[body]));
 }
@@ -112,7 +112,7 @@ void order_bodies(Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
         std::find_if(problem.bodies.begin(), problem.bodies.end(),
                      [&](const Body<dim>& candidate) { return candidate.name == name; });
     if (body == problem.bodies.end())
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
     ordered.push_back(*body);
   }

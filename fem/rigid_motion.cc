@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
+#include "base/errors.h"
 #include "fem/moment.h"
 #include "mesh/dense_algebra.h"
 
@@ -127,10 +127,10 @@ void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
   for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();
   const mesh::Eigenpairs eigen = mesh::symmetric_eigenpairs(gram);
   if (eigen.values(0) > free_motion * eigen.values.maxCoeff()) return;
-  throw std::invalid_argument(motions.describe(eigen.vectors.col(0), problem) +
-                              ": supports, rigid loads and contact pairs do not hold it; add a "
-                              "support, for example 'NAME: x' on a plane of "
-                              "symmetry");
+  throw base::InputError(motions.describe(eigen.vectors.col(0), problem) +
+                         ": supports, rigid loads and contact pairs do not hold it; add a "
+                         "support, for example 'NAME: x' on a plane of "
+                         "symmetry");
 }
 
 template void check_rigid_motions(const Level<2>&, const Problem<2>&);

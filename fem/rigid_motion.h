@@ -7,7 +7,7 @@ namespace geneva::fem {
 
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.
-/// @throws std::invalid_argument naming the body that moves most and how
+/// @throws base::InputError naming the body that moves most and how
 template <int dim>
 void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem);
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -16,7 +16,7 @@ namespace {
 void check_elastic(const Elastic& material) {
   require_positive("Young's modulus", material.youngs_modulus, "Pa");
   if (material.poissons_ratio > -1. && material.poissons_ratio < 0.5) return;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("Poisson's ratio is {:.6g}: it must lie between -1 and 0.5; "
                   "give a ratio in this range (steel: 0.3)",
                   material.poissons_ratio));
@@ -146,7 +146,7 @@ HertzEllipse hertz_ellipse(const double force, const double larger_radius,
   require_positive("contact modulus", contact_modulus, "Pa");
   const double ratio = larger_radius / smaller_radius;
   if (ratio < 1.)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "the larger relative radius {:.6g} mm is below the smaller one {:.6g} mm: exchange them",
         1e3 * larger_radius, 1e3 * smaller_radius));
   // K - E vanishes for circles, which have their own closed form.

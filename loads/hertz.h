@@ -10,10 +10,10 @@ struct Elastic {
 
 /// E* with 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [Pa] (Hertz; Johnson 1956, Eq. 3): plane strain
 /// and point contact.
-/// @throws std::invalid_argument if a constant is outside its range
+/// @throws base::InputError if a constant is outside its range
 double contact_modulus(const Elastic& first, const Elastic& second);
 /// 1/E* = 1/E1 + 1/E2 [Pa]: plane stress.
-/// @throws std::invalid_argument if a constant is outside its range
+/// @throws base::InputError if a constant is outside its range
 double contact_modulus_plane_stress(const Elastic& first, const Elastic& second);
 
 /// In-plane stress [Pa] of the body z >= 0, tension positive; x along the contact, z into the body.
@@ -36,14 +36,14 @@ struct HertzLine {
   [[nodiscard]] double pressure(double x) const;
   /// McEwen's closed form (K. L. Johnson, Contact Mechanics, 1985, Eq. 4.49) at x [m] and depth z
   /// >= 0 [m].
-  /// @throws std::invalid_argument for a negative depth
+  /// @throws base::InputError for a negative depth
   [[nodiscard]] ContactStress stress(double x, double z) const;
 };
 
 /// @param force_per_length F/t > 0 [N/m]
 /// @param relative_radius R > 0 [m], 1/R = 1/R1 + 1/R2 (flat: 1/R2 = 0; concave: R2 < 0)
 /// @param contact_modulus E* > 0 [Pa]
-/// @throws std::invalid_argument unless all are positive and finite
+/// @throws base::InputError unless all are positive and finite
 HertzLine hertz_line(double force_per_length, double relative_radius, double contact_modulus);
 
 /// Hertz contact of two spheres (or a sphere on a flat). The greatest shear on the axis is that of
@@ -64,7 +64,7 @@ struct HertzPoint {
 /// @param relative_radius R > 0 [m]
 /// @param contact_modulus E* > 0 [Pa]
 /// @param poissons_ratio of the body whose greatest shear is wanted, -1 < nu < 0.5
-/// @throws std::invalid_argument unless the first three are positive and finite and nu is in its
+/// @throws base::InputError unless the first three are positive and finite and nu is in its
 /// range
 HertzPoint hertz_point(double force, double relative_radius, double contact_modulus,
                        double poissons_ratio);
@@ -83,7 +83,7 @@ struct HertzEllipse {
 /// @param force F > 0 [N]
 /// @param larger_radius R' >= smaller_radius R'' > 0 [m], the relative radii of curvature
 /// @param contact_modulus E* > 0 [Pa]
-/// @throws std::invalid_argument unless all are positive and finite and in this order
+/// @throws base::InputError unless all are positive and finite and in this order
 HertzEllipse hertz_ellipse(double force, double larger_radius, double smaller_radius,
                            double contact_modulus);
 

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "base/errors.h"
 
 namespace geneva::loads {
 
@@ -16,7 +17,7 @@ std::string suffix(const std::string& unit) { return unit.empty() ? "" : " " + u
 
 void require_positive(const char* quantity, double value, const char* unit) {
   if (std::isfinite(value) && value > 0.) return;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("{0} is {1:.6g}{2}: it must be positive and finite; give a {0} greater than 0{2}",
                   quantity, value, suffix(unit)));
 }
@@ -27,20 +28,20 @@ void require_positive_length(const char* quantity, double length) {
 
 void require_not_negative(const char* quantity, double value, const char* unit) {
   if (std::isfinite(value) && value >= 0.) return;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "{0} is {1:.6g}{2}: it must be finite and not negative; give a {0} of 0{2} or more", quantity,
       value, suffix(unit)));
 }
 
 void require_finite(const char* quantity, double value, const char* unit) {
   if (std::isfinite(value)) return;
-  throw std::invalid_argument(fmt::format("{0} is {1}{2}: it must be finite; give a finite {0}",
-                                          quantity, value, suffix(unit)));
+  throw base::InputError(fmt::format("{0} is {1}{2}: it must be finite; give a finite {0}",
+                                     quantity, value, suffix(unit)));
 }
 
 int require_stations(int stations) {
   if (stations >= 3 && stations <= 24) return stations;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "number of stations is {}: a Geneva wheel has 3 to 24; give a number in this range",
       stations));
 }

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
@@ -12,15 +13,15 @@ namespace {
 
 void check(const MeshData<2>& plane, const std::vector<Extrusion>& bodies) {
   if (bodies.size() != plane.bodies.size())
-    throw std::invalid_argument(fmt::format("extrusion: {} bodies are given, the plane mesh has {}",
-                                            bodies.size(), plane.bodies.size()));
+    throw base::InputError(fmt::format("extrusion: {} bodies are given, the plane mesh has {}",
+                                       bodies.size(), plane.bodies.size()));
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     const std::vector<double>& z = bodies[body].planes;
     const bool ascends = std::adjacent_find(z.begin(), z.end(), [](double below, double above) {
                            return !(below < above) || !std::isfinite(below + above);
                          }) == z.end();
     if (z.size() < 2 || !ascends)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("extrusion: body '{}' has {} planes: two or more are wanted, each above the "
                       "one before",
                       plane.bodies[body], z.size()));

@@ -19,7 +19,7 @@ struct Extrusion {
 /// of the boundary strips of faces of the same surface and circle.
 /// @param bodies one for each body of the mesh
 /// @param grading of the layers that refinement makes between the planes
-/// @throws std::invalid_argument if their number differs, or if planes are fewer than two or do not
+/// @throws base::InputError if their number differs, or if planes are fewer than two or do not
 /// ascend
 MeshData<3> extruded(const MeshData<2>& plane, const std::vector<Extrusion>& bodies,
                      const std::optional<Grading>& grading = std::nullopt);

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
@@ -36,7 +37,7 @@ Hole hole_of(const MeshData<2>& mesh, const unsigned int surface) {
   for (const Face<2>& face : mesh.faces)
     if (face.surface == surface) hole.vertices.push_back(face.vertices[0]);
   if (hole.vertices.size() < 8 || hole.vertices.size() % 2 != 0)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("a hole of {} edges cannot be filled: an even number is wanted, eight or more",
                     hole.vertices.size()));
   for (const unsigned int vertex : hole.vertices)
@@ -138,7 +139,7 @@ MeshData<2> with_filled_hole(const MeshData<2>& mesh, const std::string& surface
   const auto found = std::find(mesh.surfaces.begin(), mesh.surfaces.end(), surface);
   const auto id = static_cast<unsigned int>(found - mesh.surfaces.begin());
   if (found == mesh.surfaces.end())
-    throw std::invalid_argument(fmt::format("there is no surface '{}' to fill", surface));
+    throw base::InputError(fmt::format("there is no surface '{}' to fill", surface));
   const Hole hole = hole_of(mesh, id);
   MeshData<2> filled = mesh;
   filled.faces.erase(std::remove_if(filled.faces.begin(), filled.faces.end(),

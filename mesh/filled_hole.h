@@ -11,7 +11,7 @@ namespace geneva::mesh {
 /// boundary any more.
 /// @param surface name of the hole's boundary: a closed chain of an even number of edges around one
 /// centre, eight or more
-/// @throws std::invalid_argument if it is not
+/// @throws base::InputError if it is not
 MeshData<2> with_filled_hole(const MeshData<2>& mesh, const std::string& surface);
 
 }  // namespace geneva::mesh

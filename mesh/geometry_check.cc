@@ -8,9 +8,10 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
@@ -55,19 +56,18 @@ std::size_t after_comment_or_text(const std::string& content, const std::size_t 
 
 std::string read_file(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file))
-    throw std::invalid_argument(fmt::format("{}: there is no such file", file.string()));
+    throw base::InputError(fmt::format("{}: there is no such file", file.string()));
   if (!std::filesystem::is_regular_file(file))
-    throw std::invalid_argument(fmt::format("{}: this is not a file", file.string()));
+    throw base::InputError(fmt::format("{}: this is not a file", file.string()));
   if (std::filesystem::file_size(file) > largest_file)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: the file is larger than {} MiB: a coarse mesh is all that is needed, it "
                     "is refined while solving",
                     file.string(), largest_file >> 20));
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream content;
   content << stream.rdbuf();
-  if (!stream)
-    throw std::invalid_argument(fmt::format("{}: the file cannot be read", file.string()));
+  if (!stream) throw base::InputError(fmt::format("{}: the file cannot be read", file.string()));
   return content.str();
 }
 
@@ -93,7 +93,7 @@ std::vector<std::string> check_geometry(const std::string& content,
     while (end < content.size() && is_part_of_word(content[end])) ++end;
     const std::string word = content.substr(at, end - at);
     if (const char* const harm = harm_of(word); harm != nullptr)
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "{}:{}: '{}' is refused: {}; a geometry may draw, mesh, calculate, print to the terminal "
           "and read files of its own directory",
           file.string(), line, word, harm));
@@ -102,7 +102,7 @@ std::vector<std::string> check_geometry(const std::string& content,
   }
   const std::string last = content.substr(content.find_last_of('\n') + 1);
   if (last.find_first_not_of(" \t\r") != last.npos)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}:{}: the last line has no end, and Gmsh would leave out what stands there: "
                     "add a line feed",
                     file.string(), line));

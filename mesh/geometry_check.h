@@ -7,7 +7,7 @@
 namespace geneva::mesh {
 
 /// Content of a file.
-/// @throws std::invalid_argument if there is no such file, or it is too large to be a case's
+/// @throws base::InputError if there is no such file, or it is too large to be a case's
 /// geometry (1 GiB)
 std::string read_file(const std::filesystem::path& file);
 
@@ -18,7 +18,7 @@ std::string read_file(const std::filesystem::path& file);
 /// @param content of the file
 /// @param file for messages
 /// @return names in quotation marks behind Include and Merge
-/// @throws std::invalid_argument with file, line, what was found and what it would do
+/// @throws base::InputError with file, line, what was found and what it would do
 std::vector<std::string> check_geometry(const std::string& content,
                                         const std::filesystem::path& file);
 

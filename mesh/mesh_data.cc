@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "mesh/mesh_quality.h"
 
 namespace geneva::mesh {
@@ -27,7 +27,7 @@ constexpr const char* face_word = dim == 2 ? "edge" : "face";
 
 template <typename... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> message, const Values&... values) {
-  throw std::invalid_argument("mesh: " + fmt::format(message, values...));
+  throw base::InputError("mesh: " + fmt::format(message, values...));
 }
 
 /// "(x, y) m" or "(x, y, z) m".

@@ -61,7 +61,7 @@ template <int dim>
 std::vector<std::array<unsigned int, 1U << (dim - 1)>> sides(const Cell<dim>& cell);
 
 /// The part of check() on bodies: every body has cells, no vertex is shared by two or unused.
-/// @throws std::invalid_argument naming the bodies, the place and what to change
+/// @throws base::InputError naming the bodies, the place and what to change
 template <int dim>
 void check_bodies(const MeshData<dim>& mesh);
 
@@ -70,7 +70,7 @@ void check_bodies(const MeshData<dim>& mesh);
 /// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every
 /// boundary face listed once and no other, every body has cells, no vertex shared by two bodies, no
 /// vertex unused, the vertices of faces on a circle, cylinder or sphere lie on it.
-/// @throws std::invalid_argument naming the cell, its place and what to change
+/// @throws base::InputError naming the cell, its place and what to change
 template <int dim>
 void check(const MeshData<dim>& mesh);
 

@@ -27,7 +27,7 @@ class Mesher {
   /// @return what it says in place of a mesh, if it refuses, fails or crashes: Gmsh's errors, or
   /// how it ended with the last that it said
   /// @throws base::LimitReached if it takes more than it may
-  /// @throws std::runtime_error if it cannot be started
+  /// @throws base::InputError if it cannot be started
   template <typename Task>
   MesherAnswer answer(const Task& task, const MesherLimits& limits) {
     return answer_to(json_of(task), limits);

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
@@ -19,7 +20,7 @@ using loads::Segment;
 using nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument("the mesher's answer is no mesh: " + what);
+  throw base::InputError("the mesher's answer is no mesh: " + what);
 }
 
 const json& list_of(const json& value, const char* const name) {

@@ -52,7 +52,7 @@ template <int dim>
 nlohmann::json json_of(const MeshData<dim>& mesh);
 
 /// A mesh from a program that is not trusted.
-/// @throws std::invalid_argument unless it is one: members, their kinds and lengths, finite
+/// @throws base::InputError unless it is one: members, their kinds and lengths, finite
 /// coordinates, whole numbers that are no negative index, positive radii, axes of length 1 or 0.
 /// What they refer to is for check().
 template <int dim>

@@ -16,10 +16,10 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
 #include "base/printable.h"
 
 namespace geneva::mesh {
@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kept_messages = 4096;
 
 [[noreturn]] void fail(const std::string& what) {
-  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+  throw base::InputError(fmt::format("{}: {}", what, std::strerror(errno)));
 }
 
 /// What finds and tries out the program's libraries, and nothing that a user has set for others.

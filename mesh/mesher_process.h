@@ -20,7 +20,7 @@ struct ProcessEnd {
 class MesherProcess {
  public:
   /// Starts it with nothing but the socket and few variables of the environment.
-  /// @throws std::runtime_error if it cannot be started
+  /// @throws base::InputError if it cannot be started
   explicit MesherProcess(const std::filesystem::path& program);
   /// Ends it.
   ~MesherProcess();

@@ -4,19 +4,20 @@
 
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  throw std::invalid_argument(fmt::format("{}: {}", file.string(), what));
+  throw base::InputError(fmt::format("{}: {}", file.string(), what));
 }
 
 /// Position after a line that consists of the keyword, from a position on.
-/// @throws std::invalid_argument if there is none
+/// @throws base::InputError if there is none
 std::size_t after_line(const std::string& content, const std::string& keyword, std::size_t from,
                        const std::filesystem::path& file) {
   for (std::size_t at = content.find(keyword, from); at != content.npos;

@@ -11,7 +11,7 @@ namespace geneva::mesh {
 /// Gmsh would run a file that does not begin like a mesh as a script, whatever its name.
 /// @param content of the file
 /// @param file for messages
-/// @throws std::invalid_argument naming the file and what is missing
+/// @throws base::InputError naming the file and what is missing
 void check_msh(const std::string& content, const std::filesystem::path& file);
 
 }  // namespace geneva::mesh

@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 #include <vector>
 
+#include "base/errors.h"
 #include "mesh/dense_algebra.h"
 #include "mesh/flat_faces.h"
 
@@ -99,7 +99,7 @@ Vector3d moved(const MeshData<dim>& mesh, const Bounds& bounds, Vector3d place) 
     if (inverted && inverted->allFinite()) place += matrix.transpose() * (*inverted * off);
     if (farthest <= on_circle) return place;
   }
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "the vertex at ({:.6g}, {:.6g}, {:.6g}) belongs to two round shapes that do not meet near to "
       "it: give a smaller 'Circle tolerance', or draw them more exactly",
       place[0], place[1], place[2]));

@@ -10,7 +10,7 @@ namespace geneva::mesh {
 /// onto them by the shortest way; where a flat face ends there, along that face, and where another
 /// circle ends there, onto both.
 /// @param circles indices into MeshData::circles
-/// @throws std::invalid_argument naming the place of a vertex whose circles do not meet near to it
+/// @throws base::InputError naming the place of a vertex whose circles do not meet near to it
 template <int dim>
 void move_onto_circles(MeshData<dim>& mesh, const std::set<int>& circles);
 

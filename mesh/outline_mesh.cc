@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "base/errors.h"
 
 namespace geneva::mesh {
 
@@ -31,7 +32,7 @@ void check_sizing(const MeshSizing& sizing) {
   const bool fit = sizing.at_contact > 0. && sizing.general >= sizing.at_contact &&
                    sizing.contact_distance > 0. && std::isfinite(sizing.general);
   if (!fit)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "cell sizes are {:.6g} mm at the contact and {:.6g} mm in general, over {:.6g} mm: they "
         "must be positive, and that at the contact the smaller one",
         1e3 * sizing.at_contact, 1e3 * sizing.general, 1e3 * sizing.contact_distance));
@@ -40,13 +41,13 @@ void check_sizing(const MeshSizing& sizing) {
 void check_loops(const std::vector<Outline>& outlines, double scale) {
   for (const Outline& outline : outlines) {
     if (outline.loops.empty())
-      throw std::invalid_argument(fmt::format("outline '{}' has no boundary", outline.name));
+      throw base::InputError(fmt::format("outline '{}' has no boundary", outline.name));
     for (const Loop& loop : outline.loops)
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Point gap_end = loop[(i + 1) % loop.size()].start;
         if (std::hypot(loop[i].end.x - gap_end.x, loop[i].end.y - gap_end.y) <= closed * scale)
           continue;
-        throw std::invalid_argument(fmt::format(
+        throw base::InputError(fmt::format(
             "outline '{}' is open: a segment ends at ({:.6g}, {:.6g}) m and the next one starts at "
             "({:.6g}, {:.6g}) m",
             outline.name, loop[i].end.x, loop[i].end.y, gap_end.x, gap_end.y));
@@ -84,7 +85,7 @@ MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing
   check_sizing(sizing);
   check_loops(outlines, extent(outlines));
   const MesherAnswer answer = mesher.answer(OutlineTask{outlines, sizing}, limits);
-  if (!answer.errors.empty()) throw std::runtime_error(answer.errors.front());
+  if (!answer.errors.empty()) throw base::InputError(answer.errors.front());
   const auto mesh = mesh_of<2>(answer.mesh);
   check(mesh);
   return mesh;

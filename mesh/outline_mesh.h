@@ -30,8 +30,8 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions);
 /// circles to round-off. A ring (an outer loop and one hole, of the same number of arcs) becomes a
 /// regular mesh of layers, a quadrilateral one of rows. The result does not depend on the unit of
 /// length. Runs on one rank, without MPI.
-/// @throws std::invalid_argument if sizes or outlines are unfit: not positive, an open loop
-/// @throws std::runtime_error if Gmsh fails or finds no mesh of good cells
+/// @throws base::InputError if sizes or outlines are unfit: not positive, an open loop
+/// @throws base::InputError if Gmsh fails or finds no mesh of good cells
 /// @throws base::LimitReached if it takes more than `limits`
 MeshData<2> mesh_outlines(const std::vector<loads::Outline>& outlines, const MeshSizing& sizing,
                           Mesher& mesher, const MesherLimits& limits);

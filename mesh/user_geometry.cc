@@ -64,7 +64,7 @@ MeshData<dim> read(const std::filesystem::path& file, const double circle_tolera
   Errors errors;
   for (const std::string& error : answer.errors)
     errors.push_back(with_place(error, directory, file.parent_path()));
-  throw std::invalid_argument(listed(errors));
+  throw base::InputError(listed(errors));
 }
 
 /// Runs an action; what it refuses gets the name of the file in front, unless it is there.
@@ -76,7 +76,7 @@ MeshData<dim> naming(const std::filesystem::path& file,
   } catch (const std::invalid_argument& error) {
     const std::string what = error.what();
     if (what.find(file.string()) != what.npos) throw;
-    throw std::invalid_argument(fmt::format("{}: {}", file.string(), what));
+    throw base::InputError(fmt::format("{}: {}", file.string(), what));
   } catch (const base::LimitReached& error) {
     throw base::LimitReached(fmt::format("{}: {}", file.string(), error.what()));
   }
@@ -89,11 +89,11 @@ MeshData<dim> read_geometry(const std::filesystem::path& file, const double leng
                             const double circle_tolerance, Mesher& mesher,
                             const MesherLimits& limits) {
   if (!(length_unit > 0.) || !std::isfinite(length_unit))
-    throw std::invalid_argument(fmt::format("{}: its unit of length is {} m: it must be positive",
-                                            file.string(), length_unit));
+    throw base::InputError(fmt::format("{}: its unit of length is {} m: it must be positive",
+                                       file.string(), length_unit));
   const std::string extension = file.extension().string();
   if (extension != ".geo" && extension != ".msh")
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: a geometry must be a .geo or a .msh file", file.string()));
   return naming<dim>(file, [&] {
     MeshData<dim> mesh = read<dim>(file, circle_tolerance, mesher, limits);

@@ -19,7 +19,7 @@ namespace geneva::mesh {
 /// @param length_unit metres per unit of length of the file, > 0
 /// @param circle_tolerance how far points of a nearly round curve or surface may be off, as a share
 /// of the radius, >= 0
-/// @throws std::invalid_argument naming the file and what is wrong: missing, commands that a
+/// @throws base::InputError naming the file and what is wrong: missing, commands that a
 /// geometry may not hold (check_geometry), syntax error, no physical group, unnamed groups or a
 /// name used twice, cells of other shapes or of order 2, cut short, bodies that share vertices,
 /// cells that no solver can use, a crash of Gmsh

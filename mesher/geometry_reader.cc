@@ -9,10 +9,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "base/errors.h"
 #include "mesh/onto_circles.h"
 #include "mesher/entity_shape.h"
 #include "mesher/gmsh_session.h"
@@ -47,11 +47,11 @@ std::map<int, std::string> group_names(const int dimension, const std::string& k
     std::string name;
     gmsh::model::getPhysicalName(dim, tag, name);
     if (name.empty())
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "{0} {1} has no name: write {0}(\"name\", {1}), supports and loads go by names", kind,
           tag));
     if (!seen.insert(name).second)
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "the name \"{}\" is used for more than one {}: give each its own, or list all entities "
           "in one group",
           name, kind));
@@ -69,7 +69,7 @@ std::optional<std::string> group_of(const int dimension, const int entity, const
   // a negative number is a group that has the entity in its other direction
   const auto name = [&](int group) { return names.at(std::abs(group)); };
   if (groups.size() > 1)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{} {} is in the physical groups \"{}\" and \"{}\": it may be in one only",
                     kind, entity, name(groups[0]), name(groups[1])));
   if (groups.empty()) return std::nullopt;
@@ -90,10 +90,10 @@ void label_bodies(ModelLabels& labels) {
   gmsh::vectorpair volumes;
   gmsh::model::getEntities(volumes, 3);
   if (dim == 2 && !volumes.empty())
-    throw std::invalid_argument("there are volumes: 'set Dimension = 3' reads them");
+    throw base::InputError("there are volumes: 'set Dimension = 3' reads them");
   const std::map<int, std::string> names = group_names(dim, Kind::body);
   if (names.empty())
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "there is no {}: write {}(\"name\") = {{...}}; for each body{}", Kind::body_group,
         Kind::body, dim == 3 ? "; for a plane geometry 'set Dimension = 2'" : ""));
   for (const auto& [tag, name] : names) labels.bodies.push_back({name, {}});
@@ -102,7 +102,7 @@ void label_bodies(ModelLabels& labels) {
   for (const auto& [dimension, entity] : entities) {
     const std::optional<std::string> name = group_of(dim, entity, Kind::body_entity, names);
     if (!name && has_cells(dim, entity))
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{} {} is meshed but in no physical group: write {}(\"name\") = {{{}, ...}}; "
                       "or delete it",
                       Kind::body_entity, entity, Kind::body, entity));
@@ -117,7 +117,7 @@ std::set<int> label_boundary(ModelLabels& labels, const double circle_tolerance)
   using Kind = Kinds<dim>;
   const std::map<int, std::string> names = group_names(dim - 1, Kind::boundary);
   if (names.empty())
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("there is no {}: write {}(\"name\") = {{...}}; for each part of the boundary "
                     "that is held, loaded or touches",
                     Kind::boundary_group, Kind::boundary));
@@ -153,12 +153,12 @@ std::string advice_on_cells(const bool is_mesh_file) {
 template <int dim>
 void check_cells(const OtherCells& cells, const bool is_mesh_file) {
   if (cells.of_higher_order > 0)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{} cells are of order 2 or higher: linear {} only; set Mesh.ElementOrder = 1 "
                     "(curved boundaries are followed while refining)",
                     cells.of_higher_order, Kinds<dim>::cells));
   if (cells.simplices + cells.others > 0)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{} cells are {}: linear {} only; {}", cells.simplices + cells.others,
                     dim == 2 ? "triangles or polygons" : "tetrahedra, prisms or pyramids",
                     Kinds<dim>::cells, advice_on_cells<dim>(is_mesh_file)));
@@ -169,7 +169,7 @@ void check_named_boundary(const MeshData<dim>& mesh) {
   for (std::size_t i = 1; i < mesh.surfaces.size(); ++i)
     if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
                      [&](const Face<dim>& face) { return face.surface == i; }))
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("the {} \"{}\" holds no {} of a body's boundary: list the {}s that bound its "
                       "{}",
                       Kinds<dim>::boundary_group, mesh.surfaces[i], dim == 2 ? "edge" : "face",

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/errors.h"
 #include "mesh/mesh_quality.h"
 
 namespace geneva::mesher {
@@ -83,7 +84,7 @@ void read_vertices(TaggedMesh<dim>& result) {
   for (const std::size_t tag : result.tags) {
     const auto found = place_of.find(tag);
     if (found == place_of.end())
-      throw std::invalid_argument(fmt::format("a cell refers to node {}, which is missing", tag));
+      throw base::InputError(fmt::format("a cell refers to node {}, which is missing", tag));
     std::array<double, static_cast<std::size_t>(dim)> vertex{};
     std::copy_n(found->second.begin(), vertex.size(), vertex.begin());
     result.mesh.vertices.push_back(vertex);
@@ -91,7 +92,7 @@ void read_vertices(TaggedMesh<dim>& result) {
     off_plane = std::max(off_plane, std::abs(found->second[2]));
   }
   if (dim == 2 && !(off_plane <= in_plane * extent))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0; "
                     "'set Dimension = 3' reads one in space",
                     off_plane));
@@ -148,7 +149,7 @@ template <int dim>
   for (const unsigned int vertex : side)
     for (std::size_t i = 0; i < static_cast<std::size_t>(dim); ++i)
       place[i] += mesh.vertices[vertex][i] / static_cast<double>(side.size());
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "bodies \"{}\" and \"{}\" share the {} around ({:.6g}, {:.6g}, {:.6g}) and would be welded "
       "there: give each body its own points, curves and surfaces, also where they touch (no "
       "Coherence; Gmsh's built-in Extrude and Translate make one of what coincides: draw the "
@@ -158,7 +159,7 @@ template <int dim>
       place[2]));
 }
 
-/// @throws std::invalid_argument if two bodies have a face in common
+/// @throws base::InputError if two bodies have a face in common
 template <int dim>
 void add_faces(const std::map<SideTags<dim>, ModelLabels::BoundaryPart>& part_of,
                TaggedMesh<dim>& result) {

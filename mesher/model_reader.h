@@ -51,7 +51,7 @@ OtherCells count_other_cells();
 
 /// The current Gmsh model's linear quadrilaterals or hexahedra, turned counter-clockwise, with all
 /// boundary faces. Bodies that have nodes in common, but no face, are separated there.
-/// @throws std::invalid_argument in the plane if a vertex stands off z = 0; if two bodies have a
+/// @throws base::InputError in the plane if a vertex stands off z = 0; if two bodies have a
 /// face in common
 template <int dim>
 TaggedMesh<dim> read_model(const ModelLabels& labels);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "post/output_file.h"
+#include "base/output_file.h"
 #include "post/result_files.h"
 
 namespace geneva::post {
@@ -97,7 +97,7 @@ std::vector<ContactColumn> depth_columns(const ContactAnalysis<2>& analysis,
 template <int dim, typename ColumnsOf>
 void write_csv(const fem::Solution<dim>& solution, const ColumnsOf& columns_of,
                const fs::path& file) {
-  std::ofstream stream = open_output(file);
+  std::ofstream stream = base::open_output(file);
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
     const std::vector<ContactColumn> columns = columns_of(pair);
     if (pair == 0) {
@@ -115,7 +115,7 @@ void write_csv(const fem::Solution<dim>& solution, const ColumnsOf& columns_of,
       stream << '\n';
     }
   }
-  close_output(stream, file);
+  base::close_output(stream, file);
 }
 
 /// Cells of a VTK unstructured grid as text.
@@ -177,7 +177,7 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
     add_cells(solution.contacts[pair], n_points, cells);
     n_points += rows;
   }
-  std::ofstream stream = open_output(file);
+  std::ofstream stream = base::open_output(file);
   stream << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
             "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
          << fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<PointData>\n",
@@ -202,7 +202,7 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
          << cells.offsets
          << "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n"
          << cells.types << "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  close_output(stream, file);
+  base::close_output(stream, file);
 }
 
 }  // namespace

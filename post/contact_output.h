@@ -11,7 +11,7 @@ namespace geneva::post {
 /// gap, status and Hertz's pressure at the source nodes; in the plane also depth.csv with the
 /// stress below the contact beside McEwen's, in space sections.csv with line load, peak pressure,
 /// half-width and greatest shear along z. One rank calls it.
-/// @throws std::runtime_error if a file cannot be written
+/// @throws base::InputError if a file cannot be written
 template <int dim>
 void write_contact(const fem::Solution<dim>& solution, const Results<dim>& results,
                    UnitSystem units, const std::filesystem::path& directory);

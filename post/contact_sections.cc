@@ -7,8 +7,9 @@
 #include <boost/serialization/vector.hpp>
 #include <cmath>
 #include <iterator>
-#include <stdexcept>
 #include <tuple>
+
+#include "base/errors.h"
 
 namespace geneva::post {
 
@@ -171,7 +172,7 @@ ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& 
 
 ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,
                               const std::vector<ContactSection>& sections) {
-  if (sections.empty()) throw std::invalid_argument("a contact without load has no middle section");
+  if (sections.empty()) throw base::InputError("a contact without load has no middle section");
   const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
   const double middle = (lowest + highest) / 2.;
   const auto above =

@@ -37,7 +37,7 @@ ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& 
 
 /// The section in the middle of the surfaces' length, between its two neighbours: of a bent or
 /// tilted pin they differ. Where the middle is not loaded, the loaded section next to it.
-/// @throws std::invalid_argument if there is none
+/// @throws base::InputError if there is none
 ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,
                               const std::vector<ContactSection>& sections);
 

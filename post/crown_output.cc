@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "post/json_values.h"
 
 namespace geneva::post {
@@ -69,7 +69,7 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
   const std::size_t leading = leading_contact(solution);
   const fem::ContactResult<3>& contact = solution.contacts[leading];
   const auto& sections = results.contacts[leading].sections;
-  if (sections.empty()) throw std::invalid_argument("the contact carries no load along its length");
+  if (sections.empty()) throw base::InputError("the contact carries no load along its length");
   const ContactFrame& frame = results.contacts[leading].frame;
   const double length = common_length(contact, frame);
   const GreatestMean greatest = greatest_mean_load(sections, window * length);

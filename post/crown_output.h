@@ -35,7 +35,7 @@ struct GreatestMean {
 /// @param length [m], > 0
 GreatestMean greatest_mean_load(const std::vector<ContactSection>& sections, double length);
 
-/// @throws std::invalid_argument if the leading contact carries nothing
+/// @throws base::InputError if the leading contact carries nothing
 LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& results);
 
 /// One step of the search for the most even line load.

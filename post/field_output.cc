@@ -1,19 +1,24 @@
 #include "post/field_output.h"
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/hdf5.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/grid/reference_cell.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 #include <fmt/format.h>
-#include <hdf5.h>
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <functional>
 #include <map>
+#include <optional>
+#include <string>
 #include <tuple>
+#include <type_traits>
 
-#include "post/output_file.h"
+#include "base/output_file.h"
+#include "post/hdf5_image.h"
 #include "post/result_files.h"
 
 namespace geneva::post {
@@ -242,30 +247,31 @@ dealii::Vector<double> bodies(const fem::Solution<dim>& solution) {
 
 template <int dim>
 void write_vtu(const ScaledDataOut<dim>& data, const MPI_Comm communicator,
-               const fs::path& directory) {
+               const fs::path& directory) try {
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const auto piece_name = [](const unsigned int i) { return fmt::format("solution.{}.vtu", i); };
   const fs::path piece = own_file(directory, piece_name(rank));
-  std::ofstream stream = open_output(piece);
+  std::ofstream stream = base::open_output(piece);
   data.write_vtu(stream);
-  close_output(stream, piece);
+  base::close_output(stream, piece);
   if (rank != 0) return;
   std::vector<std::string> pieces;
   for (unsigned int i = 0; i < ranks; ++i) pieces.push_back(piece_name(i));
   const fs::path record = own_file(directory, "solution.pvtu");
-  stream = open_output(record);
+  stream = base::open_output(record);
   data.write_pvtu_record(stream, pieces);
-  close_output(stream, record);
+  base::close_output(stream, record);
   const fs::path collection = own_file(directory, "solution.pvd");
-  stream = open_output(collection);
+  stream = base::open_output(collection);
   dealii::DataOutBase::write_pvd_record(stream, {{0., "solution.pvtu"}});
-  close_output(stream, collection);
+  base::close_output(stream, collection);
+} catch (const dealii::ExceptionBase&) {
+  base::refuse_by_system("cannot write all of the fields in " + directory.string());
 }
 
 /// The history of the refinement as one data set a column.
-void append_history(const std::vector<fem::LevelRecord>& levels, const MPI_Comm communicator,
-                    const fs::path& file) {
+void add_history(const std::vector<fem::LevelRecord>& levels, Hdf5Image& image) {
   std::map<std::string, std::vector<double>> columns;
   for (const fem::LevelRecord& level : levels) {
     columns["cells"].push_back(level.cells);
@@ -275,28 +281,100 @@ void append_history(const std::vector<fem::LevelRecord>& levels, const MPI_Comm 
     columns["active_nodes"].push_back(level.active_nodes);
     columns["active_set_iterations"].push_back(static_cast<double>(level.linear_iterations.size()));
   }
-  dealii::HDF5::File results(file.string(), dealii::HDF5::File::FileAccessMode::open, communicator);
-  dealii::HDF5::Group history = results.create_group("history");
-  for (const auto& [name, column] : columns) history.write_dataset(name, column);
+  image.add_group("history");
+  for (const auto& [name, column] : columns) {
+    image.add_table<double>("history/" + name, column.size(), 0);
+    image.fill("history/" + name, 0, column);
+  }
 }
 
-/// @throws std::runtime_error if the disk is full
+/// Hands the rows of all ranks to rank 0, one rank after the other.
+template <typename Number>
+void gather(const std::vector<Number>& own, const MPI_Comm communicator,
+            const std::function<void(const std::vector<Number>&)>& take) {
+  constexpr int tag = 71;
+  const MPI_Datatype type = std::is_same_v<Number, double> ? MPI_DOUBLE : MPI_UNSIGNED;
+  const auto ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0) {
+    MPI_Send(own.data(), static_cast<int>(own.size()), type, 0, tag, communicator);
+    return;
+  }
+  take(own);
+  for (int rank = 1; rank < ranks; ++rank) {
+    MPI_Status status;
+    int size = 0;
+    MPI_Probe(rank, tag, communicator, &status);
+    MPI_Get_count(&status, type, &size);
+    std::vector<Number> values(static_cast<std::size_t>(size));
+    MPI_Recv(values.data(), size, type, rank, tag, communicator, MPI_STATUS_IGNORE);
+    take(values);
+  }
+}
+
+/// Adds a table of the rows that all ranks have; the image is rank 0's.
+template <typename Number>
+void add_rows(const std::string& name, const std::size_t columns, const std::vector<Number>& own,
+              const MPI_Comm communicator, Hdf5Image* const image) {
+  const std::size_t rows = dealii::Utilities::MPI::sum(own.size() / columns, communicator);
+  if (image) image->add_table<Number>(name, rows, columns);
+  std::size_t begin = 0;
+  gather<Number>(own, communicator, [&](const std::vector<Number>& values) {
+    image->fill(name, begin, values);
+    begin += values.size() / columns;
+  });
+}
+
+/// The mesh and the values at its nodes, as data_out's own writer lays them out.
+void add_fields(const dealii::DataOutBase::DataOutFilter& filter, const unsigned int dim,
+                const MPI_Comm communicator, Hdf5Image* const image) {
+  const unsigned int nodes = filter.n_nodes();
+  std::vector<double> places;
+  filter.fill_node_data(places);
+  add_rows("nodes", dim, places, communicator, image);
+  unsigned int before = 0;
+  MPI_Exscan(&nodes, &before, 1, MPI_UNSIGNED, MPI_SUM, communicator);
+  std::vector<unsigned int> cells;
+  filter.fill_cell_data(before, cells);
+  add_rows("cells", 1U << dim, cells, communicator, image);
+  for (unsigned int i = 0; i < filter.n_data_sets(); ++i) {
+    const std::size_t columns = filter.get_data_set_dim(i);
+    const double* const begin = filter.get_data_set(i);
+    add_rows(filter.get_data_set_name(i), columns,
+             std::vector<double>(begin, begin + columns * nodes), communicator, image);
+  }
+}
+
+/// Describes results.h5 to ParaView.
+template <int dim>
+std::string xdmf(const dealii::XDMFEntry& entry) {
+  return fmt::format(R"(<?xml version="1.0" ?>
+<!DOCTYPE Xdmf SYSTEM "Xdmf.dtd" []>
+<Xdmf Version="2.0">
+  <Domain>
+    <Grid Name="CellTime" GridType="Collection" CollectionType="Temporal">
+{}    </Grid>
+  </Domain>
+</Xdmf>
+)",
+                     entry.get_xdmf_content(3, dealii::ReferenceCells::get_hypercube<dim>()));
+}
+
+/// @throws base::InputError if not everything could be written
 template <int dim>
 void write_hdf5(const ScaledDataOut<dim>& data, const std::vector<fem::LevelRecord>& levels,
-                const MPI_Comm communicator, const fs::path& directory) try {
-  H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // failures are said below, not as a stack of calls
+                const MPI_Comm communicator, const fs::path& directory) {
   // Duplicate vertices stay: the two bodies touch, and merging their vertices would average their
   // stresses.
   dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(false, true));
   data.write_filtered_data(filter);
-  const fs::path file = own_file(directory, "results.h5");
-  data.write_hdf5_parallel(filter, file.string(), communicator);
   const dealii::XDMFEntry entry = data.create_xdmf_entry(filter, "results.h5", 0., communicator);
-  data.write_xdmf_file({entry}, (own_file(directory, "results.xdmf")).string(), communicator);
-  append_history(levels, communicator, file);
-} catch (const dealii::ExceptionBase&) {
-  throw std::runtime_error("cannot write all of " + (own_file(directory, "results.h5")).string() +
-                           ": is the disk full?");
+  std::optional<Hdf5Image> image;
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0) image.emplace();
+  add_fields(filter, dim, communicator, image ? &*image : nullptr);
+  if (!image) return;
+  add_history(levels, *image);
+  image->write(own_file(directory, "results.h5"));
+  base::write_text(own_file(directory, "results.xdmf"), xdmf<dim>(entry));
 }
 
 }  // namespace

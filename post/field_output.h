@@ -11,7 +11,7 @@ namespace geneva::post {
 /// directory: displacement, stress tensor, out-of-plane stress, von Mises, principal stresses,
 /// greatest shear, body; in the plane McEwen's stress near the contact and the difference from it.
 /// Every rank takes part.
-/// @throws std::runtime_error if a file cannot be written
+/// @throws base::InputError if a file cannot be written
 template <int dim>
 void write_fields(const fem::Solution<dim>& solution, const Results<dim>& results, UnitSystem units,
                   const std::filesystem::path& directory);

@@ -10,8 +10,9 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
+
+#include "base/errors.h"
 
 namespace geneva::post {
 
@@ -172,7 +173,7 @@ class UnitDatabase {
     ut_set_error_message_handler(&ut_ignore);
     SystemPointer system(ut_read_xml(nullptr), &ut_free_system);
     if (!system)
-      throw std::runtime_error(
+      throw base::InputError(
           "the unit database of UDUNITS-2 cannot be read: install it, or let UDUNITS2_XML_PATH "
           "name its file udunits2.xml");
     return system;
@@ -181,7 +182,7 @@ class UnitDatabase {
   [[nodiscard]] UnitPointer unit(const char* name) const {
     UnitPointer found(ut_get_unit_by_name(system_.get(), name), &ut_free);
     if (!found)
-      throw std::runtime_error(
+      throw base::InputError(
           fmt::format("the unit database of UDUNITS-2 does not know the {}", name));
     return found;
   }
@@ -234,9 +235,9 @@ const UnitDatabase& unit_database() {
 }
 
 [[noreturn]] void refuse(const std::string& text, Dimension dimension, const std::string& reason) {
-  throw std::invalid_argument(fmt::format("{}: {}{}{} is wanted, for example {}", in_quotes(text),
-                                          reason, reason.empty() ? "" : "; ", wanted(dimension),
-                                          example_of(dimension)));
+  throw base::InputError(fmt::format("{}: {}{}{} is wanted, for example {}", in_quotes(text),
+                                     reason, reason.empty() ? "" : "; ", wanted(dimension),
+                                     example_of(dimension)));
 }
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
@@ -350,7 +351,7 @@ std::string name_of(Dimension dimension) { return facts(dimension).name; }
 Dimension dimension_named(const std::string& name) {
   for (std::size_t i = 0; i < all_facts().size(); ++i)
     if (all_facts()[i].name == name) return static_cast<Dimension>(i);
-  throw std::invalid_argument(in_quotes(name) + " is the name of no dimension");
+  throw base::InputError(in_quotes(name) + " is the name of no dimension");
 }
 
 std::string name_of(const UnitSystem system) {
@@ -360,7 +361,7 @@ std::string name_of(const UnitSystem system) {
 UnitSystem unit_system_named(const std::string& name) {
   const auto found = std::find(unit_system_names.begin(), unit_system_names.end(), name);
   if (found == unit_system_names.end())
-    throw std::invalid_argument(in_quotes(name) + " is the name of no system of units");
+    throw base::InputError(in_quotes(name) + " is the name of no system of units");
   return static_cast<UnitSystem>(found - unit_system_names.begin());
 }
 

@@ -43,13 +43,13 @@ std::string in_quotes(const std::string& text);
 /// '16 GiB').
 /// @return the value in SI units (angles in radian, dimensionless as a plain number: 0.5 % is
 /// 0.005)
-/// @throws std::invalid_argument with the text, the dimension wanted and an example, if the number
+/// @throws base::InputError with the text, the dimension wanted and an example, if the number
 /// or the unit is missing, the unit is unknown or of another dimension, or the value is not finite
-/// @throws std::runtime_error if the unit database of UDUNITS-2 is not installed
+/// @throws base::InputError if the unit database of UDUNITS-2 is not installed
 double parse_quantity(const std::string& text, Dimension dimension);
 
 /// The dimension of a name that name_of() gives.
-/// @throws std::invalid_argument if there is none
+/// @throws base::InputError if there is none
 Dimension dimension_named(const std::string& name);
 
 /// What files and tables show.
@@ -58,7 +58,7 @@ enum class UnitSystem { si, mm_newton, inch_pound };
 /// As the case file names it: "SI", "mm-N", "in-lbf".
 std::string name_of(UnitSystem system);
 
-/// @throws std::invalid_argument unless name_of() gives the name
+/// @throws base::InputError unless name_of() gives the name
 UnitSystem unit_system_named(const std::string& name);
 
 /// Name of the unit of a dimension in a unit system ("psi"; empty if dimensionless), and what to

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 #include "loads/wheel/outline.h"
@@ -58,7 +59,7 @@ double drawn_stress(const DesignInput& input, const double diameter) {
 double required_inertia(const DesignInput& input) {
   const double inertia = optimum_wheel_inertia(input.load, design_acceleration(input));
   if (inertia > 0.) return inertia;
-  throw std::invalid_argument(
+  throw base::InputError(
       "load inertia and friction moment are both 0: the contact stress then falls with the "
       "wheel's diameter and no wheel is the best one; give the load's inertia or the friction");
 }

@@ -38,24 +38,24 @@ struct DesignedWheel {
 };
 
 /// The wheel's greatest acceleration a_max [rad/s^2], at -beta.
-/// @throws std::invalid_argument unless the driver's speed is positive
+/// @throws base::InputError unless the driver's speed is positive
 double design_acceleration(const DesignInput& input);
 
 /// A wheel of Johnson's proportions, with his inertia J_G = k5 rho D^5 (Johnson 1956, Eq. 1 to 8).
 /// @param diameter D > 0 [m]
-/// @throws std::invalid_argument beyond 10 stations, where Johnson gives no k5, or where
+/// @throws base::InputError beyond 10 stations, where Johnson gives no k5, or where
 /// design_acceleration() or johnson_stress() does
 DesignedWheel johnson_wheel(const DesignInput& input, double diameter);
 
 /// The wheel as complete_dimensions() draws it, with the inertia of that drawing.
 /// @param diameter D > 0 [m]
-/// @throws std::invalid_argument if no such wheel can be drawn, or where design_acceleration() or
+/// @throws base::InputError if no such wheel can be drawn, or where design_acceleration() or
 /// johnson_stress() does
 DesignedWheel drawn_wheel(const DesignInput& input, double diameter);
 
 /// Johnson's wheel of the least contact stress: Eq. 9, then D from Eq. 6 and F and s from Eq. 1
 /// to 3; nothing beyond 10 stations.
-/// @throws std::invalid_argument if neither inertia nor friction loads the wheel: the stress then
+/// @throws base::InputError if neither inertia nor friction loads the wheel: the stress then
 /// falls with the diameter and has no minimum
 std::optional<DesignedWheel> johnson_optimum(const DesignInput& input);
 
@@ -70,7 +70,7 @@ struct DrawnOptimum {
 /// Johnson's k5, and so does Eq. 9. Where given lengths stay, neither inertia nor t d follow their
 /// powers of D: the minimum is then looked for on 400 logarithmic steps from a tenth to ten times
 /// that diameter, and to 1e-7 of the diameter between two of them.
-/// @throws std::invalid_argument where johnson_optimum() does, or if no such wheel can be drawn
+/// @throws base::InputError where johnson_optimum() does, or if no such wheel can be drawn
 DrawnOptimum drawn_optimum(const DesignInput& input);
 
 /// Both wheels of one diameter; nothing where one does not exist.
@@ -83,7 +83,7 @@ struct DesignPoint {
 /// Stress against diameter (Eq. 8) in logarithmic steps from first to last diameter.
 /// @param first, last diameters [m], 0 < first < last
 /// @param steps >= 1; there is one point more
-/// @throws std::invalid_argument outside these ranges, or where design_acceleration() does
+/// @throws base::InputError outside these ranges, or where design_acceleration() does
 std::vector<DesignPoint> design_curve(const DesignInput& input, double first, double last,
                                       int steps);
 
@@ -108,7 +108,7 @@ struct WorkingCycle {
 
 /// @param stations n, 3..24
 /// @param driver_speed omega > 0 [rad/s]
-/// @throws std::invalid_argument outside these ranges
+/// @throws base::InputError outside these ranges
 WorkingCycle working_cycle(int stations, double driver_speed);
 
 }  // namespace geneva::loads

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/motion/external_geneva.h"
 #include "loads/pi.h"
 #include "loads/require.h"
@@ -47,7 +47,7 @@ double wheel_diameter(const CommonDimensionsInput& input) {
   const int given = int{input.wheel_diameter.has_value()} + int{input.crank_radius.has_value()} +
                     int{input.centre_distance.has_value()};
   if (given != 1)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "{} of wheel diameter, crank radius and centre distance are given: the size follows from "
         "exactly one of them; give one",
         given));
@@ -59,7 +59,7 @@ double wheel_diameter(const CommonDimensionsInput& input) {
 
 double slot_width(const CommonDimensionsInput& input, double pin_diameter) {
   if (input.slot_width && input.slot_clearance)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "slot width {:.6g} mm and slot clearance {:.6g} mm are both given: one follows from the "
         "other and the pin diameter; give one of them",
         1e3 * *input.slot_width, 1e3 * *input.slot_clearance));
@@ -108,7 +108,7 @@ JohnsonRow johnson_row(int stations) {
 
 double johnson_k5(const JohnsonRow& row) {
   if (row.k5) return *row.k5;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "number of stations is {}: Johnson gives k5 for 3 to 10 only; take fewer stations or the "
       "inertia of the drawn wheel",
       row.stations));

@@ -24,34 +24,34 @@ struct JohnsonRow {
 };
 
 /// @param stations n, 3..24
-/// @throws std::invalid_argument outside that range
+/// @throws base::InputError outside that range
 JohnsonRow johnson_row(int stations);
 
-/// k5 of a row. @throws std::invalid_argument if it has none, beyond 10 stations
+/// k5 of a row. @throws base::InputError if it has none, beyond 10 stations
 double johnson_k5(const JohnsonRow& row);
 
 /// Eq. 1: F = ((J_G + J_L) a + M_f)/arm [N]; negative where the opposite wall would carry.
-/// @throws std::invalid_argument if an inertia or the friction is negative or the arm not positive
+/// @throws base::InputError if an inertia or the friction is negative or the arm not positive
 double pin_force(double wheel_inertia, const WheelLoad& load, double wheel_acceleration,
                  double arm);
 
 /// Eq. 6: J_G = k5 rho D^5 [kg m^2] (w/g is the mass density rho [kg/m^3]).
-/// @throws std::invalid_argument unless all are positive and finite
+/// @throws base::InputError unless all are positive and finite
 double johnson_wheel_inertia(double k5, double density, double wheel_diameter);
 
 /// Eq. 2 and 3 with the exact factor sqrt(2/pi): s = sqrt(2/pi) sqrt(E*) sqrt(F/(t d)) [Pa].
-/// @throws std::invalid_argument unless force and lengths are positive and finite
+/// @throws base::InputError unless force and lengths are positive and finite
 double johnson_stress(double force, double thickness, double pin_diameter, const Elastic& pin,
                       const Elastic& wheel);
 
 /// Eq. 8: s(D) [Pa] of a wheel with the proportions of a row that has k5.
-/// @throws std::invalid_argument if the row has none, or where the functions above do
+/// @throws base::InputError if the row has none, or where the functions above do
 double johnson_stress_of_diameter(double wheel_diameter, const JohnsonRow& row,
                                   const WheelLoad& load, double peak_acceleration, double density,
                                   const Elastic& pin, const Elastic& wheel);
 
 /// Eq. 9: J_G = 1.5 (J_L + M_f/a) [kg m^2], the wheel inertia of the least contact stress.
-/// @throws std::invalid_argument unless the peak acceleration is positive and finite
+/// @throws base::InputError unless the peak acceleration is positive and finite
 double optimum_wheel_inertia(const WheelLoad& load, double peak_acceleration);
 
 /// Eq. 9 with Eq. 6: the diameter D [m] of the optimum wheel.
@@ -59,7 +59,7 @@ double optimum_wheel_diameter(const WheelLoad& load, double peak_acceleration, d
                               double density);
 
 /// Inertia of a solid cylinder about its axis: rho pi D^4 L/32 [kg m^2].
-/// @throws std::invalid_argument unless all are positive and finite
+/// @throws base::InputError unless all are positive and finite
 double solid_cylinder_inertia(double diameter, double length, double density);
 
 /// What a designer may give of either kind of wheel; missing ones take their default.
@@ -88,12 +88,12 @@ struct InternalDimensionsInput : CommonDimensionsInput {
 };
 
 /// Fills in the defaults and checks the result.
-/// @throws std::invalid_argument if not exactly one size is given, both slot width and clearance
+/// @throws base::InputError if not exactly one size is given, both slot width and clearance
 /// are given, or check() refuses the wheel
 GenevaDimensions complete_dimensions(const GenevaDimensionsInput& input);
 
 /// The same for an internal wheel: Johnson's proportions, which he gives for external ones.
-/// @throws std::invalid_argument as complete_dimensions()
+/// @throws base::InputError as complete_dimensions()
 InternalDimensions complete_internal_dimensions(const InternalDimensionsInput& input);
 
 }  // namespace geneva::loads

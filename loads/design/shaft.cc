@@ -1,8 +1,8 @@
 #include "loads/design/shaft.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/design/johnson.h"
 #include "loads/pi.h"
 #include "loads/require.h"
@@ -13,7 +13,7 @@ namespace {
 
 void check_segments(const Shaft& shaft) {
   if (shaft.segments.empty())
-    throw std::invalid_argument(
+    throw base::InputError(
         "the shaft has 0 segments: it must have one at least; give a diameter and a length");
   for (const ShaftSegment& segment : shaft.segments) {
     require_positive_length("shaft diameter", segment.diameter);

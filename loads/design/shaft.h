@@ -20,11 +20,11 @@ struct Shaft {
 /// Length [m] of a shaft of one diameter that twists as much: d^4 sum l_i/d_i^4 (Johnson 1956, the
 /// sum in Eq. 13).
 /// @param diameter of that shaft [m], > 0
-/// @throws std::invalid_argument without segments, or unless all lengths are positive and finite
+/// @throws base::InputError without segments, or unless all lengths are positive and finite
 double equivalent_length(const Shaft& shaft, double diameter);
 
 /// Johnson 1956, Eq. 15: c = T/theta = (pi G/32)/(sum l_i/d_i^4) [N m/rad].
-/// @throws std::invalid_argument where equivalent_length() does, or unless the shear modulus is
+/// @throws base::InputError where equivalent_length() does, or unless the shear modulus is
 /// positive and finite
 double torsional_stiffness(const Shaft& shaft);
 
@@ -32,7 +32,7 @@ double torsional_stiffness(const Shaft& shaft);
 ///
 /// Johnson's step 2 adds all of it to the load's where it is appreciable: in Eq. 1, 8 and 9 the
 /// shaft turns with the wheel as one rigid body. His Eq. 10 to 16 leave it out.
-/// @throws std::invalid_argument without segments, or unless all lengths and the density are
+/// @throws base::InputError without segments, or unless all lengths and the density are
 /// positive and finite
 double shaft_inertia(const Shaft& shaft);
 
@@ -53,7 +53,7 @@ struct TorsionalVibration {
 /// @param load_inertia J_L [kg m^2], > 0
 /// @param exit_acceleration a_v [rad/s^2], >= 0: how fast the wheel slows down where the pin leaves
 /// the slot, tan(pi/n) omega^2
-/// @throws std::invalid_argument outside these ranges, or where torsional_stiffness() does
+/// @throws base::InputError outside these ranges, or where torsional_stiffness() does
 TorsionalVibration torsional_vibration(const Shaft& shaft, double load_inertia,
                                        double exit_acceleration);
 

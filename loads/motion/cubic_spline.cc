@@ -3,8 +3,9 @@
 #include <Eigen/Sparse>
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
+
+#include "base/errors.h"
 
 namespace geneva::loads {
 
@@ -60,7 +61,7 @@ CubicSpline::CubicSpline(std::vector<double> x, std::vector<double> y)
                            return !(a < b);
                          }) == x_.end();
   if (x_.size() < 2 || x_.size() != y_.size() || !increases)
-    throw std::invalid_argument("a spline needs two or more points with increasing abscissas");
+    throw base::InputError("a spline needs two or more points with increasing abscissas");
   curvature_ = curvatures(x_, y_);
 }
 

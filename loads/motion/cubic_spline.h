@@ -13,7 +13,7 @@ namespace geneva::loads {
 class CubicSpline {
  public:
   /// @param x increasing; two or more
-  /// @throws std::invalid_argument unless x increases and both have the same length of two or more
+  /// @throws base::InputError unless x increases and both have the same length of two or more
   CubicSpline(std::vector<double> x, std::vector<double> y);
 
   /// Value and derivatives at a place between the first and the last x; beyond, the last cubic goes

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/motion/cubic_spline.h"
 #include "loads/pi.h"
 #include "loads/require.h"
@@ -167,14 +167,14 @@ CrossMotion cross_motion(const PlaneGeneva kind, const double alpha, const doubl
 
 void check_rows(const std::vector<double>& times, const std::vector<double>& angles) {
   if (times.size() < 4)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("the motion table has {} rows: it needs four or more for a speed and an "
                     "acceleration; add rows",
                     times.size()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     const bool is_finite = std::isfinite(times[i]) && std::isfinite(angles[i]);
     if (is_finite && (i == 0 || (times[i] > times[i - 1] && angles[i] > angles[i - 1]))) continue;
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "row {} of the motion table is {:.6g} s, {:.6g} deg{}: times and angles must be finite and "
         "grow from row to row; sort the table, or leave out double rows",
         i + 1, times[i], angles[i] / degree,
@@ -196,7 +196,7 @@ void check_speed(const CubicSpline& spline) {
                       ? start.first + still * (start.second + still * start.third / 2.)
                       : start.first});
     if (least <= 0.)
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("the motion table lets the driver stand still or turn back between {:.6g} s "
                       "and {:.6g} s: "
                       "the driver must go forward; add rows there, or make the motion smoother",
@@ -234,7 +234,7 @@ Drive constant_acceleration(const Mechanism& mechanism, const std::vector<Engage
     to = engagements.back().end;
   }
   if (!moves(from, to))
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "driver acceleration is {:.6g} rad/s^2: the driver, at {:.6g} rad/s when driver angle is "
         "0, "
         "would stand still within the engagement from {:.6g} to {:.6g} deg; the acceleration must "
@@ -263,7 +263,7 @@ Drive table(const std::vector<Engagement>& engagements, const std::vector<double
   const auto spline = std::make_shared<const CubicSpline>(times, angles);
   check_speed(*spline);
   if (!covers_one(engagements, angles.front(), angles.back()))
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "the motion table goes from {:.6g} to {:.6g} deg: it covers no engagement as a whole (the "
         "first pin's is from {:.6g} to {:.6g} deg); add rows, or shift the angles, which are 0 "
         "midway through the first pin's engagement",

@@ -39,13 +39,13 @@ struct Drive {
 };
 
 /// theta = omega t over one period.
-/// @throws std::invalid_argument unless the speed is positive
+/// @throws base::InputError unless the speed is positive
 Drive constant_speed(const Mechanism& mechanism, const std::vector<Engagement>& engagements,
                      double speed);
 
 /// theta = omega t + epsilon t^2/2: omega is the speed at driver angle 0. Over one period, or over
 /// the engagements alone if the driver would stand still in the period.
-/// @throws std::invalid_argument unless the speed is positive, or if the driver would stand still
+/// @throws base::InputError unless the speed is positive, or if the driver would stand still
 /// within an engagement
 Drive constant_acceleration(const Mechanism& mechanism, const std::vector<Engagement>& engagements,
                             double speed, double acceleration);
@@ -53,7 +53,7 @@ Drive constant_acceleration(const Mechanism& mechanism, const std::vector<Engage
 /// The cubic spline through a table. The reference speed is the mean speed over the table.
 /// @param times [s], increasing
 /// @param angles [rad], increasing
-/// @throws std::invalid_argument if the table has fewer than four rows, is unsorted, not finite, or
+/// @throws base::InputError if the table has fewer than four rows, is unsorted, not finite, or
 /// if the spline turns back between rows; or if it covers no engagement as a whole
 Drive table(const std::vector<Engagement>& engagements, const std::vector<double>& times,
             const std::vector<double>& angles);
@@ -61,7 +61,7 @@ Drive table(const std::vector<Engagement>& engagements, const std::vector<double
 /// A law of motion set on the carrier (driver): in each engagement theta runs from entry to exit as
 /// A(k), k from 0 to 1 in the motion time; between, the driver runs at the reference speed, which
 /// is engagement angle over motion time.
-/// @throws std::invalid_argument unless the motion time is positive
+/// @throws base::InputError unless the motion time is positive
 Drive law_on_carrier(const Mechanism& mechanism, const std::vector<Engagement>& engagements,
                      MotionLaw law, double motion_time);
 
@@ -76,7 +76,7 @@ enum class PlaneGeneva { external, internal };
 /// there.
 /// @param mechanism the external or internal Geneva
 /// @param centre_distance of that mechanism [m]
-/// @throws std::invalid_argument unless the motion time is positive
+/// @throws base::InputError unless the motion time is positive
 Drive law_on_cross(const Mechanism& mechanism, PlaneGeneva kind, double centre_distance,
                    const std::vector<Engagement>& engagements, MotionLaw law, double motion_time);
 

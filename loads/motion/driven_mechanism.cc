@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 
 namespace geneva::loads {
@@ -136,7 +136,7 @@ MotionState DrivenMechanism::at_engaged_angle(const double driver_angle) const {
         driver_angle <= engagement.end + angle_rounding)
       return engaged(i, drive_.time_at(driver_angle));
   }
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "driver angle is {:.6g} deg: with {} stations the pin is in the slot {}; choose an "
       "angle in this range",
       driver_angle / degree, mechanism_.stations, ranges(engagements_)));

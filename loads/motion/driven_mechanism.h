@@ -48,7 +48,7 @@ class DrivenMechanism {
   [[nodiscard]] std::vector<Unbounded> unbounded() const;
 
   [[nodiscard]] MotionState at_time(double time) const;
-  /// @throws std::invalid_argument unless a pin is in its slot at that driver angle, with the
+  /// @throws base::InputError unless a pin is in its slot at that driver angle, with the
   /// ranges in which one is
   [[nodiscard]] MotionState at_engaged_angle(double driver_angle) const;
 

@@ -15,7 +15,7 @@ namespace geneva::loads {
 class ExternalGeneva {
  public:
   /// @param stations number of slots n, 3..24
-  /// @throws std::invalid_argument outside that range
+  /// @throws base::InputError outside that range
   explicit ExternalGeneva(int stations);
 
   [[nodiscard]] int stations() const { return stations_; }
@@ -58,7 +58,7 @@ class ExternalGeneva {
 /// The external Geneva with one pin as a mechanism; lengths follow from the centre distance.
 /// @param stations 3..24
 /// @param centre_distance c [m] between the driver's and the wheel's axis; the crank is c sin(pi/n)
-/// @throws std::invalid_argument outside that range, or if the distance is not positive
+/// @throws base::InputError outside that range, or if the distance is not positive
 Mechanism external_geneva(int stations, double centre_distance);
 
 }  // namespace geneva::loads

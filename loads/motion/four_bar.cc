@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -117,7 +117,7 @@ void close_position(const FourBar& linkage, Assembly assembly, double crank_angl
   const double between = std::abs(linkage.coupler - linkage.rocker);
   const double slack = rounding(linkage);
   if (distance < between - slack || distance > linkage.coupler + linkage.rocker + slack)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "crank angle is {:.6g} deg, where coupler and rocker cannot meet: B is {:.6g} mm from D, "
         "not {:.6g} to {:.6g} mm; choose {}",
         crank_angle / degree, 1e3 * distance, 1e3 * between,
@@ -140,7 +140,7 @@ Eigen::Matrix2d closure_jacobian(const Links& links) {
 void refuse_dead_point(const FourBar& linkage, double crank_angle, const FourBarMotion& state) {
   const double sine = std::sin(state.coupler_angle[0] - state.rocker_angle[0]);
   if (std::abs(sine) >= dead_point_sine) return;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "crank angle is {:.6g} deg, a dead point: coupler and rocker are in line and their speeds "
       "have no bound or no sense; choose {} away from the ends and from that point",
       crank_angle / degree, describe_ranges(linkage)));
@@ -210,7 +210,7 @@ void check(const FourBar& linkage) {
   const double longest = std::max({linkage.crank, linkage.coupler, linkage.rocker, frame});
   const double others = linkage.crank + linkage.coupler + linkage.rocker + frame - longest;
   if (longest < others) return;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "lengths are AB {:.6g}, BC {:.6g}, CD {:.6g} and AD {:.6g} mm: the longest, {:.6g} mm, must "
       "be shorter than the other three together, {:.6g} mm, or the linkage cannot be closed; "
       "shorten it or lengthen the others",

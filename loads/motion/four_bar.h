@@ -43,19 +43,19 @@ struct FourBarMotion {
 double frame_length(const FourBar& linkage);
 
 /// Refuses a linkage that does not exist.
-/// @throws std::invalid_argument unless AB, BC, CD and AD are positive and finite, BP is finite and
+/// @throws base::InputError unless AB, BC, CD and AD are positive and finite, BP is finite and
 /// not negative, alpha is finite and the longest of the four lengths is shorter than the others
 /// together
 void check(const FourBar& linkage);
 
 /// Whether B can go round its whole circle (Grashof): |AD - AB| >= |BC - CD| and AD + AB <= BC +
 /// CD, equality (to rounding) included.
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 bool crank_turns_fully(const FourBar& linkage);
 
 /// Crank angles [rad] at which all links are in line though the crank can go on: none, gamma, gamma
 /// + pi or both, with gamma the angle of AD.
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 std::vector<double> change_points(const FourBar& linkage);
 
 /// Whether a linkage is a parallelogram whose coupler stays parallel to the frame.
@@ -64,20 +64,20 @@ bool stays_parallelogram(const FourBar& linkage, Assembly assembly);
 /// Intervals {first, last} of the crank angle [rad] in which the linkage can be assembled, first in
 /// [gamma - pi, gamma + pi] with gamma the angle of AD: {gamma, gamma + 2 pi} if the crank turns
 /// fully, otherwise one or two intervals that end where B, C and D are in line.
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 std::vector<std::pair<double, double>> crank_ranges(const FourBar& linkage);
 
 /// Position in closed form; velocity, acceleration and jerk from the closure equations of Lecture 4
 /// (AB cos phi_2 + BC cos phi_3 - DC cos phi_4 + X_A - X_D = 0, and with sines) differentiated
 /// once, twice and three times.
 /// @param crank_angle phi_2 [rad], any turn
-/// @throws std::invalid_argument where check() does, and if the linkage cannot be assembled at the
+/// @throws base::InputError where check() does, and if the linkage cannot be assembled at the
 /// crank angle or stands at a dead point there (sine of the angle between coupler and rocker below
 /// 1e-7), naming the ranges of the crank; a parallelogram that stays one has no dead point
 FourBarMotion motion(const FourBar& linkage, Assembly assembly, double crank_angle);
 
 /// Both closures at a crank angle, open and crossed.
-/// @throws std::invalid_argument where motion() does
+/// @throws base::InputError where motion() does
 std::array<FourBarMotion, 2> all_assemblies(const FourBar& linkage, double crank_angle);
 
 }  // namespace geneva::loads

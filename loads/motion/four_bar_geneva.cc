@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -169,7 +169,7 @@ double tangent_distance(const int stations, const std::shared_ptr<const CouplerC
     }
     far = near;
   }
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "wheel direction is {:.6g} deg: nowhere along it does the coupler point turn a wheel of {} "
       "stations by its pitch of {:.6g} deg; choose another direction, or more stations",
       direction / degree, stations, pitch / degree));
@@ -182,7 +182,7 @@ void refuse_change_point(const FourBar& linkage, const Assembly assembly, const 
   for (const double angle : change_points(linkage)) {
     const double inside = angle + 2. * pi * std::ceil((begin - angle) / (2. * pi));
     if (inside > end) continue;
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "lengths are AB {:.6g}, BC {:.6g}, CD {:.6g} and AD {:.6g} mm: all links are in line at a "
         "crank angle of {:.6g} deg, which is in the engagement, and the linkage can go on there in "
         "two ways; make the crank shorter, or choose another wheel direction",
@@ -198,7 +198,7 @@ FourBarGeneva four_bar_geneva(const int stations, const FourBar& linkage, const 
   require_stations(stations);
   require_finite("wheel direction", place.direction / degree, "deg");
   if (!crank_turns_fully(linkage))
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "the crank of {:.6g} mm does not turn fully: with a frame of {:.6g} mm, a coupler of "
         "{:.6g} "
         "mm and a rocker of {:.6g} mm the shortest and the longest link together must not be "
@@ -215,7 +215,7 @@ FourBarGeneva four_bar_geneva(const int stations, const FourBar& linkage, const 
   const double pitch = 2. * pi / stations;
   constexpr double rounding = 1e-9;
   if (!stretch || std::abs(stretch->swing) < pitch - rounding)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "centre distance is {:.6g} mm: {}; a wheel of {} stations turns by {:.6g} deg; choose "
         "another distance, or leave it out to have it found",
         1e3 * distance,

@@ -12,7 +12,7 @@ namespace geneva::loads {
 /// the wheel's axis.
 /// @param stations 3..24
 /// @param centre_distance c [m]; the crank is c sin(pi/n)
-/// @throws std::invalid_argument outside that range, or if the distance is not positive
+/// @throws base::InputError outside that range, or if the distance is not positive
 Mechanism internal_geneva(int stations, double centre_distance);
 
 }  // namespace geneva::loads

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
+
+#include "base/errors.h"
 
 namespace geneva::loads {
 
@@ -66,7 +67,7 @@ double bore_pressure(const PinContact& contact, const WheelTrain& train, const d
 std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
                                            const PinContact& contact, const int steps) {
   if (steps < 1)
-    throw std::invalid_argument(fmt::format("number of steps is {}: it must be 1 or more", steps));
+    throw base::InputError(fmt::format("number of steps is {}: it must be 1 or more", steps));
   const std::vector<double> instants = times(driven, steps);
   std::vector<KinematicsRow> rows;
   rows.reserve(instants.size());

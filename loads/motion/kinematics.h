@@ -31,7 +31,7 @@ struct KinematicsRow {
 
 /// The mechanism at equal steps of time over the cycle, and at the ends of the engagements.
 /// @param steps number of steps, 1 or more
-/// @throws std::invalid_argument otherwise
+/// @throws base::InputError otherwise
 std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
                                            const PinContact& contact, int steps);
 
@@ -71,7 +71,7 @@ struct Characteristics {
   double exit_tangency;   ///< at exit [rad]
 };
 
-/// @throws std::invalid_argument where check() of the train does
+/// @throws base::InputError where check() of the train does
 Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain& train,
                                 const PinContact& contact);
 

@@ -23,7 +23,7 @@ enum class SprocketLine {
 /// @param stations 3..24
 /// @param pitch_radius r [m] of the circle of the pin's axis around a sprocket
 /// @param spacing a [m] of the sprockets' axes, 0 or more
-/// @throws std::invalid_argument outside these ranges
+/// @throws base::InputError outside these ranges
 Mechanism long_dwell_geneva(int stations, double pitch_radius, double spacing, SprocketLine line);
 
 }  // namespace geneva::loads

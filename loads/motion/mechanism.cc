@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -23,7 +23,7 @@ double wrapped(const double angle, const double period) {
 
 void refuse_together(const Mechanism& mechanism, const Engagement& first, const Engagement& second,
                      const double apart) {
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "pins {} and {} are {:.6g} deg of the driver apart: they would be in slots of the {} "
       "together, since each stays {:.6g} deg; place them at least that far apart ({} equally "
       "spaced "
@@ -68,9 +68,8 @@ double cycle_begin(const Mechanism& mechanism, const std::vector<Engagement>& en
 
 std::vector<double> equally_spaced_pins(const Mechanism& mechanism, const int count) {
   if (count < 1)
-    throw std::invalid_argument(
-        fmt::format("number of pins is {}: it must be from 1 to {} with the {}", count,
-                    most_pins(mechanism), mechanism.name));
+    throw base::InputError(fmt::format("number of pins is {}: it must be from 1 to {} with the {}",
+                                       count, most_pins(mechanism), mechanism.name));
   std::vector<double> angles;
   angles.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) angles.push_back(i * mechanism.period / count);

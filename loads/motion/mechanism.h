@@ -58,7 +58,7 @@ struct Engagement {
 /// them.
 /// @param pin_angles driver angles [rad] at which the pins are midway through their engagements;
 /// the first is 0
-/// @throws std::invalid_argument if two pins would be engaged together, with the least angle
+/// @throws base::InputError if two pins would be engaged together, with the least angle
 /// between them and the greatest number of equally spaced pins; or if an angle is not finite
 std::vector<Engagement> engagements(const Mechanism& mechanism,
                                     const std::vector<double>& pin_angles);
@@ -68,7 +68,7 @@ std::vector<Engagement> engagements(const Mechanism& mechanism,
 double cycle_begin(const Mechanism& mechanism, const std::vector<Engagement>& engagements);
 
 /// Angles of equally spaced pins: 0, period/count, ...
-/// @throws std::invalid_argument unless count is 1 or more
+/// @throws base::InputError unless count is 1 or more
 std::vector<double> equally_spaced_pins(const Mechanism& mechanism, int count);
 
 /// Greatest number of equally spaced pins of which no two are engaged together; 2 n/(n - 2) rounded

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 
 namespace geneva::loads {
@@ -13,7 +13,7 @@ namespace {
 
 void check_relative_time(const double relative_time, const double greatest) {
   if (relative_time >= 0. && relative_time <= greatest) return;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("relative time of the motion law is {:.6g}: the law is given from 0 to {:.6g}; "
                   "choose a time within the motion",
                   relative_time, greatest));

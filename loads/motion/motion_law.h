@@ -13,12 +13,12 @@ enum class MotionLaw {
 
 /// A(k) with its derivatives with respect to k.
 /// @param relative_time k in [0, 1]
-/// @throws std::invalid_argument outside [0, 1]
+/// @throws base::InputError outside [0, 1]
 Jet progress(MotionLaw law, double relative_time);
 
 /// The square root of A(k) with its derivatives, for k up to 1/2: smooth at k = 0 for the harmonic
 /// law, sin(pi k/2); the cycloidal law's grows as k^(3/2), its second derivative is infinite there.
-/// @throws std::invalid_argument outside [0, 1/2]
+/// @throws base::InputError outside [0, 1/2]
 Jet root_of_progress(MotionLaw law, double relative_time);
 
 /// Whether the second derivative of the root is bounded.

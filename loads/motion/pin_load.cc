@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -129,7 +129,7 @@ double friction_along_wall(const WheelTrain& train) {
 
 PinLoad pin_load(const MotionState& state, const WheelTrain& train) {
   if (!state.pin)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("driver angle is {:.6g} deg: no pin is in a slot there, and the wheel rests",
                     state.driver_angle.value * 180. / pi));
   const double forwards = state.wheel_angle.first < 0. ? -1. : 1.;
@@ -168,7 +168,7 @@ void check(const RollerBore& bore, const double pin_diameter) {
   require_positive_length("bore diameter of the roller", bore.diameter);
   require_not_negative("coefficient of bore friction", bore.friction, "");
   if (bore.diameter < pin_diameter) return;
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("bore diameter of the roller is {:.6g} mm: it must be less than the roller's own "
                   "diameter, {:.6g} mm (the pin diameter)",
                   1e3 * bore.diameter, 1e3 * pin_diameter));
@@ -196,7 +196,7 @@ void check(const WheelTrain& train, const DrivenMechanism& driven) {
   const double steepest = std::max(steepest_on(Wall::driving), steepest_on(Wall::braking));
   if (friction * steepest < 1.) return;
   const double given = train.roller ? train.roller->friction : train.slot_friction;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "coefficient of {} friction is {:.6g}: the {} of {:.6g} mm jams in the slot, since friction "
       "there has a longer arm than the force that turns the wheel; the coefficient must be below "
       "{:.4g}",

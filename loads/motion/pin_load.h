@@ -66,14 +66,14 @@ struct PinLoad {
 /// carries, as long as the pin does not jam. A roller's bore friction acts the same way, with
 /// friction_along_wall(), though the roller itself does not slide on the wall. The wheel's friction
 /// counts as that of motion forwards where the wheel is just about to move.
-/// @throws std::invalid_argument unless a pin is in its slot
+/// @throws base::InputError unless a pin is in its slot
 PinLoad pin_load(const MotionState& state, const WheelTrain& train);
 
-/// @throws std::invalid_argument unless the bore is greater than nothing and smaller than the
+/// @throws base::InputError unless the bore is greater than nothing and smaller than the
 /// roller, and its coefficient of friction is not negative
 void check(const RollerBore& bore, double pin_diameter);
 
-/// @throws std::invalid_argument if an inertia, the friction moment or the friction coefficient is
+/// @throws base::InputError if an inertia, the friction moment or the friction coefficient is
 /// negative, where the check of a roller's bore does, or if friction jams the pin on either wall,
 /// with the greatest coefficient at which it does not
 void check(const WheelTrain& train, const DrivenMechanism& driven);
@@ -99,7 +99,7 @@ std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain&
 
 /// Driver angle [rad] of the greatest force on the driving wall. With inertia alone it lies between
 /// that of the greatest acceleration and the line of centres, since the arm still shrinks.
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train);
 
 /// Driver angle [rad] of the greatest acceleration of the wheel forwards (Johnson's point): before

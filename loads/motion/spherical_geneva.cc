@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -14,7 +14,7 @@ Mechanism spherical_geneva(const int stations, const double shaft_angle, const d
   require_stations(stations);
   require_positive_length("sphere radius", radius);
   if (!(shaft_angle > 0. && shaft_angle < pi))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("shaft angle is {:.6g} deg: the pin's cone about the driver's axis closes from "
                     "0 to 180 deg only, both left out (there the axes are parallel: take an "
                     "external or internal Geneva)",

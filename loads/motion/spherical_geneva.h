@@ -13,7 +13,7 @@ namespace geneva::loads {
 /// @param stations 3..24
 /// @param shaft_angle S [rad] between 0 and pi
 /// @param radius of the sphere [m]
-/// @throws std::invalid_argument outside these ranges
+/// @throws base::InputError outside these ranges
 Mechanism spherical_geneva(int stations, double shaft_angle, double radius);
 
 }  // namespace geneva::loads

@@ -22,7 +22,7 @@ struct BeamBending {
 };
 
 /// @param force F > 0 [N]
-/// @throws std::invalid_argument unless diameter, thickness, force and E are positive, the gaps not
+/// @throws base::InputError unless diameter, thickness, force and E are positive, the gaps not
 /// negative, all finite
 BeamBending beam_bending(const PinBeam& pin, double force);
 

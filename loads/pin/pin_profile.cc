@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -68,7 +68,7 @@ LogarithmicProfile logarithmic_profile(const double force, const double length,
   require_positive("contact modulus", contact_modulus, "Pa");
   require_positive_length("half-width of the contact", half_width);
   if (half_width >= length)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("half-width of the contact is {:.6g} mm: it must be less than the profile "
                     "length {:.6g} mm for a line contact",
                     1e3 * half_width, 1e3 * length));
@@ -77,18 +77,18 @@ LogarithmicProfile logarithmic_profile(const double force, const double length,
 
 void check(const PinProfile& profile, const double half_length) {
   if (const auto* crown = std::get_if<Crown>(&profile); crown && crown->radius < half_length)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("crown radius is {:.6g} mm: it must be at least the {:.6g} mm from the middle "
                     "of the contact to the pin's end",
                     1e3 * crown->radius, 1e3 * half_length));
   const auto* table = std::get_if<ProfileTable>(&profile);
   if (table == nullptr) return;
   if (table->places.size() < 2 || table->places.size() != table->drops.size())
-    throw std::invalid_argument("a profile needs two or more points (z, height)");
+    throw base::InputError("a profile needs two or more points (z, height)");
   const auto& z = table->places;
   if (std::adjacent_find(z.begin(), z.end(), [](double a, double b) { return !(a < b); }) !=
       z.end())
-    throw std::invalid_argument("the places z of a profile must increase from row to row");
+    throw base::InputError("the places z of a profile must increase from row to row");
 }
 
 }  // namespace geneva::loads

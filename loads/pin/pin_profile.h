@@ -60,11 +60,11 @@ struct PinClearance {
 /// The profile that carries a load evenly.
 /// @param force F [N], length L [m], contact_modulus E* [Pa], half_width b of Hertz's contact under
 /// F/L [m], all positive
-/// @throws std::invalid_argument unless all are positive and finite and b < L
+/// @throws base::InputError unless all are positive and finite and b < L
 LogarithmicProfile logarithmic_profile(double force, double length, double contact_modulus,
                                        double half_width);
 
-/// @throws std::invalid_argument naming what is wrong: crown radius below the half-length that it
+/// @throws base::InputError naming what is wrong: crown radius below the half-length that it
 /// has to span, fewer than two points, places that do not increase
 void check(const PinProfile& profile, double half_length);
 

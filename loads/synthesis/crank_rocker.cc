@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -12,7 +12,7 @@ namespace geneva::loads {
 
 CrankRocker crank_rocker(const CrankRockerInput& input) {
   if (!(input.swing > 0. && input.swing < pi))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("swing of the rocker is {:.6g} deg: a crank-rocker's lies between 0 and 180 "
                     "deg; give a swing in this range",
                     input.swing / degree));
@@ -21,7 +21,7 @@ CrankRocker crank_rocker(const CrankRockerInput& input) {
   const double coupler = input.pivot_distance;
   constexpr double margin = 1. + 1e-9;  // nearer, the crank passes a change point but for rounding
   if (!(std::isfinite(coupler) && coupler > margin * crank))
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "distance of the crank's pivot from the middle of the chord is {:.6g} mm: it must be "
         "finite "
         "and greater than half the chord, {:.6g} mm, or the crank cannot turn fully (Grashof); "

@@ -33,7 +33,7 @@ struct CrankRocker {
 ///
 /// The transmission angle is least where the crank lies along AD: cos(mu) = AB AD/(BC CD); it grows
 /// with the pivot's distance towards pi/2 - swing/2.
-/// @throws std::invalid_argument unless 0 < swing < pi, the rocker is positive and finite and the
+/// @throws base::InputError unless 0 < swing < pi, the rocker is positive and finite and the
 /// distance of the pivot is finite and greater than half the chord
 CrankRocker crank_rocker(const CrankRockerInput& input);
 

@@ -8,8 +8,8 @@
 #include <complex>
 #include <optional>
 #include <random>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 #include "loads/synthesis/path_newton.h"
@@ -36,7 +36,7 @@ struct Scaled {
 
 void check_points(const std::vector<std::array<double, 2>>& points) {
   if (points.size() < 2 || points.size() > 9)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("number of points is {}: a four-bar linkage can be made to pass 2 to 9; give a "
                     "number in this range",
                     points.size()));
@@ -45,7 +45,7 @@ void check_points(const std::vector<std::array<double, 2>>& points) {
     require_finite("Y of a point", 1e3 * points[i][1], "mm");
     for (std::size_t j = 0; j < i; ++j)
       if (points[i] == points[j])
-        throw std::invalid_argument(
+        throw base::InputError(
             fmt::format("points {} and {} are both ({:.6g}, {:.6g}) mm: all points must differ; "
                         "leave one out and give one more dimension",
                         j + 1, i + 1, 1e3 * points[i][0], 1e3 * points[i][1]));
@@ -55,7 +55,7 @@ void check_points(const std::vector<std::array<double, 2>>& points) {
 void check_given(const PathTask& task) {
   const std::size_t wanted = 9 - task.points.size();
   if (task.given.size() != wanted)
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "{} dimensions are given with {} points: exactly {} of X_A, Y_A, X_D, Y_D, AB, BC, CD, BP "
         "and alpha must be given, 9 less the number of points; give {} {}",
         task.given.size(), task.points.size(), wanted,
@@ -65,7 +65,7 @@ void check_given(const PathTask& task) {
   for (const auto& [dimension, value] : task.given) {
     const auto k = static_cast<std::size_t>(dimension);
     if (seen[k])
-      throw std::invalid_argument(fmt::format(
+      throw base::InputError(fmt::format(
           "{} is given twice: each dimension may be given once; give another one", names[k]));
     seen[k] = true;
     if (k == 8)

@@ -65,7 +65,7 @@ struct PathSynthesis {
 /// forms with crank and rocker exchanged: six different generators of the same curve. No start
 /// finds all solutions; that none is found does not prove that there is none. Links that are not
 /// between 1e-3 and 100 times the extent of the points are not looked at.
-/// @throws std::invalid_argument unless there are 2 to 9 distinct finite points, exactly 9 - N
+/// @throws base::InputError unless there are 2 to 9 distinct finite points, exactly 9 - N
 /// different dimensions are given with finite values (lengths positive), starts is not negative and
 /// every guess passes check()
 PathSynthesis synthesise_path(const PathTask& task);

@@ -1,8 +1,8 @@
 #include "loads/synthesis/quick_return.h"
 
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 
@@ -12,7 +12,7 @@ QuickReturn quick_return(const QuickReturnInput& input) {
   const int z = require_stations(input.stations);
   require_positive("greatest wheel speed", input.greatest_wheel_speed, "rad/s");
   if (input.crank.has_value() == input.centre_distance.has_value())
-    throw std::invalid_argument(
+    throw base::InputError(
         input.crank ? "crank AB and centre distance AD are both given: AB/AD = sin(pi/z) fixes one "
                       "by the other; give only one of them"
                     : "neither crank AB nor centre distance AD is given: the size of the mechanism "

@@ -43,14 +43,14 @@ struct QuickReturnExtremes {
   QuickReturnPosition rocker_last;      ///< the same, phi = +pi/z
 };
 
-/// @throws std::invalid_argument if the stations are not 3..24, the speed is not positive and
+/// @throws base::InputError if the stations are not 3..24, the speed is not positive and
 /// finite, or not exactly one length, positive and finite, is given
 QuickReturn quick_return(const QuickReturnInput& input);
 
 /// The loop AB = AD + s (Lecture 4) solved for phi and S, and its derivative for the rates: S phi'
 /// and S' are the components of the pin's velocity across and along the rocker. The lecture's speed
 /// equations lack the slider's own speed and hold where it is at rest only.
-/// @throws std::invalid_argument unless the crank angle is finite
+/// @throws base::InputError unless the crank angle is finite
 QuickReturnPosition position(const QuickReturn& mechanism, double crank_angle);
 
 /// Extremes of S where the crank is in line with AD, of phi where it is perpendicular to the

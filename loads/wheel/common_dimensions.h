@@ -27,7 +27,7 @@ double wall_end(const CommonDimensions& dimensions);
 /// wheel's axis.
 double locking_half_angle(const CommonDimensions& dimensions);
 
-/// @throws std::invalid_argument unless the pin's core is inside the pin; lengths in metres
+/// @throws base::InputError unless the pin's core is inside the pin; lengths in metres
 void check_core(double core_radius, double pin_diameter);
 
 /// Checks what does not depend on the side on which the slots open.
@@ -35,11 +35,11 @@ void check_core(double core_radius, double pin_diameter);
 /// Refused: stations outside 3..24; lengths not positive and finite; crank radius or centre
 /// distance that do not belong to the wheel diameter; pin wider than the slot; core not inside the
 /// pin.
-/// @throws std::invalid_argument with the numbers that clash and what to change
+/// @throws base::InputError with the numbers that clash and what to change
 void check_common(const CommonDimensions& dimensions);
 
 /// @param rim what the cylinder of radius D/2 is called
-/// @throws std::invalid_argument unless the locking arcs cut into the cylinder of radius D/2
+/// @throws base::InputError unless the locking arcs cut into the cylinder of radius D/2
 void check_locking_arc_meets(const CommonDimensions& dimensions, const char* rim);
 
 }  // namespace geneva::loads

@@ -18,7 +18,7 @@ double slot_bottom_centre(const GenevaDimensions& dimensions);
 /// distance that do not belong to the wheel diameter; pin wider than the slot; core not inside the
 /// pin; slot that does not reach the pin's nearest position; slot into bore, slots into each other,
 /// locking arc into slot, locking arc into bore, locking arc that misses the rim.
-/// @throws std::invalid_argument with the numbers that clash and what to change
+/// @throws base::InputError with the numbers that clash and what to change
 void check(const GenevaDimensions& dimensions);
 
 }  // namespace geneva::loads

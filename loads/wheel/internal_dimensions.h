@@ -18,7 +18,7 @@ double slot_bottom_centre(const InternalDimensions& dimensions);
 /// Refused: what check_common() refuses; slot that does not reach the pin's farthest position c + r
 /// from the wheel's axis; slots into each other, slot through the rim, locking arc that misses the
 /// inner rim, locking arc into slot.
-/// @throws std::invalid_argument with the numbers that clash and what to change
+/// @throws base::InputError with the numbers that clash and what to change
 void check(const InternalDimensions& dimensions);
 
 }  // namespace geneva::loads

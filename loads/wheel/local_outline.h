@@ -16,7 +16,7 @@ struct LocalDimensions {
 
 /// Refused: lengths not positive and finite; core not inside the pin; block narrower than the pin
 /// or shallower than half of it.
-/// @throws std::invalid_argument with the numbers that clash and what to change
+/// @throws base::InputError with the numbers that clash and what to change
 void check(const LocalDimensions& dimensions);
 
 /// Block and pin that touch at the origin, material of the block at 0 <= y <= depth.
@@ -24,7 +24,7 @@ void check(const LocalDimensions& dimensions);
 /// Body "wheel" is the block: surfaces "driving wall" (y = 0, |x| <= width/2), "back" (y = depth),
 /// "sides" (x = -width/2 and +width/2). Body "pin" has its centre at (0, -d/2) and its first vertex
 /// at the origin: surfaces "pin", "pin core".
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 std::vector<Outline> local_outlines(const LocalDimensions& dimensions);
 
 }  // namespace geneva::loads

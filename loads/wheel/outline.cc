@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/require.h"
 #include "loads/wheel/outline_shapes.h"
@@ -121,7 +121,7 @@ AreaMoments area_moments(const Outline& outline) {
         add_line(sum, segment.start, segment.end);
     }
   if (!(sum.one > 0.))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("area of outline '{}' is {:.6g} mm^2: it must be positive; run the outer loop "
                     "counter-clockwise and the holes clockwise",
                     outline.name, 1e6 * sum.one));

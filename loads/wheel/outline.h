@@ -41,7 +41,7 @@ struct AreaMoments {
 /// Area, centroid and polar moment by Green's theorem, exact on lines and arcs.
 ///
 /// A = 1/2 oint (x dy - y dx); J = 1/4 oint (x^2 + y^2)(x dy - y dx).
-/// @throws std::invalid_argument if the loops do not enclose a positive area
+/// @throws base::InputError if the loops do not enclose a positive area
 AreaMoments area_moments(const Outline& outline);
 
 /// The wheel in its own frame: axis at the origin, the engaged slot's centre line on +x.
@@ -50,18 +50,18 @@ AreaMoments area_moments(const Outline& outline);
 /// pushes towards +y while the wheel accelerates, and the slot's whole round bottom, which
 /// continues it), "opposite wall" (y = -slot_width/2 of that slot), "slots" (the other slots),
 /// "locking arcs", "rim", "bore".
-/// @throws std::invalid_argument where check() does
+/// @throws base::InputError where check() does
 Outline wheel_outline(const GenevaDimensions& dimensions);
 
 /// The pin with its axis at pin_distance [m] along the engaged slot from the wheel's axis, touching
 /// the driving wall: a ring of four quarter arcs (the first vertex at the point of contact) with
 /// the core as its hole. Surfaces: "pin", "pin core".
-/// @throws std::invalid_argument where check() does, or if the pin is not beside the straight wall:
+/// @throws base::InputError where check() does, or if the pin is not beside the straight wall:
 /// between c - r and the end of the wall at sqrt((D/2)^2 - (slot_width/2)^2)
 Outline pin_outline(const GenevaDimensions& dimensions, double pin_distance);
 
 /// J = density * thickness * polar moment of area [kg m^2] of the drawn wheel about its axis.
-/// @throws std::invalid_argument where check() does, or unless the density is positive and finite
+/// @throws base::InputError where check() does, or unless the density is positive and finite
 double wheel_inertia(const GenevaDimensions& dimensions, double density);
 
 }  // namespace geneva::loads

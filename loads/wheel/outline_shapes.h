@@ -29,7 +29,7 @@ struct PinRange {
 };
 
 /// The pin touching the driving wall at y = +slot_width/2.
-/// @throws std::invalid_argument if the pin distance [m] is not in the range
+/// @throws base::InputError if the pin distance [m] is not in the range
 Outline pin_beside_wall(const CommonDimensions& dimensions, double pin_distance,
                         const PinRange& range);
 

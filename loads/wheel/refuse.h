@@ -4,12 +4,14 @@
 
 #include <stdexcept>
 
+#include "base/errors.h"
+
 namespace geneva::loads {
 
 /// Throws std::invalid_argument with the formatted message.
 template <typename... Values>
 [[noreturn]] void refuse(fmt::format_string<Values...> message, Values... values) {
-  throw std::invalid_argument(fmt::format(message, values...));
+  throw base::InputError(fmt::format(message, values...));
 }
 
 inline double mm(double metres) { return 1e3 * metres; }

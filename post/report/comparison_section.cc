@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
 
+#include "base/errors.h"
 #include "post/report/field_picture.h"
 #include "post/report/html.h"
 #include "post/report/run_section.h"
@@ -21,7 +21,7 @@ namespace {
 const json& summary_of(const ResultsDirectory& results) {
   const json* const summary = results.document("summary");
   if (summary == nullptr)
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{} holds no run: a comparison needs summary.json, which 'geneva run' writes",
                     results.path.string()));
   return *summary;

@@ -10,7 +10,7 @@ namespace geneva::post {
 /// Runs side by side, in the units of the first: the rows of their closing tables, their curves
 /// laid over each other, their pictures.
 /// @param all two or more
-/// @throws std::invalid_argument if one of them holds no run
+/// @throws base::InputError if one of them holds no run
 ReportPart comparison_part(const std::vector<ResultsDirectory>& all);
 
 }  // namespace geneva::post

@@ -7,7 +7,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
+
+#include "base/errors.h"
 
 namespace geneva::post {
 
@@ -40,8 +41,7 @@ CsvColumn column_of(const std::string& heading) {
 const CsvColumn& CsvTable::column(const std::string& name) const {
   const auto found = std::find_if(columns.begin(), columns.end(),
                                   [&](const CsvColumn& column) { return column.name == name; });
-  if (found == columns.end())
-    throw std::invalid_argument(fmt::format("there is no column '{}'", name));
+  if (found == columns.end()) throw base::InputError(fmt::format("there is no column '{}'", name));
   return *found;
 }
 
@@ -64,13 +64,13 @@ CsvTable read_csv(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
   if (!stream || !std::getline(stream, line))
-    throw std::invalid_argument(file.string() + " cannot be read");
+    throw base::InputError(file.string() + " cannot be read");
   CsvTable table;
   for (const std::string& heading : fields(line)) table.columns.push_back(column_of(heading));
   while (std::getline(stream, line)) {
     const std::vector<std::string> row = fields(line);
     if (row.size() != table.columns.size())
-      throw std::invalid_argument(
+      throw base::InputError(
           fmt::format("{}, line {}: {} fields instead of {}: the file is damaged, make it again",
                       file.string(), table.n_rows() + 2, row.size(), table.columns.size()));
     for (std::size_t i = 0; i < row.size(); ++i) {

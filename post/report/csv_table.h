@@ -21,13 +21,13 @@ struct CsvTable {
   [[nodiscard]] std::size_t n_rows() const {
     return columns.empty() ? 0 : columns.front().words.size();
   }
-  /// @throws std::invalid_argument if there is no such column
+  /// @throws base::InputError if there is no such column
   [[nodiscard]] const CsvColumn& column(const std::string& name) const;
   /// The rows whose field in a column is a word.
   [[nodiscard]] CsvTable rows_with(const std::string& column, const std::string& word) const;
 };
 
-/// @throws std::invalid_argument if the file cannot be read or a row has another number of fields
+/// @throws base::InputError if the file cannot be read or a row has another number of fields
 /// than the heading, with the row
 CsvTable read_csv(const std::filesystem::path& file);
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/errors.h"
 #include "post/report/html.h"
 #include "post/report/picture.h"
 #include "post/report/shown_values.h"
@@ -64,7 +65,7 @@ FlatMesh flat_mesh(const json& view) {
   const json& meshes = view.at("meshes");
   const auto mesh = std::find_if(meshes.begin(), meshes.end(),
                                  [&](const json& one) { return one.at("name") == name; });
-  if (mesh == meshes.end()) throw std::invalid_argument("view.json lacks the mesh " + name);
+  if (mesh == meshes.end()) throw base::InputError("view.json lacks the mesh " + name);
   const auto normal = mesh->value("normal", std::vector<double>{0., 0., 1.});
   const PictureAxes axes = axes_of({normal.at(0), normal.at(1), normal.at(2)});
   const auto points = decoded<float>(mesh->at("points"));
@@ -78,7 +79,7 @@ FlatMesh flat_mesh(const json& view) {
     result.up.push_back(dot(place, axes.up));
   }
   if (result.values.size() != result.right.size())
-    throw std::invalid_argument("view.json is damaged: points and stresses differ in number");
+    throw base::InputError("view.json is damaged: points and stresses differ in number");
   return result;
 }
 
@@ -173,7 +174,7 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
 
 std::string field_picture(const json& view) {
   if (!(view.at("half_width").get<double>() > 0.))
-    throw std::invalid_argument("view.json is damaged: the half-width is not positive");
+    throw base::InputError("view.json is damaged: the half-width is not positive");
   const FlatMesh mesh = flat_mesh(view);
   const Window window{0.5 * height / (half_widths_up * view.at("half_width").get<double>())};
   const std::array<double, 2> range = range_in(mesh, window);

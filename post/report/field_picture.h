@@ -8,7 +8,7 @@ namespace geneva::post {
 /// A picture of the von Mises stress around the contact, four half-widths up and down, in space of
 /// the cut across it: an SVG document with axes and colour bar in output units.
 /// @param view what view.json holds
-/// @throws std::invalid_argument if it is damaged
+/// @throws base::InputError if it is damaged
 std::string field_picture(const nlohmann::json& view);
 
 }  // namespace geneva::post

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "post/report/comparison_section.h"
 #include "post/report/crown_section.h"
 #include "post/report/field_picture.h"
@@ -116,7 +117,7 @@ std::string field_script(const json& view, const std::string& graphics) {
 }
 
 [[noreturn]] void refuse_damaged(const std::string& where, const std::exception& error) {
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("the results in {} lack something that a report needs ({}); make them again",
                   where, error.what()));
 }

@@ -16,12 +16,12 @@ struct Report {
 };
 
 /// The report on a results directory.
-/// @throws std::invalid_argument if a document lacks what its format promises
+/// @throws base::InputError if a document lacks what its format promises
 Report make_report(const ResultsDirectory& results, const Libraries& libraries);
 
 /// A page that shows runs side by side, in the units of the first.
 /// @param all two or more
-/// @throws std::invalid_argument if one of them holds no run, or lacks what its format promises
+/// @throws base::InputError if one of them holds no run, or lacks what its format promises
 std::string make_comparison(const std::vector<ResultsDirectory>& all, const Libraries& libraries);
 
 }  // namespace geneva::post

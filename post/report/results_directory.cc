@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/errors.h"
 #include "post/json_values.h"
 #include "post/result_files.h"
 
@@ -20,8 +21,7 @@ json read_json(const fs::path& file) {
   std::ifstream stream(file);
   json document = json::parse(stream, nullptr, false);
   if (document.is_discarded() || !document.is_object())
-    throw std::invalid_argument(file.string() +
-                                " is no JSON document: it is damaged; make it again");
+    throw base::InputError(file.string() + " is no JSON document: it is damaged; make it again");
   return document;
 }
 
@@ -29,7 +29,7 @@ void check_format(const json& document, const fs::path& file, const std::string&
   const json& versions = document.value("versions", json::object());
   const int format = versions.value("results", 0);
   if (format == results_format) return;
-  throw std::invalid_argument(fmt::format(
+  throw base::InputError(fmt::format(
       "{} has results of format {}, written by geneva {}; this program reads format {}: "
       "make them again with '{}'",
       file.string(), format == 0 ? "0 (none is named)" : std::to_string(format),
@@ -62,7 +62,7 @@ UnitSystem ResultsDirectory::units() const {
 
 ResultsDirectory read_results(const fs::path& directory) try {
   if (!fs::is_directory(directory))
-    throw std::invalid_argument(
+    throw base::InputError(
         fmt::format("{}: there is no such directory; give one with results", directory.string()));
   ResultsDirectory results{directory, {}, {}};
   for (const ResultFiles& files : result_files()) {
@@ -76,7 +76,7 @@ ResultsDirectory read_results(const fs::path& directory) try {
     for (const char* const table : tables) {
       const fs::path csv = directory / (std::string(table) + ".csv");
       if (!fs::exists(csv))
-        throw std::invalid_argument(
+        throw base::InputError(
             fmt::format("{} is missing, which belongs to {}: the results are not complete; make "
                         "them again with '{}'",
                         csv.string(), file.filename().string(), files.command));
@@ -85,7 +85,7 @@ ResultsDirectory read_results(const fs::path& directory) try {
     results.documents[files.document] = std::move(document);
   }
   if (results.documents.empty())
-    throw std::invalid_argument(fmt::format(
+    throw base::InputError(fmt::format(
         "{} holds no results: there is none of summary.json ('geneva run'), "
         "kinematics.json ('geneva kinematics'), design.json ('geneva design') and crown.json "
         "('geneva design --crown')",
@@ -96,7 +96,7 @@ ResultsDirectory read_results(const fs::path& directory) try {
   }
   return results;
 } catch (const json::exception& error) {
-  throw std::invalid_argument(
+  throw base::InputError(
       fmt::format("the results in {} lack something that a report needs ({}); make them again",
                   directory.string(), error.what()));
 }

@@ -28,7 +28,7 @@ struct ResultsDirectory {
 
 /// Reads the results of `geneva run`, `geneva kinematics`, `geneva design` and `geneva design
 /// --crown` that a directory holds.
-/// @throws std::invalid_argument if it holds none, if a file that belongs to another one is missing
+/// @throws base::InputError if it holds none, if a file that belongs to another one is missing
 /// or damaged, or if one was written in another format than this program's
 ResultsDirectory read_results(const std::filesystem::path& directory);
 

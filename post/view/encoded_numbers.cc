@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/errors.h"
+
 namespace geneva::post {
 
 std::string encoded_bytes(const std::vector<unsigned char>& bytes) {
@@ -16,7 +18,7 @@ std::string encoded_bytes(const std::vector<unsigned char>& bytes) {
 std::vector<unsigned char> decoded_bytes(const std::string& text) try {
   return dealii::Utilities::decode_base64(text);
 } catch (const boost::archive::iterators::dataflow_exception&) {
-  throw std::invalid_argument("the text is not in base 64");
+  throw base::InputError("the text is not in base 64");
 }
 
 namespace {

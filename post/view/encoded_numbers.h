@@ -2,14 +2,15 @@
 
 #include <cstdint>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "base/errors.h"
 
 namespace geneva::post {
 
 /// Bytes in base 64, and back.
-/// @throws std::invalid_argument if the text is not in base 64
+/// @throws base::InputError if the text is not in base 64
 std::string encoded_bytes(const std::vector<unsigned char>& bytes);
 std::vector<unsigned char> decoded_bytes(const std::string& text);
 
@@ -21,12 +22,11 @@ std::string encoded(const std::vector<Number>& numbers) {
   return encoded_bytes(bytes);
 }
 
-/// @throws std::invalid_argument if the text does not hold whole numbers
+/// @throws base::InputError if the text does not hold whole numbers
 template <typename Number>
 std::vector<Number> decoded(const std::string& text) {
   const std::vector<unsigned char> bytes = decoded_bytes(text);
-  if (bytes.size() % sizeof(Number) != 0)
-    throw std::invalid_argument("encoded numbers are cut off");
+  if (bytes.size() % sizeof(Number) != 0) throw base::InputError("encoded numbers are cut off");
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   return numbers;

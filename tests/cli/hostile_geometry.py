@@ -79,7 +79,7 @@ class HostileGeometry(CliTest):
     def test_that_never_ends_is_ended(self):
         for line in ("Field[1] = Octree; Field[1].InField = 1; Background Field = 1;",
                      "Mesh.Smoothing = 2000000000;", "Transfinite Curve {:} = 5000;",
-                     20 * "RefineMesh;", "Point(102) = {1, 0, 1e300}; Line(102) = {1, 102};"):
+                     "Mesh 2;" + 20 * "RefineMesh;", "Point(102) = {1, 0, 1e300}; Line(102) = {1, 102};"):
             with self.subTest(line):
                 case, run = self.run_geometry(BLOCK + line)
                 self.assert_refused(run, case, (1, 2))
@@ -91,10 +91,12 @@ class HostileGeometry(CliTest):
                 self.assert_refused(run, case, (1, 2))
 
     def test_drawn_wheels_beyond_all_measure_are_solved_or_refused(self):
-        for line, code in (("Bore radius = 1 nm", 1), ("Pin diameter = 0.1 mm", 0)):
-            with self.subTest(line):
-                case = self.copy_case("johnson-optimum-wheel", line.split()[0].lower())
-                geneva_cli.replace_in(case / "case.prm", "= 4.53 in", f"= 120 mm\n  set {line}")
+        for name, value, code in (("Bore radius", "1 nm", 1), ("Pin diameter", "0.1 mm", 0)):
+            with self.subTest(name):
+                case = self.copy_case("johnson-optimum-wheel", name.split()[0].lower())
+                text = (case / "case.prm").read_text()
+                text = geneva_cli.set_parameter(text, "Mechanism/Wheel diameter", "120 mm")
+                (case / "case.prm").write_text(geneva_cli.set_parameter(text, f"Mechanism/{name}", value))
                 run = self.geneva("run", case, time_limit=60)
                 self.assertEqual(run.code, code, run.describe())
                 if code:

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/output_directory.h"
 #include "tests/unit/app/case_directory.h"
 
 namespace {
@@ -175,21 +174,6 @@ TEST(Design, SeveralCasesStandSideBySide) {
   const std::size_t twist = table.find("  twist [rad]");
   ASSERT_NE(twist, std::string::npos);
   EXPECT_NE(table.substr(twist, 90).find(" - "), std::string::npos);  // the first has no shaft
-}
-
-TEST(WriteAndRename, MakesTheDirectoryAndLeavesNothingElse) {
-  const CaseDirectory directory("");
-  geneva::app::write_and_rename(directory.path() / "a" / "b" / "file", "text");
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(directory.path() / "a" / "b"))
-    found.push_back(entry.path().filename());
-  EXPECT_EQ(found, std::vector<fs::path>{"file"});
-}
-
-TEST(WriteAndRename, AFileInTheWayIsRefused) {
-  const CaseDirectory directory("");
-  EXPECT_THROW(geneva::app::write_and_rename(directory.path() / "case.prm" / "file", "text"),
-               std::invalid_argument);
 }
 
 }  // namespace

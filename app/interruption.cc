@@ -1,0 +1,102 @@
+#include "app/interruption.h"
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <ctime>
+#include <exception>
+#include <new>
+#include <string>
+#include <thread>
+
+#include "app/ending.h"
+#include "app/exit_code.h"
+#include "app/launch.h"
+#include "base/undo.h"
+
+namespace geneva::app {
+
+namespace {
+
+sigset_t interruptions() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+  return signals;
+}
+
+const char* name_of(const int signal) {
+  return signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : "SIGHUP";
+}
+
+/// What another rank's failure asks of this one, once.
+void look_at_other_ranks() {
+  if (!is_launched_as_first_rank() || failure_on_this_machine() != Failure::alone) return;
+  base::undo_all();
+  note_that_all_is_undone();
+}
+
+int next_interruption() {
+  const sigset_t signals = interruptions();
+  const timespec patience{0, 100'000'000};
+  while (true) {
+    const int signal = sigtimedwait(&signals, nullptr, &patience);
+    if (signal > 0) return signal;
+    look_at_other_ranks();
+  }
+}
+
+void wait_for_interruption() {
+  const int signal = next_interruption();
+  const sigset_t signals = interruptions();
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the process
+  base::undo_all();
+  if (is_launched_as_first_rank() && failure_on_this_machine() == Failure::none) {
+    const std::string text =
+        fmt::format("\ngeneva: interrupted ({}); nothing was left half written\n", name_of(signal));
+    (void)!::write(STDERR_FILENO, text.data(), text.size());
+  }
+  _exit(128 + signal);
+}
+
+/// For watch_for_termination(): the process has one handler of each kind.
+std::string* task = nullptr;
+std::atomic<bool> memory_ran_out{false};
+
+[[noreturn]] void note_memory() {
+  memory_ran_out = true;
+  throw std::bad_alloc();
+}
+
+[[noreturn]] void end_at_once() {
+  base::undo_all();
+  const std::string why = memory_ran_out ? "memory ran out" : "internal error: a library gave up";
+  const std::string text = fmt::format("geneva: {} ({})\n", why, *task);
+  (void)!::write(STDERR_FILENO, text.data(), text.size());
+  _exit(memory_ran_out ? not_converged : internal_error);
+}
+
+}  // namespace
+
+void watch_for_interruption() {
+  const sigset_t signals = interruptions();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  // A reader that has gone, or a file that may not grow, shows in what the write returns. Blocked,
+  // not ignored: libraries set their own handlers.
+  sigset_t of_writing;
+  sigemptyset(&of_writing);
+  for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&of_writing, signal);
+  pthread_sigmask(SIG_BLOCK, &of_writing, nullptr);
+  std::thread(wait_for_interruption).detach();
+}
+
+void watch_for_termination(const std::string& about) {
+  task = new std::string(about);
+  std::set_new_handler(note_memory);
+  std::set_terminate(end_at_once);
+}
+
+}  // namespace geneva::app

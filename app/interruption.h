@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace geneva::app {
+
+/// From here on SIGINT, SIGTERM and SIGHUP end the process within moments: what is half done is put
+/// away (base::Undo), rank 0 says so, and the exit code is 128 and the signal's number. A second
+/// signal ends it at once.
+///
+/// A thread waits for them, so that no computation has to look. To be called before other threads
+/// start, which inherit that the signals do not interrupt them.
+void watch_for_interruption();
+
+/// From here on an exception that nothing can catch, in the end of a library's object, ends the
+/// process with a sentence, too: with exit code 2 if memory ran out, else 3.
+/// @param about as in exit_code_of()
+void watch_for_termination(const std::string& about);
+
+}  // namespace geneva::app

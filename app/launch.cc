@@ -1,0 +1,47 @@
+#include "app/launch.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "app/exit_code.h"
+#include "base/errors.h"
+
+namespace geneva::app {
+
+bool is_launched_as_first_rank() {
+  for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (const char* const rank = std::getenv(name)) return std::string(rank) == "0";
+  return true;
+}
+
+void check_address_space() {
+  constexpr rlim_t least = 1'000'000'000;  // with 0.6 GB the start of MPI hung
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur < least)
+    throw base::InputError(
+        fmt::format("the address space of this process is limited to {:.3g} GB; it needs at least "
+                    "{:.3g} GB: raise the limit (ulimit -v)",
+                    1e-9 * static_cast<double>(limit.rlim_cur), 1e-9 * static_cast<double>(least)));
+}
+
+std::string command_text(const int argc, char** const argv) {
+  std::string text;
+  for (int i = 1; i < argc; ++i) text += (i > 1 ? " " : "") + std::string(argv[i]);
+  return text;
+}
+
+int with_output_checked(const int code) {
+  std::cout.flush();
+  const bool is_complete = std::cout.good() && std::fflush(stdout) == 0;
+  if (is_complete || errno == EPIPE || code != 0) return code;
+  std::cerr << "geneva: cannot write all of standard output\n";
+  return wrong_input;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,156 @@
+"""Whatever the system fails at, a results directory holds old or new results whole.
+
+faults.cc counts the calls of a run that write below its case's directory (write, open, rename, fsync, mkdir, link ...)
+and its allocations, and makes the n-th fail. GENEVA_FAULTS=all tries every n, else so many that it takes a minute.
+"""
+
+import errno
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import unittest
+
+import geneva_cli
+from geneva_cli import CliTest, read_summary
+
+SHIM = pathlib.Path()
+TRIES = None if os.environ.get("GENEVA_FAULTS") == "all" else 12
+TIME_LIMIT = 60
+
+
+def some_of(count, tries=TRIES):
+    """Numbers from 1 to count, all or evenly chosen."""
+    if tries is None or tries >= count:
+        return range(1, count + 1)
+    return sorted({1 + i * (count - 1) // (tries - 1) for i in range(tries)})
+
+
+class Faults(CliTest):
+
+    def setUp(self):
+        super().setUp()
+        self.case = self.copy_case("hertz-line-contact", "case")
+        text = (self.case / "case.prm").read_text()
+        self.text = geneva_cli.set_parameter(text, "Accuracy", "5 %")
+        self.titled("old")
+        self.run_case(self.case)
+        self.old = self.content()
+        self.titled("new")
+
+    def titled(self, title):
+        (self.case / "case.prm").write_text(geneva_cli.set_parameter(self.text, "Title", title))
+
+    def content(self):
+        return {path.name: path.read_bytes() for path in (self.case / "results").iterdir()}
+
+    def run_failing(self, **faults):
+        environment = {**geneva_cli.environment(), "LD_PRELOAD": str(SHIM), "GENEVA_FAULT_PATH": str(self.case)}
+        for name, value in faults.items():
+            environment[f"GENEVA_FAULT_{name.upper()}"] = str(value)
+        return subprocess.run([str(self.program), "run", str(self.case)], env=environment, capture_output=True,
+                              text=True, timeout=TIME_LIMIT, check=False)
+
+    def counted(self):
+        """Calls and allocations of a run that succeeds; its results are taken back."""
+        file = self.directory / "count"
+        run = self.run_failing(count=file)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.new_names = {path.name for path in (self.case / "results").iterdir()}
+        self.put_back()
+        return max(tuple(map(int, line.split())) for line in file.read_text().splitlines())  # Open MPI's daemon counts, too
+
+    def put_back(self):
+        for path in (self.case / "results").iterdir():
+            path.unlink()
+        for name, content in self.old.items():
+            (self.case / "results" / name).write_bytes(content)
+
+    def assert_whole(self, must_be_new=None):
+        """Old or new results whole, which of them.
+
+        must_be_new -- whether a run says that it succeeded
+        """
+        is_new = read_summary(self.case / "results")["case"]["title"] == "new"
+        if is_new:
+            names = {path.name for path in (self.case / "results").iterdir()}
+            self.assertEqual(names - {"solution.1.vtu", "solution.2.vtu"}, self.new_names)  # pieces of other ranks
+            for name in ("case.prm", "report.html"):
+                self.assertIn("new", (self.case / "results" / name).read_text())
+            self.put_back()
+        else:
+            self.assertEqual(self.content(), self.old)
+        if must_be_new:
+            self.assertTrue(is_new, "exit code 0 without the new results")
+        return is_new
+
+    def assert_nothing_is_left(self):
+        self.assertEqual([path.name for path in self.case.iterdir() if path.name.startswith(".")], [])
+
+    def check(self, run, **faults):
+        with self.subTest(**faults):
+            self.assertIn(run.returncode, (0, 1), run.stderr)
+            self.assert_whole(must_be_new=run.returncode == 0)
+            self.assert_nothing_is_left()
+            if run.returncode == 1:
+                self.assertIn(os.strerror(errno.ENOSPC), run.stderr)
+                self.assertEqual(len(run.stderr.strip().splitlines()), 1, run.stderr)
+
+    def test_every_call_that_writes_may_fail(self):
+        calls, _ = self.counted()
+        self.assertGreater(calls, 20)
+        for n in some_of(calls):
+            self.check(self.run_failing(at=n), at=n)
+
+    def test_the_disk_may_be_full_from_any_call_on(self):
+        calls, _ = self.counted()
+        for n in some_of(calls):
+            self.check(self.run_failing(at=n, **{"for": "all"}), at=n, on="all")
+
+    def test_it_may_be_killed_at_any_call_that_writes(self):
+        calls, _ = self.counted()
+        seen = set()
+        for n in some_of(calls):
+            with self.subTest(killed_at=n):
+                run = self.run_failing(at=n, kill=1)
+                self.assertEqual(run.returncode, -signal.SIGKILL)
+                seen.add(self.assert_whole())
+        self.assertIn(False, seen)
+        self.titled("old")
+        self.run_case(self.case)  # mends what the kills left
+        self.assert_nothing_is_left()
+
+    def test_memory_may_run_out_at_any_allocation(self):
+        _, allocations = self.counted()
+        for n in some_of(allocations, None if TRIES is None else 2 * TRIES):
+            with self.subTest(allocation=n):
+                run = self.run_failing(new=n)
+                self.assert_whole(must_be_new=run.returncode == 0)
+                self.assertIn(run.returncode, (0, 1, 2, 3), run.stderr)
+                self.assert_nothing_is_left()
+
+    def test_memory_may_run_out_on_one_rank_only(self):
+        """One message, no rank that waits for ever, nothing left behind."""
+        _, allocations = self.counted()
+        for rank in (0, 1, 2):
+            for n in some_of(allocations // 3, 3):
+                with self.subTest(rank=rank, allocation=n):
+                    run = self.run_on_three_ranks(rank, n)
+                    self.assert_whole(must_be_new=run.returncode == 0)
+                    self.assertIn(run.returncode, (0, 2, 3), run.stderr)
+                    self.assertEqual(run.stderr.count("geneva: "), 0 if run.returncode == 0 else 1, run.stderr)
+                    self.assert_nothing_is_left()
+
+    def run_on_three_ranks(self, failing, allocation):
+        command = ["mpirun", "--allow-run-as-root", "--oversubscribe"]
+        for rank in range(3):
+            fault = ["-x", f"LD_PRELOAD={SHIM}", "-x", f"GENEVA_FAULT_NEW={allocation}"] if rank == failing else []
+            command += ["-n", "1", *fault, str(self.program), "run", str(self.case), ":"]
+        return subprocess.run(command[:-1], env=geneva_cli.environment(), capture_output=True, text=True,
+                              timeout=TIME_LIMIT, check=False)
+
+
+if __name__ == "__main__":
+    SHIM = pathlib.Path(sys.argv.pop(3))
+    geneva_cli.main()
