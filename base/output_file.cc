@@ -95,7 +95,7 @@ void synchronise(const fs::path& path) {
 
 void replace_file(const fs::path& file, const std::string& text) {
   const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::string other = (directory / ".geneva-XXXXXX").string();
+  std::string other = (directory / ".geneva-").string() + std::string(6, 'X');  // to be replaced
   const Descriptor opened(::mkostemp(other.data(), O_CLOEXEC));
   if (opened.number() < 0) refuse_by_system("cannot write into " + directory.string());
   const Undo undo([other] { ::unlink(other.c_str()); });

@@ -1,6 +1,6 @@
 """A geometry that makes Gmsh crash, run on or want all memory is an error of the case, and nothing else."""
 
-import re
+import tempfile
 
 import geneva_cli
 from geneva_cli import CRASH_SIGNS, CliTest
@@ -58,7 +58,7 @@ class HostileGeometry(CliTest):
         self.assertIn("geometry.geo", run.err, text)
         for sign in CRASH_SIGNS:
             self.assertNotIn(sign, run.err.replace("Segmentation fault)", ""), text)
-        self.assertNotRegex(run.err, r"/tmp/geneva-[A-Za-z0-9]{6}", text)
+        self.assertNotIn(tempfile.gettempdir(), run.err.replace(str(case), ""), text)
         self.assertLessEqual(len(run.err.strip().splitlines()), 3, text)
         self.assertFalse((case / "results").exists(), text)
 
