@@ -3,6 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <iostream>
+#include <mutex>
 #include <new>
 #include <thread>
 
@@ -12,19 +13,30 @@ namespace geneva::app {
 
 namespace {
 
-using Flag = std::atomic<Failure>;
+using Flag = std::atomic<FailureStage>;
 static_assert(Flag::is_always_lock_free);
 
 /// In memory that the ranks of a machine share.
 struct SharedFlag {
   MPI_Win window = MPI_WIN_NULL;
-  std::atomic<Flag*> flag = nullptr;
+  std::mutex mutex;  ///< of the pointer: the memory ends before the threads that look at it
+  Flag* flag = nullptr;
 };
 
 /// One for the process, as signals are, whose thread looks at it.
 SharedFlag& shared() {
   static auto* const one = new SharedFlag;
   return *one;
+}
+
+void note(const FailureStage stage) {
+  const std::lock_guard held(shared().mutex);
+  if (shared().flag != nullptr) *shared().flag = stage;
+}
+
+void set_flag(Flag* const flag) {
+  const std::lock_guard held(shared().mutex);
+  shared().flag = flag;
 }
 
 void share_flag(const MPI_Comm communicator) {
@@ -35,23 +47,19 @@ void share_flag(const MPI_Comm communicator) {
   void* own = nullptr;
   MPI_Win_allocate_shared(rank == 0 ? sizeof(Flag) : 0, 1, MPI_INFO_NULL, machine, &own,
                           &shared().window);
-  if (rank == 0) new (own) Flag(Failure::none);
+  if (rank == 0) new (own) Flag(FailureStage::none);
   MPI_Barrier(machine);
   MPI_Aint size = 0;
   int unit = 0;
   void* of_first = nullptr;
   MPI_Win_shared_query(shared().window, 0, &size, &unit, &of_first);
-  shared().flag = static_cast<Flag*>(of_first);
+  set_flag(static_cast<Flag*>(of_first));
   MPI_Comm_free(&machine);
-}
-
-void note(const Failure failure) {
-  if (Flag* const flag = shared().flag) *flag = failure;
 }
 
 /// Rank 0's thread for interruptions looks every tenth of a second.
 void wait_until_undone() {
-  for (int i = 0; i < 100 && failure_on_this_machine() == Failure::alone; ++i)
+  for (int i = 0; i < 100 && failure_on_this_machine() == FailureStage::alone; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
@@ -59,12 +67,12 @@ constexpr int failure_tag = 1;
 
 }  // namespace
 
-Failure failure_on_this_machine() {
-  const Flag* const flag = shared().flag;
-  return flag == nullptr ? Failure::none : flag->load();
+FailureStage failure_on_this_machine() {
+  const std::lock_guard held(shared().mutex);
+  return shared().flag == nullptr ? FailureStage::none : shared().flag->load();
 }
 
-void note_that_all_is_undone() { note(Failure::undone); }
+void note_that_all_is_undone() { note(FailureStage::undone); }
 
 Ending::Ending(const MPI_Comm communicator) {
   MPI_Comm_rank(communicator, &rank_);
@@ -76,7 +84,7 @@ Ending::Ending(const MPI_Comm communicator) {
 
 Ending::~Ending() {
   if (ranks_ == 1) return;
-  shared().flag = nullptr;
+  set_flag(nullptr);
   MPI_Win_free(&shared().window);
   MPI_Comm_free(&communicator_);
 }
@@ -117,12 +125,12 @@ void Ending::fail(const int code, const std::string& text) {
   if (speaks) {
     std::cout.flush();
     std::cerr << "geneva: " + text + "\n";
-    note(together ? Failure::said : Failure::alone);
+    note(together ? FailureStage::said : FailureStage::alone);
   }
   if (together) return;
   if (!speaks) std::this_thread::sleep_for(std::chrono::seconds(10));  // to be ended by the other
   wait_until_undone();
-  if (failure_on_this_machine() != Failure::undone) base::undo_all();
+  if (failure_on_this_machine() != FailureStage::undone) base::undo_all();
   MPI_Abort(communicator_, code);
 }
 

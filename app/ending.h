@@ -31,13 +31,13 @@ class Ending {
 };
 
 /// What ranks of this machine know of a failure: asked without MPI, from any thread.
-enum class Failure {
+enum class FailureStage {
   none,
   said,   ///< by one of them, so that the others end without a word
   alone,  ///< by one that is going to end the others
   undone  ///< as before, and rank 0 has put away what is half done
 };
-Failure failure_on_this_machine();
+FailureStage failure_on_this_machine();
 
 /// By rank 0, when it has put away what is half done.
 void note_that_all_is_undone();

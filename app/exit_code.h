@@ -10,6 +10,10 @@ namespace geneva::app {
 /// A wrong case or a machine that cannot run it; a limit or an accuracy not reached; a bug.
 enum ExitCode { wrong_input = 1, not_converged = 2, internal_error = 3 };
 
+/// What is said of an error of the program: its version, the command, and where to report it.
+/// @param about as below
+std::string bug_report(const std::string& what, const std::string& about);
+
 /// What a command returns or, if it throws, the exit code of that, after the user has been told
 /// why.
 /// @param about what was to be done, for the report of a bug: "run CASE"

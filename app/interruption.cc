@@ -34,7 +34,7 @@ const char* name_of(const int signal) {
 
 /// What another rank's failure asks of this one, once.
 void look_at_other_ranks() {
-  if (!is_launched_as_first_rank() || failure_on_this_machine() != Failure::alone) return;
+  if (!is_launched_as_first_rank() || failure_on_this_machine() != FailureStage::alone) return;
   base::undo_all();
   note_that_all_is_undone();
 }
@@ -54,7 +54,7 @@ void wait_for_interruption() {
   const sigset_t signals = interruptions();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the process
   base::undo_all();
-  if (is_launched_as_first_rank() && failure_on_this_machine() == Failure::none) {
+  if (is_launched_as_first_rank() && failure_on_this_machine() == FailureStage::none) {
     const std::string text =
         fmt::format("\ngeneva: interrupted ({}); nothing was left half written\n", name_of(signal));
     (void)!::write(STDERR_FILENO, text.data(), text.size());
@@ -73,8 +73,9 @@ std::atomic<bool> memory_ran_out{false};
 
 [[noreturn]] void end_at_once() {
   base::undo_all();
-  const std::string why = memory_ran_out ? "memory ran out" : "internal error: a library gave up";
-  const std::string text = fmt::format("geneva: {} ({})\n", why, *task);
+  const std::string why = memory_ran_out ? fmt::format("memory ran out ({})", *task)
+                                         : bug_report("an exception that cannot be caught", *task);
+  const std::string text = "geneva: " + why + "\n";
   (void)!::write(STDERR_FILENO, text.data(), text.size());
   _exit(memory_ran_out ? not_converged : internal_error);
 }

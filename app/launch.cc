@@ -6,8 +6,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 
 #include "app/exit_code.h"
 #include "base/errors.h"
@@ -20,6 +22,8 @@ bool is_launched_as_first_rank() {
   return true;
 }
 
+namespace {
+
 void check_address_space() {
   constexpr rlim_t least = 1'000'000'000;  // with 0.6 GB the start of MPI hung
   rlimit limit{};
@@ -28,6 +32,21 @@ void check_address_space() {
         fmt::format("the address space of this process is limited to {:.3g} GB; it needs at least "
                     "{:.3g} GB: raise the limit (ulimit -v)",
                     1e-9 * static_cast<double>(limit.rlim_cur), 1e-9 * static_cast<double>(least)));
+}
+
+void check_current_directory() {
+  std::error_code error;
+  (void)std::filesystem::current_path(error);
+  if (error)
+    throw base::InputError("the current directory cannot be used (" + error.message() +
+                           "): change to another one");
+}
+
+}  // namespace
+
+void check_that_mpi_can_start() {
+  check_address_space();
+  check_current_directory();
 }
 
 std::string command_text(const int argc, char** const argv) {

@@ -8,8 +8,9 @@ namespace geneva::app {
 /// is known before MPI is.
 bool is_launched_as_first_rank();
 
-/// @throws base::InputError if the process may have so little memory that MPI does not start
-void check_address_space();
+/// @throws base::InputError where MPI does not start: if the process may have too little memory, or
+/// its current directory is no more
+void check_that_mpi_can_start();
 
 /// What is to be done, as the user wrote it.
 std::string command_text(int argc, char** argv);

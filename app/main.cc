@@ -54,7 +54,7 @@ int main(int argc, char** argv) try {
   const auto asked = geneva::app::read_command_line(argc, argv);
   if (const int* code = std::get_if<int>(&asked)) return geneva::app::with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
-  geneva::app::check_address_space();
+  geneva::app::check_that_mpi_can_start();
   const std::string task = geneva::app::command_text(argc, argv);
   geneva::app::watch_for_interruption();
   geneva::app::watch_for_termination(task);

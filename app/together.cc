@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <boost/serialization/utility.hpp>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,8 @@ std::pair<Failure, std::string> outcome_of(const std::function<void()>& task) {
   try {
     task();
   } catch (const base::InputError& error) {
+    return {Failure::input, error.what()};
+  } catch (const std::filesystem::filesystem_error& error) {
     return {Failure::input, error.what()};
   } catch (const base::LimitReached& error) {
     return {Failure::limit, error.what()};

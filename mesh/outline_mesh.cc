@@ -16,15 +16,6 @@ using loads::Outline;
 using loads::Point;
 using loads::Segment;
 
-double extent(const std::vector<Outline>& outlines) {
-  double largest = 0.;
-  for (const Outline& outline : outlines)
-    for (const Loop& loop : outline.loops)
-      for (const Segment& segment : loop)
-        largest = std::max({largest, std::abs(segment.start.x), std::abs(segment.start.y)});
-  return largest;
-}
-
 /// An end of a segment and the next one's start may differ by rounding.
 constexpr double closed = 1e-9;
 
@@ -83,7 +74,7 @@ MeshSizing default_sizing(const loads::LocalDimensions& dimensions) {
 MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing,
                           Mesher& mesher, const MesherLimits& limits) {
   check_sizing(sizing);
-  check_loops(outlines, extent(outlines));
+  check_loops(outlines, loads::extent(outlines));
   const MesherAnswer answer = mesher.answer(OutlineTask{outlines, sizing}, limits);
   if (!answer.errors.empty()) throw base::InputError(answer.errors.front());
   const auto mesh = mesh_of<2>(answer.mesh);

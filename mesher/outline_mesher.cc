@@ -35,15 +35,6 @@ constexpr double good_quality = 0.2;
 /// A mesh below it is not taken at all.
 constexpr double least_quality = 0.05;
 
-double extent(const std::vector<Outline>& outlines) {
-  double largest = 0.;
-  for (const Outline& outline : outlines)
-    for (const Loop& loop : outline.loops)
-      for (const Segment& segment : loop)
-        largest = std::max({largest, std::abs(segment.start.x), std::abs(segment.start.y)});
-  return largest;
-}
-
 double scaled(double length, double factor) { return std::round(length * factor / grid) * grid; }
 
 Point scaled(Point point, double factor) {
@@ -88,7 +79,7 @@ struct AttemptResult {
 AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing& sizing,
                           const Attempt& attempt) {
   GmshSession session;
-  const double scale = extent(outlines);
+  const double scale = loads::extent(outlines);
   const std::vector<Outline> unit = scaled(outlines, 1. / scale);
   const SizeField size(unit, scaled(sizing, 1. / scale));
   AttemptResult result;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -126,6 +127,15 @@ AreaMoments area_moments(const Outline& outline) {
                     "counter-clockwise and the holes clockwise",
                     outline.name, 1e6 * sum.one));
   return {sum.one, {sum.x / sum.one, sum.y / sum.one}, sum.square};
+}
+
+double extent(const std::vector<Outline>& outlines) {
+  double largest = 0.;
+  for (const Outline& outline : outlines)
+    for (const Loop& loop : outline.loops)
+      for (const Segment& segment : loop)
+        largest = std::max({largest, std::abs(segment.start.x), std::abs(segment.start.y)});
+  return largest;
 }
 
 Outline wheel_outline(const GenevaDimensions& dimensions) {

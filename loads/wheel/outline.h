@@ -44,6 +44,9 @@ struct AreaMoments {
 /// @throws base::InputError if the loops do not enclose a positive area
 AreaMoments area_moments(const Outline& outline);
 
+/// Greatest coordinate in size, of all ends of segments [m].
+double extent(const std::vector<Outline>& outlines);
+
 /// The wheel in its own frame: axis at the origin, the engaged slot's centre line on +x.
 ///
 /// Surfaces: "driving wall" (the wall at y = +slot_width/2 of the engaged slot, which the pin

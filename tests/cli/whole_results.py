@@ -134,6 +134,22 @@ class Refusals(WholeResults):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("current directory", done.stderr)
 
+    def test_a_current_directory_that_is_no_more(self):
+        gone = self.directory / "gone"
+        gone.mkdir()
+        script = f'rmdir "$PWD" && exec "{self.program}" run case --output results'
+        done = subprocess.run(["sh", "-c", script], cwd=gone, text=True, capture_output=True,
+                              env=geneva_cli.environment(), check=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"^geneva: the current directory cannot be used \(.*\): [^\n]*\n$")
+
+    def test_too_little_address_space(self):
+        script = f'ulimit -v 900000 && exec "{self.program}" run case'
+        done = subprocess.run(["sh", "-c", script], text=True, capture_output=True,
+                              env=geneva_cli.environment(), check=False)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"^geneva: the address space [^\n]* 0\.922 GB; [^\n]*ulimit -v\)\n$")
+
     def test_a_file_in_the_way(self):
         case = self.case()
         (case / "results").write_text("a file")
