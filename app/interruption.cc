@@ -33,28 +33,28 @@ const char* name_of(const int signal) {
 }
 
 /// What another rank's failure asks of this one, once.
-void look_at_other_ranks() {
-  if (!is_launched_as_first_rank() || failure_on_this_machine() != FailureStage::alone) return;
+void look_at_other_ranks(const bool is_first) {
+  if (!is_first || failure_on_this_machine() != FailureStage::alone) return;
   base::undo_all();
   note_that_all_is_undone();
 }
 
-int next_interruption() {
+int next_interruption(const bool is_first) {
   const sigset_t signals = interruptions();
   const timespec patience{0, 100'000'000};
   while (true) {
     const int signal = sigtimedwait(&signals, nullptr, &patience);
     if (signal > 0) return signal;
-    look_at_other_ranks();
+    look_at_other_ranks(is_first);
   }
 }
 
-void wait_for_interruption() {
-  const int signal = next_interruption();
+void wait_for_interruption(const bool is_first) {
+  const int signal = next_interruption(is_first);
   const sigset_t signals = interruptions();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the process
   base::undo_all();
-  if (is_launched_as_first_rank() && failure_on_this_machine() == FailureStage::none) {
+  if (is_first && failure_on_this_machine() == FailureStage::none) {
     const std::string text =
         fmt::format("\ngeneva: interrupted ({}); nothing was left half written\n", name_of(signal));
     (void)!::write(STDERR_FILENO, text.data(), text.size());
@@ -91,7 +91,8 @@ void watch_for_interruption() {
   sigemptyset(&of_writing);
   for (const int signal : {SIGPIPE, SIGXFSZ}) sigaddset(&of_writing, signal);
   pthread_sigmask(SIG_BLOCK, &of_writing, nullptr);
-  std::thread(wait_for_interruption).detach();
+  // MPI changes the environment while it starts: it must not be read on another thread.
+  std::thread(wait_for_interruption, is_launched_as_first_rank()).detach();
 }
 
 void watch_for_termination(const std::string& about) {
