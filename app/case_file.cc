@@ -100,6 +100,12 @@ fem::Settings read_settings(const CaseSection& section, const int dimension) {
   return settings;
 }
 
+Checkpoints read_checkpoints(const CaseSection& section) {
+  const std::string word = section.text("Checkpoint");
+  if (word == "true") return Checkpoints::always;
+  return word == "false" ? Checkpoints::never : Checkpoints::automatic;
+}
+
 /// Names of the bodies and the subsections of their materials.
 std::map<std::string, SectionPath> materials_of(const Case& given) {
   if (given.mechanism)
@@ -163,6 +169,7 @@ Case read_case(const fs::path& directory) {
   } else {
     result.dimension = general.text("Dimension") == "3" ? 3 : 2;
     result.settings = read_settings(general, result.dimension);
+    result.checkpoints = read_checkpoints(general);
     const CaseSection published(values, {names::published});
     result.published_peak_pressure = published.optional_value("Peak pressure");
     result.published_source = published.text("Source");

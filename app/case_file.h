@@ -128,6 +128,13 @@ struct PathCase {
 /// Model = synthesis: dimensions of a linkage wanted.
 using SynthesisCase = std::variant<loads::QuickReturnInput, loads::CrankRockerInput, PathCase>;
 
+/// Whether a run leaves what it needs to be continued.
+enum class Checkpoints {
+  automatic,  ///< in space, once it takes a while
+  always,
+  never
+};
+
 /// Everything that a case directory asks for, SI units; it has exactly one of the three models.
 struct Case {
   std::filesystem::path directory;
@@ -135,6 +142,7 @@ struct Case {
   post::UnitSystem units;
   int dimension;           ///< 2 or 3
   fem::Settings settings;  ///< the defaults, if the model is a synthesis
+  Checkpoints checkpoints;
   std::optional<MechanismCase> mechanism;
   std::optional<GeometryCase> geometry;
   std::optional<SynthesisCase> synthesis;

@@ -17,6 +17,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   auto* run = app.add_subcommand("run", "Solve a case and write its results");
   run->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
   run->add_option("-o,--output", output, "Where the results go (default: CASE_DIR/results)");
+  bool is_continued = false;
+  run->add_flag("--continue", is_continued,
+                "Go on from the last mesh of an earlier run of this case, on any number of "
+                "processes (see 'Checkpoint' of the case file)");
   int steps = Request{}.steps;
   auto* kinematics = app.add_subcommand(
       "kinematics", "Curves and characteristic values of a mechanism's motion and pin force");
@@ -59,7 +63,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
     return app.exit(error) == 0 ? 0 : 1;
   }
   if (parameters->parsed()) return Request{Request::Command::parameters, {}, {}, steps};
-  if (run->parsed()) return Request{Request::Command::run, {case_directory}, output, steps};
+  if (run->parsed())
+    return Request{Request::Command::run, {case_directory}, output, steps, is_continued};
   if (kinematics->parsed())
     return Request{Request::Command::kinematics, {case_directory}, output, steps};
   if (report->parsed())

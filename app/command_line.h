@@ -14,6 +14,7 @@ struct Request {
                                              ///< report; for parameters none
   std::filesystem::path output;              ///< empty: results in the case's directory
   int steps = 720;                           ///< of the kinematic curves
+  bool is_continued = false;                 ///< of run: from the checkpoint
 };
 
 /// Reads the command line; prints help, version or what is wrong with it.

@@ -49,14 +49,19 @@ int next_interruption(const bool is_first) {
   }
 }
 
+/// Never put away: the other thread may be reading it.
+std::atomic<const std::string*> advice_now{nullptr};
+
 void wait_for_interruption(const bool is_first) {
   const int signal = next_interruption(is_first);
   const sigset_t signals = interruptions();
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the process
   base::undo_all();
   if (is_first && failure_on_this_machine() == FailureStage::none) {
-    const std::string text =
-        fmt::format("\ngeneva: interrupted ({}); nothing was left half written\n", name_of(signal));
+    const std::string* const advice = advice_now;
+    const std::string text = fmt::format(
+        "\ngeneva: interrupted ({}); nothing was left half written{}{}\n", name_of(signal),
+        advice == nullptr ? "" : "; ", advice == nullptr ? "" : *advice);
     (void)!::write(STDERR_FILENO, text.data(), text.size());
   }
   _exit(128 + signal);
@@ -94,6 +99,8 @@ void watch_for_interruption() {
   // MPI changes the environment while it starts: it must not be read on another thread.
   std::thread(wait_for_interruption, is_launched_as_first_rank()).detach();
 }
+
+void say_if_interrupted(const std::string& advice) { advice_now = new std::string(advice); }
 
 void watch_for_termination(const std::string& about) {
   task = new std::string(about);

@@ -12,6 +12,9 @@ namespace geneva::app {
 /// start, which inherit that the signals do not interrupt them.
 void watch_for_interruption();
 
+/// What is said beside when the process is interrupted from here on: how to go on.
+void say_if_interrupted(const std::string& advice);
+
 /// From here on an exception that nothing can catch, in the end of a library's object, ends the
 /// process with a sentence, too: with exit code 2 if memory ran out, else 3.
 /// @param about as in exit_code_of()

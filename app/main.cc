@@ -35,10 +35,10 @@ bool is_first_rank() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_
 int obey(const Request& request, std::optional<Mesher>& mesher) {
   using namespace geneva::app;
   using Command = Request::Command;
-  const auto& [command, cases, output, steps] = request;
-  if (needs_mesher(request) && is_first_rank() && !mesher)
-    mesher.emplace(geneva::mesh::mesher_beside_this_program());
-  if (command == Command::run) return run_case(MPI_COMM_WORLD, cases.front(), output, mesher);
+  const auto& [command, cases, output, steps, goes_on] = request;
+  if (is_first_rank()) start_if_needed(request, mesher);
+  if (command == Command::run)
+    return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
   if (command == Command::crown) return design_crown(MPI_COMM_WORLD, cases.front(), output, mesher);
   if (!is_first_rank()) return 0;
   if (command == Command::synthesize) return synthesize_case(cases.front(), output);

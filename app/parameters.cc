@@ -547,6 +547,13 @@ std::vector<Parameter> settings_parameters() {
        "begun "
        "that would end later."},
       {{},
+       "Checkpoint",
+       "automatic",
+       ChoiceRule{{"automatic", "true", "false"}},
+       "Whether every finished mesh is kept, so that 'geneva run --continue' goes on from the last "
+       "one when the run was ended, or with other limits or a better accuracy. 'automatic': in "
+       "space, from the first mesh that is finished after 60 s."},
+      {{},
        "Maximum active-set steps",
        "50",
        whole(1, 10000, "from 1 to 10000"),

@@ -9,8 +9,11 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/case_file.h"
+#include "app/checkpoint_file.h"
+#include "app/checkpoint_keeper.h"
 #include "app/mechanism_picture.h"
 #include "app/mechanism_results.h"
 #include "app/model.h"
@@ -210,7 +213,8 @@ template <int dim>
 std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& solution,
                                  const post::Results<dim>& results, const post::RunReport& report,
                                  const Model<dim>& model, const nlohmann::json& view,
-                                 const std::string& log, OutputDirectory& directory) {
+                                 const std::string& log, const CheckpointKeeper& checkpoints,
+                                 OutputDirectory& directory) {
   const fs::path& working = directory.working();
   if (!view.is_null()) base::write_text(post::own_file(working, "view.json"), view.dump() + "\n");
   if (model.mechanism)
@@ -224,24 +228,81 @@ std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& so
                    post::summary(solution, results, report).dump(2) + "\n");
   base::write_text(post::own_file(working, "case.prm"), given.completed);
   base::write_text(post::own_file(working, "log.txt"), log);
-  return directory.publish(write_report);
+  checkpoints.add_to(working);
+  std::vector<std::string> removed = directory.publish(write_report);
+  checkpoints.remove();
+  return removed;
 }
 
 /// Of the results on a mesh of so many unknowns [byte], at most: measured in the plane 5.3 and 13.3
-/// MB with 6 300 and 21 100, in space 5.1, 22.3 and 39.6 MB with 9 100, 46 900 and 89 300.
-double size_of_results(const double unknowns) { return 2e6 + 550. * unknowns; }
+/// MB with 6 300 and 21 100, in space 5.1, 22.3 and 39.6 MB with 9 100, 46 900 and 89 300; the
+/// checkpoint adds 25 to 35 bytes per unknown.
+double size_of_results(const double unknowns) { return 2e6 + 585. * unknowns; }
+
+std::string command_to_continue(const fs::path& case_directory, const RunRequest& request) {
+  return fmt::format("geneva run --continue {}{}", case_directory.string(),
+                     request.output.empty() ? "" : " --output " + request.output.string());
+}
+
+template <int dim>
+struct Solved {
+  fem::Solution<dim> solution;
+  std::vector<post::RunFigures> figures;  ///< by mesh
+};
+
+/// The contact problem solved, from the beginning or from a checkpoint.
+/// @param saved text of the checkpoint; empty: from the beginning
+template <int dim>
+Solved<dim> solve(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
+                  const std::string& saved, const dealii::Timer& total,
+                  CheckpointKeeper& checkpoints, ProgressDisplay& progress) {
+  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  std::optional<fem::Checkpoint<dim>> start;
+  std::vector<post::RunFigures> figures;
+  if (!saved.empty()) {
+    SavedRun<dim> run = saved_run(saved, model.mesh);
+    progress.line(
+        fmt::format("continues from a mesh of {} unknowns", run.state.history.back().dofs));
+    for (const fem::LevelRecord& level : run.state.history) progress.level(level);
+    start = std::move(run.state);
+    figures = std::move(run.figures);
+  }
+  fem::Progress<dim> watch;
+  watch.step = [&](const fem::StepReport& step) { progress.step(step); };
+  watch.level = [&](const fem::LevelRecord& level) { progress.level(level); };
+  watch.solution = [&](const fem::Solution<dim>& on_mesh) {
+    figures.push_back(run_figures(model, given, on_mesh));
+  };
+  if (checkpoints.is_wanted())
+    watch.checkpoint = [&](const fem::Checkpoint<dim>& state) {
+      if (!is_first || !checkpoints.is_due(total.wall_time())) return;
+      const std::string trouble =
+          checkpoints.keep(checkpoint_text(given, model.mesh, SavedRun<dim>{state, figures}));
+      if (!trouble.empty()) progress.warning("note: " + trouble);
+    };
+  fem::Solution<dim> solution = naming(given, [&] {
+    return fem::solve_contact(communicator, model.mesh, model.problem, given.settings, watch,
+                              start);
+  });
+  return {std::move(solution), std::move(figures)};
+}
 
 /// Mesh, solution, results and files of a case.
 template <int dim>
-int run(const MPI_Comm communicator, const Case& given, const fs::path& output,
+int run(const MPI_Comm communicator, const Case& given, const RunRequest& request,
         const dealii::Timer& total, std::optional<mesh::Mesher>& mesher) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const fs::path output = request.output.empty() ? given.directory / "results" : request.output;
+  const std::string command = command_to_continue(given.directory, request);
   std::optional<OutputDirectory> directory;
   together(communicator, [&] {
     directory.emplace(output, given, "summary", is_first);
     constexpr double few_unknowns = dim == 2 ? 5e3 : 5e4;  // the least that a case takes
     directory->check_space(size_of_results(few_unknowns));
   });
+  const std::string saved =
+      request.is_continued ? read_checkpoint(communicator, output, given) : "";
+  CheckpointKeeper checkpoints(given, output, saved, command);
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
   const Model<dim> model =
@@ -249,17 +310,13 @@ int run(const MPI_Comm communicator, const Case& given, const fs::path& output,
   const double mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
+  if (const std::string left = notice_of_unfinished(output, command);
+      !left.empty() && !request.is_continued)
+    progress.line("note: " + left);
 
   timer.restart();
-  std::vector<post::RunFigures> figures;
-  const fem::Solution<dim> solution = naming(given, [&] {
-    return fem::solve_contact(communicator, model.mesh, model.problem, given.settings,
-                              {[&](const fem::StepReport& step) { progress.step(step); },
-                               [&](const fem::LevelRecord& level) { progress.level(level); },
-                               [&](const fem::Solution<dim>& on_mesh) {
-                                 figures.push_back(run_figures(model, given, on_mesh));
-                               }});
-  });
+  const auto [solution, figures] =
+      solve(communicator, given, model, saved, total, checkpoints, progress);
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
@@ -279,23 +336,26 @@ int run(const MPI_Comm communicator, const Case& given, const fs::path& output,
   std::vector<std::string> removed;
   together(communicator, [&] {
     if (!is_first) return;
-    removed = publish(given, solution, results, report, model, view, progress.log(), *directory);
+    removed = publish(given, solution, results, report, model, view, progress.log(), checkpoints,
+                      *directory);
   });
   if (!removed.empty()) progress.line(removal_notice(removed));
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",
                             shown_path(output), total.wall_time(), report.peak_memory / 1e6));
-  return fem::is_success(solution.outcome) ? 0 : 2;
+  if (fem::is_success(solution.outcome)) return 0;
+  if (const std::string advice = checkpoints.advice(); !advice.empty())
+    progress.line(advice + ", with other limits or another accuracy");
+  return 2;
 }
 
 }  // namespace
 
-int run_case(const MPI_Comm communicator, const fs::path& case_directory, const fs::path& output,
+int run_case(const MPI_Comm communicator, const fs::path& case_directory, const RunRequest& request,
              std::optional<mesh::Mesher>& mesher) {
   const dealii::Timer total;
   const Case given = read_case(case_directory);
-  const fs::path directory = output.empty() ? given.directory / "results" : output;
-  return given.dimension == 3 ? run<3>(communicator, given, directory, total, mesher)
-                              : run<2>(communicator, given, directory, total, mesher);
+  return given.dimension == 3 ? run<3>(communicator, given, request, total, mesher)
+                              : run<2>(communicator, given, request, total, mesher);
 }
 
 }  // namespace geneva::app

@@ -9,14 +9,19 @@
 
 namespace geneva::app {
 
+/// How a run is wanted.
+struct RunRequest {
+  std::filesystem::path output;  ///< where the results go; empty: CASE_DIR/results
+  bool is_continued = false;     ///< from the checkpoint of an earlier run
+};
+
 /// Solves a case and writes its results.
-/// @param output where the results go; empty: CASE_DIR/results
 /// @param mesher on rank 0
 /// @return exit code: 0, or 2 if the accuracy was not reached (the last good results are written
 /// all the same)
-/// @throws base::InputError if the case is wrong; fem::NotConverged if there is nothing to
-/// write
+/// @throws base::InputError if the case is wrong or there is no checkpoint of it to go on from;
+/// fem::NotConverged if there is nothing to write
 int run_case(MPI_Comm communicator, const std::filesystem::path& case_directory,
-             const std::filesystem::path& output, std::optional<mesh::Mesher>& mesher);
+             const RunRequest& request, std::optional<mesh::Mesher>& mesher);
 
 }  // namespace geneva::app

@@ -28,11 +28,6 @@ constexpr const char* other_place = "give another one with --output";
       fmt::format("results directory {}: {}; {}", directory.string(), why, other_place));
 }
 
-/// Beside a directory, hidden.
-fs::path beside(const fs::path& final, const char* what) {
-  return final.parent_path() / fmt::format(".{}.{}", final.filename().string(), what);
-}
-
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored).type() != fs::file_type::not_found;
@@ -64,7 +59,7 @@ bool is_worked_in(const fs::path& directory) {
 
 void check_lengths(const fs::path& final) {
   constexpr std::size_t longest_own_name = 32;  // of the files within, and what stands beside it
-  constexpr std::size_t longest_addition = 16;
+  constexpr std::size_t longest_addition = 20;  // ".checkpoint.partial" and a dot
   std::size_t name = 0;
   for (const fs::path& part : final) name = std::max(name, part.string().size());
   const std::size_t path = final.string().size();
@@ -107,6 +102,10 @@ void move(const fs::path& from, const fs::path& to) {
 }
 
 }  // namespace
+
+fs::path beside(const fs::path& final, const std::string& what) {
+  return final.parent_path() / fmt::format(".{}.{}", final.filename().string(), what);
+}
 
 fs::path resolved(const fs::path& path) {
   const fs::path wanted = (fs::absolute(path) / "").lexically_normal().parent_path();

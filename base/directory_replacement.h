@@ -60,6 +60,9 @@ class DirectoryReplacement {
 /// @throws InputError if a link leads nowhere or to itself
 std::filesystem::path resolved(const std::filesystem::path& path);
 
+/// A hidden file or directory beside a resolved one: ".NAME.WHAT".
+std::filesystem::path beside(const std::filesystem::path& final, const std::string& what);
+
 /// Where the files of a replacement are written.
 /// @throws InputError as resolved()
 std::filesystem::path working_directory_of(const std::filesystem::path& final);

@@ -58,6 +58,29 @@ void open_to_others(const int descriptor) {
   (void)::fchmod(descriptor, 0666 & ~mask);
 }
 
+fs::path directory_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// @param descriptor of the other file, just opened; < 0 if that failed
+void replace(const fs::path& file, const std::string& text, const std::string& other,
+             const int descriptor) {
+  const Descriptor opened(descriptor);
+  if (descriptor < 0) refuse_by_system("cannot write into " + directory_of(file).string());
+  const Undo undo([other] { ::unlink(other.c_str()); });
+  try {
+    open_to_others(descriptor);
+    write_all(descriptor, text, file);
+    synchronise(descriptor, file);
+    if (::rename(other.c_str(), file.c_str()) != 0)
+      refuse_by_system("cannot write " + file.string());
+    base::synchronise(directory_of(file));
+  } catch (const InputError&) {
+    ::unlink(other.c_str());
+    throw;
+  }
+}
+
 }  // namespace
 
 std::string with_reason(const std::string& what) {
@@ -94,22 +117,16 @@ void synchronise(const fs::path& path) {
 }
 
 void replace_file(const fs::path& file, const std::string& text) {
-  const fs::path directory = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::string other = (directory / ".geneva-").string() + std::string(6, 'X');  // to be replaced
-  const Descriptor opened(::mkostemp(other.data(), O_CLOEXEC));
-  if (opened.number() < 0) refuse_by_system("cannot write into " + directory.string());
-  const Undo undo([other] { ::unlink(other.c_str()); });
-  try {
-    open_to_others(opened.number());
-    write_all(opened.number(), text, file);
-    synchronise(opened.number(), file);
-    if (::rename(other.c_str(), file.c_str()) != 0)
-      refuse_by_system("cannot write " + file.string());
-    synchronise(directory);
-  } catch (const InputError&) {
-    ::unlink(other.c_str());
-    throw;
-  }
+  std::string other = (directory_of(file) / ".geneva-").string() + std::string(6, 'X');
+  const int descriptor = ::mkostemp(other.data(), O_CLOEXEC);  // which fills the X in
+  replace(file, text, other, descriptor);
+}
+
+void replace_own_file(const fs::path& file, const std::string& text) {
+  const std::string other = file.string() + ".partial";
+  ::unlink(other.c_str());
+  const int descriptor = ::open(other.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  replace(file, text, other, descriptor);
 }
 
 }  // namespace geneva::base

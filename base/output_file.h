@@ -25,6 +25,11 @@ void synchronise(const std::filesystem::path& path);
 /// @throws InputError if that fails; the file is then as it was
 void replace_file(const std::filesystem::path& file, const std::string& text);
 
+/// The same where one process at a time writes, as the holder of a lock: what a kill leaves beside
+/// the file has a name of its own, FILE.partial, and is replaced the next time.
+/// @throws InputError if that fails; the file is then as it was
+void replace_own_file(const std::filesystem::path& file, const std::string& text);
+
 /// "cannot write FILE" and the system's reason, from errno.
 std::string with_reason(const std::string& what);
 

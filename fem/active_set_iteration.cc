@@ -143,6 +143,16 @@ class SystemOfSets {
   double assembly_seconds_ = 0.;
 };
 
+/// Evaluates the contacts.
+template <int dim>
+void evaluate_at(const Level<dim>& level, const Vector& displacement, LevelState& state) {
+  state.displacement = displacement;
+  state.forces = surface_forces(level.forced, state.displacement);
+  state.contacts.clear();
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    state.contacts.push_back(evaluate(interface, state.displacement, state.forces, level.held));
+}
+
 /// Solves the system of the current active sets to a reduction of its residual (0: to the settings'
 /// tolerance) and evaluates the contacts.
 template <int dim>
@@ -152,14 +162,18 @@ void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const
       systems.is_smoothing()
           ? systems.now().smooth(displacement)
           : systems.now().solve(displacement, settings.linear_tolerance, reduction);
-  state.displacement = displacement;
-  state.forces = surface_forces(level.forced, state.displacement);
-  state.contacts.clear();
-  for (const ContactInterface<dim>& interface : level.interfaces)
-    state.contacts.push_back(evaluate(interface, state.displacement, state.forces, level.held));
+  evaluate_at(level, displacement, state);
 }
 
 }  // namespace
+
+template <int dim>
+LevelState state_at(const Level<dim>& level, const Vector& displacement) {
+  LevelState state;
+  state.displacement.reinit(level.owned, level.ghosts, displacement.get_mpi_communicator());
+  evaluate_at(level, displacement, state);
+  return state;
+}
 
 template <int dim>
 std::optional<LevelState> solve_level(
@@ -201,6 +215,8 @@ std::optional<LevelState> solve_level(
   return std::nullopt;
 }
 
+template LevelState state_at(const Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&);
+template LevelState state_at(const Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&);
 template std::optional<LevelState> solve_level(
     const dealii::DoFHandler<2>&, Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&,
     const Settings&, const std::function<void(unsigned int, unsigned int)>&);

@@ -18,6 +18,12 @@ struct LevelState {
   bool cycled = false;  ///< the active set came back to an earlier one
 };
 
+/// The state that a displacement is on a level with its active sets.
+/// @param displacement without ghosts
+template <int dim>
+LevelState state_at(const Level<dim>& level,
+                    const dealii::TrilinosWrappers::MPI::Vector& displacement);
+
 /// Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2003); level.interfaces hold
 /// the first guess of the active sets and then the final ones.
 /// @param guess displacement to start from, without ghosts

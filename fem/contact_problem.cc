@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "base/errors.h"
@@ -55,24 +56,37 @@ class NestedIteration {
     solution_.scales = scales_of(problem, mesh);
     solution_.mesh = mesh;
     scaled_problem_ = scaled(problem, solution_.scales);
-    solution_.triangulation = mesh::make_triangulation(communicator, mesh, solution_.scales.length);
     solution_.element = std::make_unique<dealii::FESystem<dim>>(dealii::FE_Q<dim>(1), dim);
-    solution_.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution_.triangulation);
   }
 
-  Solution<dim> run() {
-    set_up_first_mesh();
-    check_rigid_motions(level_, solution_.problem);
-    check_approach(level_, scaled_problem_, solution_.scales, communicator_);
-    while (solve()) {
-      record();
-      if (finished() || !refine()) break;
+  Solution<dim> run(const std::optional<Checkpoint<dim>>& start) {
+    try {
+      iterate(start);
+    } catch (const std::bad_alloc&) {
+      go_back_to_last_mesh();
     }
     return finish();
   }
 
  private:
+  void iterate(const std::optional<Checkpoint<dim>>& start) {
+    set_up_first_mesh();
+    check_rigid_motions(level_, solution_.problem);
+    check_approach(level_, scaled_problem_, solution_.scales, communicator_);
+    if (start) {
+      restore(*start);
+      if (finished() || !refine()) return;
+    }
+    while (solve()) {
+      record();
+      if (finished() || !refine()) return;
+    }
+  }
+
   void set_up_first_mesh() {
+    solution_.triangulation =
+        mesh::make_triangulation(communicator_, solution_.mesh, solution_.scales.length);
+    solution_.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution_.triangulation);
     solution_.dof_handler->distribute_dofs(*solution_.element);
     number_by_neighbours(*solution_.dof_handler);
     make_level();
@@ -80,6 +94,7 @@ class NestedIteration {
   }
 
   void make_level() {
+    unknowns_ = solution_.dof_handler->n_dofs();
     moved_vertices_ = close_gaps(*solution_.triangulation);
     level_ = fem::make_level(*solution_.dof_handler, solution_.mesh, scaled_problem_,
                              solution_.scales, origins_);
@@ -141,20 +156,21 @@ class NestedIteration {
     constexpr double same = 0.01;
     constexpr unsigned int settled = 3;
     const auto [pair, gap] = nearest_pair();
-    same_open_gaps_ = std::abs(gap - open_gap_) < same * gap ? same_open_gaps_ + 1 : 0;
-    if (same_open_gaps_ == settled || n_refinements_ >= settings_.max_levels)
+    refinement_.same_open_gaps =
+        std::abs(gap - refinement_.open_gap) < same * gap ? refinement_.same_open_gaps + 1 : 0;
+    if (refinement_.same_open_gaps == settled || refinement_.n_refinements >= settings_.max_levels)
       throw base::InputError(fmt::format(
           "contact pair {} stays open under this load, by {:.3g} m where it is nearest: "
           "there is no contact to analyse; check the load and the distance of the "
           "bodies",
           quoted(pair), gap * solution_.scales.length));
-    open_gap_ = gap;
+    refinement_.open_gap = gap;
     for (ContactInterface<dim>& interface : level_.interfaces)
       interface.active = first_touch(interface);
     refined_ = Refined::zone;
     flag(state_.displacement);
     refine_flagged(state_.displacement);
-    ++n_refinements_;
+    ++refinement_.n_refinements;
   }
 
   /// The contact pair with the least gap, and that gap.
@@ -230,13 +246,89 @@ class NestedIteration {
     record.active_nodes = n_active_nodes();
     for (const ContactInterface<dim>& interface : level_.interfaces)
       record.nodes_across += nodes_across(interface);
-    record.seconds = timer_.wall_time();
+    record.seconds = seconds_before_ + timer_.wall_time();
     record.cycled = state_.cycled;
     record.one_solve_seconds = state_.assemble_and_solve_seconds;
     solution_.history.push_back(record);
     estimate();
     if (progress_.level) progress_.level(solution_.history.back());
     if (progress_.solution) progress_.solution(solution_);
+    save();
+  }
+
+  /// Of one rank's memory the last mesh's state is kept, too, for when it runs out.
+  void save() {
+    const bool is_alone = dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1;
+    if (!is_alone && !progress_.checkpoint) return;
+    Checkpoint<dim> checkpoint{saved_field(*solution_.dof_handler, state_.displacement),
+                               *origins_,
+                               {},
+                               solution_.history,
+                               refinement_};
+    for (const ContactInterface<dim>& interface : level_.interfaces)
+      checkpoint.active.push_back(active_places(interface));
+    if (progress_.checkpoint) progress_.checkpoint(checkpoint);
+    if (!is_alone) return;
+    last_good_ = std::move(checkpoint);
+    keep_reserve(solution_.history.back().dofs);
+  }
+
+  /// What the results of a mesh take to be written: resident memory grows by 480 bytes per unknown
+  /// then (measured in space, with 57 000), and the mesh has to be made again before. The reserve
+  /// is never touched: it takes addresses only, which are what runs out when an allocation fails.
+  void keep_reserve(const std::size_t unknowns) {
+    constexpr std::size_t least = 16U << 20U;
+    reserve_.reset();
+    for (std::size_t size = least + 1000 * unknowns; !reserve_ && size >= least; size /= 2)
+      reserve_.reset(new (std::nothrow) char[size]);
+  }
+
+  /// From the coarse mesh.
+  void restore(const Checkpoint<dim>& start) {
+    if (start.active.size() != solution_.problem.pairs.size())
+      throw base::InputError("the checkpoint does not fit this case: it has other contact pairs");
+    put_back(*solution_.triangulation, moved_vertices_);
+    refine_as(*solution_.triangulation, start.field);
+    solution_.dof_handler->distribute_dofs(*solution_.element);
+    number_by_neighbours(*solution_.dof_handler);
+    origins_ = start.origins;
+    solution_.contacts.clear();
+    smooth_.clear();
+    make_level();
+    for (std::size_t i = 0; i < start.active.size(); ++i)
+      level_.interfaces[i].active = active_at(level_.interfaces[i], start.active[i]);
+    guess_ = field_on(*solution_.dof_handler, start.field);
+    state_ = state_at(level_, guess_);
+    refinement_ = start.refinement;
+    solution_.history = start.history;
+    grading_ = start.history.back().grading;
+    refined_ = start.history.back().refined;
+    seconds_before_ = start.history.back().seconds;
+    keep_result();
+    find_smooth_parts();
+    estimate();
+  }
+
+  /// Memory ran out: the last mesh's result is made again, on a mesh of its own.
+  /// @throws base::LimitReached if there is none
+  void go_back_to_last_mesh() {
+    const std::string message = fmt::format(
+        "memory ran out on a mesh of {} unknowns; give the program more of it (other programs, "
+        "ulimit, the limit of a container)",
+        unknowns_);
+    reserve_.reset();
+    level_ = Level<dim>();
+    state_ = LevelState();
+    smooth_.clear();
+    guess_.clear();
+    solution_.contacts.clear();
+    solution_.displacement.clear();
+    solution_.dof_handler.reset();
+    solution_.triangulation.reset();
+    if (!last_good_) throw base::LimitReached(message);
+    set_up_first_mesh();
+    restore(*last_good_);
+    end(Outcome::memory_limit, message);
   }
 
   /// Greatest pressures of the pairs [Pa], as the mesh gives them.
@@ -259,7 +351,7 @@ class NestedIteration {
     surroundings_error_ = found.surroundings_error;
     if (!shows_zone_error<dim>(solution_.history) || has_spread()) zone_error_ = 1.;
     solution_.has_free_ends = has_free_ends(level_.interfaces);
-    if (!solution_.has_free_ends || surroundings_are_fine_) surroundings_error_ = 0.;
+    if (!solution_.has_free_ends || refinement_.surroundings_are_fine) surroundings_error_ = 0.;
     solution_.correction = zone_error_ < 1. ? found.correction : 0.;
     solution_.error_estimate = error_of(zone_error_, surroundings_error_);
     now.error_estimate =
@@ -330,7 +422,7 @@ class NestedIteration {
                  "over the last three refinements of the contact zone neither the number of nodes "
                  "in contact grew nor the pressure changed: finer meshes will not help; check "
                  "supports and loads, or exchange source and target of the contact pair");
-    if (n_refinements_ >= settings_.max_levels)
+    if (refinement_.n_refinements >= settings_.max_levels)
       return end(Outcome::level_limit,
                  fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "
                              "refinement levels'",
@@ -367,14 +459,14 @@ class NestedIteration {
   [[nodiscard]] bool has_spread() const {
     constexpr double greatest_ratio = 4.;
     return unevenness_now() > greatest_ratio &&
-           unevenness_now() < least_gain * unevenness_levelled_;
+           unevenness_now() < least_gain * refinement_.unevenness_levelled;
   }
 
   /// Flags the longest edges of the zones only; how wide they must be is known after the next
   /// solve.
   bool level_off() {
     refined_ = Refined::nothing;
-    unevenness_levelled_ = unevenness_now();
+    refinement_.unevenness_levelled = unevenness_now();
     const double growth = growth_by(flag_zone_part(*solution_.dof_handler, level_.interfaces,
                                                    surface_ids(), ZonePart::longest));
     return out_of_memory(growth) || out_of_time(growth);
@@ -399,7 +491,7 @@ class NestedIteration {
   /// No cell around the contact is larger than asked for: only the zone's part of the error is
   /// left.
   bool surroundings_are_fine() {
-    surroundings_are_fine_ = true;
+    refinement_.surroundings_are_fine = true;
     surroundings_error_ = 0.;
     solution_.error_estimate = zone_error_;
     solution_.history.back().error_estimate = zone_error_;
@@ -439,7 +531,7 @@ class NestedIteration {
     const auto& history = solution_.history;
     const double before = history.size() > 1 ? history[history.size() - 2].seconds : 0.;
     const double next = history.back().seconds + growth * (history.back().seconds - before);
-    const double latest = dealii::Utilities::MPI::max(next, communicator_);
+    const double latest = dealii::Utilities::MPI::max(next - seconds_before_, communicator_);
     if (latest <= settings_.max_seconds) return false;
     return end(Outcome::time_limit,
                fmt::format("the next mesh would be solved after about {:.2g} s, "
@@ -475,14 +567,14 @@ class NestedIteration {
   /// @return false if the mesh has become larger than allowed: the last one's result then stands
   bool refine() {
     last_halvings_ = refined_ == Refined::zone ? 1 : 0;
-    ++n_refinements_;
+    ++refinement_.n_refinements;
     refine_flagged(state_.displacement);
     is_ahead_ = true;
     if (refined_ == Refined::nothing) return true;
-    if (next_pressure_is_of_no_use() && n_refinements_ < settings_.max_levels) {
+    if (next_pressure_is_of_no_use() && refinement_.n_refinements < settings_.max_levels) {
       const Vector guess = ghosted_guess();
       flag(guess);
-      ++n_refinements_;
+      ++refinement_.n_refinements;
       refine_flagged(guess);
       last_halvings_ = 2;
     }
@@ -593,7 +685,7 @@ class NestedIteration {
   dealii::Timer timer_;
   Solution<dim> solution_;
   std::optional<SurfaceOrigins<dim>> origins_;
-  unsigned int n_refinements_ = 0;
+  RefinementState refinement_;
   Refined refined_ = Refined::nothing;  ///< by the last refinement
   unsigned int last_halvings_ = 0;      ///< of the contact's cells between the last two meshes
   std::vector<ArcIntervals> smooth_;    ///< by pair, see ContactInterface
@@ -603,10 +695,10 @@ class NestedIteration {
   Vector guess_;
   double zone_error_ = 1.;  ///< of the pressure that solution_.error_estimate speaks of
   double surroundings_error_ = 1.;
-  bool surroundings_are_fine_ = false;  ///< no cell around the contact is larger than asked for
-  double open_gap_ = std::numeric_limits<double>::max();  ///< least gap of the last open mesh
-  unsigned int same_open_gaps_ = 0;  ///< meshes in a row that left it as it was
-  double unevenness_levelled_ = std::numeric_limits<double>::max();  ///< before the last levelling
+  std::size_t unknowns_ = 0;                  ///< of the mesh being solved or refined
+  std::optional<Checkpoint<dim>> last_good_;  ///< on one rank
+  std::unique_ptr<char[]> reserve_;           ///< for that
+  double seconds_before_ = 0.;                ///< of the runs that this one continues
   bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
   double memory_at_start_ = peak_memory();
 };
@@ -616,15 +708,18 @@ class NestedIteration {
 template <int dim>
 Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,
-                            const Progress<dim>& progress) {
+                            const Progress<dim>& progress,
+                            const std::optional<Checkpoint<dim>>& start) {
   check(problem, mesh);
   check_stiffness_ratio(problem, mesh);
-  return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run();
+  return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run(start);
 }
 
 template Solution<2> solve_contact(MPI_Comm, const mesh::MeshData<2>&, const Problem<2>&,
-                                   const Settings&, const Progress<2>&);
+                                   const Settings&, const Progress<2>&,
+                                   const std::optional<Checkpoint<2>>&);
 template Solution<3> solve_contact(MPI_Comm, const mesh::MeshData<3>&, const Problem<3>&,
-                                   const Settings&, const Progress<3>&);
+                                   const Settings&, const Progress<3>&,
+                                   const std::optional<Checkpoint<3>>&);
 
 }  // namespace geneva::fem

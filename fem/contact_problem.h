@@ -3,8 +3,10 @@
 #include <mpi.h>
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
+#include "fem/checkpoint.h"
 #include "fem/problem.h"
 #include "fem/solution.h"
 #include "mesh/mesh_data.h"
@@ -34,18 +36,25 @@ struct Progress {
   std::function<void(const LevelRecord&)> level;
   /// After every mesh, the last of whose records is that of `history`.
   std::function<void(const Solution<dim>&)> solution;
+  /// After those; collects the mesh and the displacement.
+  std::function<void(const Checkpoint<dim>&)> checkpoint;
 };
 
 /// Solves frictionless contact by nested iteration: solve, estimate, refine, until the peak contact
 /// pressure is as accurate as asked.
 /// @param mesh coarse mesh, SI units, the same on all ranks
+/// @param start where an earlier run on this mesh and problem ended, the same on all ranks; the
+/// accuracy may be another
 /// @return the last converged state; `outcome` tells whether the accuracy was reached
 /// @throws base::InputError where check() and check_rigid_motions() do, and if the load opens
-/// all contact
+/// all contact, or `start` does not fit
 /// @throws NotConverged if not even the first mesh gave a state
+/// @throws base::LimitReached if memory runs out and there is no result yet, or there are several
+/// ranks
 template <int dim>
 Solution<dim> solve_contact(MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,
-                            const Progress<dim>& progress);
+                            const Progress<dim>& progress,
+                            const std::optional<Checkpoint<dim>>& start = std::nullopt);
 
 }  // namespace geneva::fem

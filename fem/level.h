@@ -12,14 +12,6 @@
 
 namespace geneva::fem {
 
-/// Where arc lengths are counted from, for both surfaces of every pair, on every mesh; not used in
-/// space.
-template <int dim>
-struct SurfaceOrigins {
-  std::vector<dealii::Point<dim>> source;
-  std::vector<dealii::Point<dim>> target;
-};
-
 /// Everything that belongs to one mesh of the nested iteration, in the units of the triangulation.
 template <int dim>
 struct Level {

@@ -3,7 +3,7 @@
 #include <hdf5.h>
 
 #include <array>
-#include <stdexcept>
+#include <new>
 #include <string_view>
 #include <utility>
 
@@ -13,9 +13,10 @@ namespace geneva::post {
 
 namespace {
 
+/// Of a file in memory nothing else can fail.
 template <typename Result>
-Result checked(const Result result, const std::string& what) {
-  if (result < 0) throw std::runtime_error("HDF5 cannot " + what);
+Result checked(const Result result) {
+  if (result < 0) throw std::bad_alloc();
   return result;
 }
 
@@ -52,19 +53,17 @@ class Hdf5Image::Handle {
 Hdf5Image::Hdf5Image() {
   H5Eset_auto(H5E_DEFAULT, nullptr, nullptr);  // failures are thrown, not printed
   constexpr std::size_t growth = 64U << 10U;   // so much of the end may be empty
-  access_ = std::make_unique<Handle>(checked(H5Pcreate(H5P_FILE_ACCESS), "begin a file"), H5Pclose);
-  checked(H5Pset_fapl_core(access_->id(), growth, 0), "begin a file in memory");
+  access_ = std::make_unique<Handle>(checked(H5Pcreate(H5P_FILE_ACCESS)), H5Pclose);
+  checked(H5Pset_fapl_core(access_->id(), growth, 0));
   file_ = std::make_unique<Handle>(
-      checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access_->id()), "begin a file"),
-      H5Fclose);
+      checked(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access_->id())), H5Fclose);
 }
 
 Hdf5Image::~Hdf5Image() = default;
 
 void Hdf5Image::add_group(const std::string& name) {
   const Handle group(
-      checked(H5Gcreate2(file_->id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-              "add " + name),
+      checked(H5Gcreate2(file_->id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
       H5Gclose);
 }
 
@@ -72,12 +71,10 @@ template <typename Number>
 void Hdf5Image::add_table(const std::string& name, const std::size_t rows,
                           const std::size_t columns) {
   const Sizes sizes{rows, columns};
-  const Handle space(
-      checked(H5Screate_simple(columns == 0 ? 1 : 2, sizes.data(), nullptr), "add " + name),
-      H5Sclose);
+  const Handle space(checked(H5Screate_simple(columns == 0 ? 1 : 2, sizes.data(), nullptr)),
+                     H5Sclose);
   const Handle table(checked(H5Dcreate2(file_->id(), name.c_str(), type_of<Number>(), space.id(),
-                                        H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                             "add " + name),
+                                        H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)),
                      H5Dclose);
 }
 
@@ -85,30 +82,25 @@ template <typename Number>
 void Hdf5Image::fill(const std::string& name, const std::size_t first_row,
                      const std::vector<Number>& values) {
   if (values.empty()) return;
-  const Handle table(checked(H5Dopen2(file_->id(), name.c_str(), H5P_DEFAULT), "find " + name),
-                     H5Dclose);
-  const Handle space(checked(H5Dget_space(table.id()), "find " + name), H5Sclose);
+  const Handle table(checked(H5Dopen2(file_->id(), name.c_str(), H5P_DEFAULT)), H5Dclose);
+  const Handle space(checked(H5Dget_space(table.id())), H5Sclose);
   Sizes sizes{0, 1};
-  const int rank = checked(H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr),
-                           "tell the size of " + name);
+  const int rank = checked(H5Sget_simple_extent_dims(space.id(), sizes.data(), nullptr));
   const Sizes start{first_row, 0};
   const Sizes count{values.size() / sizes[1], sizes[1]};
+  checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
+                              nullptr));
+  const Handle memory(checked(H5Screate_simple(rank, count.data(), nullptr)), H5Sclose);
   checked(
-      H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-      "fill " + name);
-  const Handle memory(checked(H5Screate_simple(rank, count.data(), nullptr), "fill " + name),
-                      H5Sclose);
-  checked(
-      H5Dwrite(table.id(), type_of<Number>(), memory.id(), space.id(), H5P_DEFAULT, values.data()),
-      "fill " + name);
+      H5Dwrite(table.id(), type_of<Number>(), memory.id(), space.id(), H5P_DEFAULT, values.data()));
 }
 
 void Hdf5Image::write(const std::filesystem::path& file) const {
-  checked(H5Fflush(file_->id(), H5F_SCOPE_GLOBAL), "finish a file");
+  checked(H5Fflush(file_->id(), H5F_SCOPE_GLOBAL));
   void* place = nullptr;
-  checked(H5Fget_vfd_handle(file_->id(), access_->id(), &place), "finish a file");
+  checked(H5Fget_vfd_handle(file_->id(), access_->id(), &place));
   hsize_t size = 0;
-  checked(H5Fget_filesize(file_->id(), &size), "finish a file");
+  checked(H5Fget_filesize(file_->id(), &size));
   base::write_text(file, std::string_view(*static_cast<const char* const*>(place), size));
 }
 

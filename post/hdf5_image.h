@@ -12,7 +12,7 @@ namespace geneva::post {
 /// a disk that fails it.
 class Hdf5Image {
  public:
-  /// @throws std::runtime_error, like all others, if the library has no memory left
+  /// @throws std::bad_alloc, like all others, if the library has no memory left
   Hdf5Image();
   ~Hdf5Image();
   Hdf5Image(const Hdf5Image&) = delete;

@@ -22,7 +22,7 @@ const std::vector<ResultFiles>& result_files() {
        "geneva run",
        {"contact"},
        {"sections.csv", "depth.csv", "contact.vtu", "solution.pvd", "solution.pvtu", "results.h5",
-        "results.xdmf", "view.json", "stress.svg", "case.prm", "log.txt"},
+        "results.xdmf", "view.json", "stress.svg", "case.prm", "log.txt", "checkpoint.bin"},
        true},
       {"kinematics", "geneva kinematics", {"kinematics"}, {}, true},
       {"design", "geneva design", {"design"}, {}, true},

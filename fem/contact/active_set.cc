@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 
+#include "base/errors.h"
 #include "fem/contact/surface_in_space.h"
 
 namespace geneva::fem {
@@ -201,6 +202,33 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
 }
 
 template <int dim>
+std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& interface) {
+  std::vector<dealii::Point<dim>> places;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    if (interface.active[i])
+      places.push_back(interface.source.nodes[interface.rows[i].node].position);
+  return places;
+}
+
+template <int dim>
+std::vector<bool> active_at(const ContactInterface<dim>& interface,
+                            const std::vector<dealii::Point<dim>>& places) {
+  const double same = 1e-9 * interface.source.length;
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  std::vector<bool> active;
+  active.reserve(interface.rows.size());
+  for (const MortarRow<dim>& row : interface.rows) {
+    const dealii::Point<dim>& place = interface.source.nodes[row.node].position;
+    std::vector<std::size_t> nearest;
+    tree.query(boost::geometry::index::nearest(place, 1), std::back_inserter(nearest));
+    active.push_back(!nearest.empty() && place.distance(places[nearest.front()]) < same);
+  }
+  if (std::count(active.begin(), active.end(), true) != static_cast<std::ptrdiff_t>(places.size()))
+    throw base::InputError("the checkpoint does not fit this case: its contact has other nodes");
+  return active;
+}
+
+template <int dim>
 std::vector<bool> active_nodes(const ContactInterface<dim>& interface) {
   return nodes_of(interface, interface.active);
 }
@@ -347,6 +375,12 @@ template ContactState evaluate(const ContactInterface<3>&,
                                const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
+template std::vector<dealii::Point<2>> active_places(const ContactInterface<2>&);
+template std::vector<dealii::Point<3>> active_places(const ContactInterface<3>&);
+template std::vector<bool> active_at(const ContactInterface<2>&,
+                                     const std::vector<dealii::Point<2>>&);
+template std::vector<bool> active_at(const ContactInterface<3>&,
+                                     const std::vector<dealii::Point<3>>&);
 template std::vector<bool> active_nodes(const ContactInterface<2>&);
 template std::vector<bool> active_nodes(const ContactInterface<3>&);
 template std::vector<bool> zone_rows(const ContactInterface<2>&);

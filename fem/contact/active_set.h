@@ -51,6 +51,16 @@ std::vector<bool> inherited(const ContactInterface<2>& interface,
 std::vector<bool> inherited(const ContactInterface<3>& interface,
                             const std::vector<ContactNode<3>>& nodes, double length);
 
+/// Places of the active rows' nodes.
+template <int dim>
+std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& interface);
+
+/// The rows whose nodes stand at the places that active_places() gave on the same mesh.
+/// @throws base::InputError if a place has none
+template <int dim>
+std::vector<bool> active_at(const ContactInterface<dim>& interface,
+                            const std::vector<dealii::Point<dim>>& places);
+
 /// Which nodes of the source belong to active rows.
 template <int dim>
 std::vector<bool> active_nodes(const ContactInterface<dim>& interface);

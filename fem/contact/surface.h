@@ -48,6 +48,14 @@ struct Surface {
   double length = 0.;  ///< total arc length; in space the diagonal of the box around it
 };
 
+/// Where arc lengths are counted from, for both surfaces of every pair, on every mesh; not used in
+/// space.
+template <int dim>
+struct SurfaceOrigins {
+  std::vector<dealii::Point<dim>> source;
+  std::vector<dealii::Point<dim>> target;
+};
+
 /// From the centre of a circle or sphere, or the axis of a cylinder, to a point.
 template <int dim>
 dealii::Tensor<1, dim> radial(const mesh::Circle& circle, const dealii::Point<dim>& point);
