@@ -703,6 +703,19 @@ class NestedIteration {
   double memory_at_start_ = peak_memory();
 };
 
+/// A coarse mesh is solved whatever the limit of unknowns says, unless it is a large one.
+template <int dim>
+void check_size(const mesh::MeshData<dim>& mesh, const Settings& settings) {
+  constexpr std::size_t small = 100'000;
+  const std::size_t unknowns = dim * mesh.vertices.size();
+  if (unknowns > std::max<std::size_t>(small, settings.max_dofs))
+    throw base::LimitReached(
+        fmt::format("the coarse mesh has {} unknowns already, the limit is {}; raise 'Maximum "
+                    "unknowns', or check the dimensions: lengths of very different sizes take many "
+                    "cells",
+                    unknowns, settings.max_dofs));
+}
+
 }  // namespace
 
 template <int dim>
@@ -710,6 +723,7 @@ Solution<dim> solve_contact(const MPI_Comm communicator, const mesh::MeshData<di
                             const Problem<dim>& problem, const Settings& settings,
                             const Progress<dim>& progress,
                             const std::optional<Checkpoint<dim>>& start) {
+  check_size(mesh, settings);
   check(problem, mesh);
   check_stiffness_ratio(problem, mesh);
   return NestedIteration<dim>(communicator, mesh, problem, settings, progress).run(start);

@@ -49,8 +49,8 @@ struct Progress {
 /// @throws base::InputError where check() and check_rigid_motions() do, and if the load opens
 /// all contact, or `start` does not fit
 /// @throws NotConverged if not even the first mesh gave a state
-/// @throws base::LimitReached if memory runs out and there is no result yet, or there are several
-/// ranks
+/// @throws base::LimitReached if the coarse mesh is larger than allowed, or if memory runs out and
+/// there is no result yet, or there are several ranks
 template <int dim>
 Solution<dim> solve_contact(MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,
