@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <utility>
 
 #include "base/errors.h"
@@ -44,6 +45,17 @@ std::string name_of(const int signal) {
   }
 }
 
+/// The last that it printed, as far as it says something to a user: of a check of C that failed the
+/// place, of an exception of C++ nothing.
+std::string in_words(const std::string& message) {
+  static const std::regex check("([^/ :]+:[0-9]+): .*Assertion .* failed");
+  if (std::smatch found; std::regex_search(message, found, check))
+    return fmt::format("a check at {} failed", found[1].str());
+  for (const char* const word : {"what():", "terminate called"})
+    if (message.find(word) != message.npos) return "";
+  return message;
+}
+
 /// How it ended without an answer.
 /// @throws base::LimitReached if it says that it has no memory left
 MesherAnswer without_answer(const ProcessEnd& end, const MesherLimits& limits) {
@@ -51,7 +63,8 @@ MesherAnswer without_answer(const ProcessEnd& end, const MesherLimits& limits) {
     if (end.last_message.find(word) != std::string::npos) too_much(limits);
   std::string text = end.signal == 0 ? "Gmsh ended without a mesh"
                                      : fmt::format("Gmsh crashed ({})", name_of(end.signal));
-  if (!end.last_message.empty()) text += ", its last message: " + end.last_message;
+  const std::string message = in_words(end.last_message);
+  if (!message.empty()) text += ", its last message: " + message;
   return {json(), {text}};
 }
 

@@ -3,6 +3,9 @@
 #include <gmsh.h>
 
 #include <exception>
+#include <new>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
 
 namespace geneva::mesher {
@@ -10,6 +13,31 @@ namespace geneva::mesher {
 namespace {
 
 constexpr std::string_view error_prefix = "Error: ";
+
+/// Of std::bad_alloc and its like the own text is a name of C++, which tells a user nothing.
+constexpr const char* impossible_length =
+    "memory ran out ('Maximum memory'), or a list of impossible length is asked for";
+
+/// Runs some of Gmsh's functions.
+/// @return why they did not come to their end; nothing if they did
+std::optional<std::string> failure_of(const std::function<void()>& action) {
+  try {
+    action();
+    return std::nullopt;
+  } catch (const std::string& message) {  // what Gmsh itself throws
+    return message;
+  } catch (const std::bad_alloc&) {
+    return impossible_length;
+  } catch (const std::length_error&) {
+    return impossible_length;
+  } catch (const std::out_of_range&) {
+    return "a number is used that stands for nothing (for a node, a curve, an entry of a list)";
+  } catch (const std::exception& exception) {
+    return exception.what();
+  } catch (...) {
+    return "Gmsh met an error that it has no words for";
+  }
+}
 
 }  // namespace
 
@@ -30,14 +58,7 @@ GmshSession::~GmshSession() {
 }
 
 std::vector<std::string> GmshSession::errors_of(const std::function<void()>& action) {
-  std::vector<std::string> thrown;
-  try {
-    action();
-  } catch (const std::exception& exception) {
-    thrown.emplace_back(exception.what());
-  } catch (const std::string& message) {  // what Gmsh itself throws
-    thrown.push_back(message);
-  }
+  const std::optional<std::string> failure = failure_of(action);
   std::vector<std::string> errors;
   std::vector<std::string> messages;
   gmsh::logger::get(messages);
@@ -45,7 +66,7 @@ std::vector<std::string> GmshSession::errors_of(const std::function<void()>& act
     if (messages[i].rfind(error_prefix, 0) == 0)
       errors.push_back(messages[i].substr(error_prefix.size()));
   messages_seen_ = messages.size();
-  errors.insert(errors.end(), thrown.begin(), thrown.end());
+  if (failure) errors.push_back(*failure);
   return errors;
 }
 
