@@ -1,9 +1,12 @@
 #include "app/pin_in_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/parameters.h"
+#include "base/errors.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
 
@@ -34,12 +37,22 @@ constexpr double default_free_length = 0.25;
 
 using Grading = std::optional<mesh::Grading>;
 
+/// Of one part of the pin's length; far more than any pin needs that can be made.
+constexpr double most_layers = 1000.;
+
 /// Adds planes from the last one to `end`, in layers of about the given height in the mean.
+/// @throws base::InputError if that takes too many
 void add_layers(std::vector<double>& planes, const double end, const double height,
                 const Grading& grading) {
   const double start = planes.back();
   const double rounding = 1e-9 * height;
   if (end - start <= rounding) return;
+  if (!((end - start) / height < most_layers))
+    throw base::InputError(
+        fmt::format("a part of the pin is {:.3g} mm long, which takes {:.3g} layers of cells of "
+                    "{:.3g} mm, more than {:.0f}: its lengths do not fit its diameter or the "
+                    "contact's width",
+                    1e3 * (end - start), (end - start) / height, 1e3 * height, most_layers));
   const int layers = std::max(1, static_cast<int>(std::lround((end - start) / height)));
   const double even_start = grading ? mesh::even(*grading, start) : start;
   const double even_end = grading ? mesh::even(*grading, end) : end;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace geneva::base {
@@ -9,8 +10,13 @@ namespace geneva::base {
 inline std::string printable(std::string text) {
   constexpr std::size_t longest = 1000;
   if (text.size() > longest) text = text.substr(0, longest) + "...";
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
+  const auto byte = [&](const std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (byte(i) < ' ' || byte(i) == 0x7f) text[i] = ' ';
+    // U+0080 to U+009F, in UTF-8
+    const bool is_long = byte(i) == 0xc2 && i + 1 < text.size() && byte(i + 1) < 0xa0;
+    if (is_long) text[i] = text[i + 1] = ' ';
+  }
   return text;
 }
 

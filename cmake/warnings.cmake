@@ -7,6 +7,15 @@ if(GENEVA_SANITIZE)
   target_compile_options(geneva_warnings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
   target_link_options(geneva_warnings INTERFACE -fsanitize=address,undefined)
 endif()
+if(GENEVA_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "GENEVA_FUZZ needs clang++: cmake --preset fuzz, or scripts/fuzz")
+  endif()
+  # The warnings are those of GCC; frames for the reports.
+  target_compile_options(geneva_warnings INTERFACE
+    -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1 -Wno-error)
+  target_link_options(geneva_warnings INTERFACE -fsanitize=address,undefined)
+endif()
 
 # For code whose speed does not matter: half of the compile time of optimised template code is its optimisation.
 add_library(geneva_cold INTERFACE)

@@ -129,6 +129,27 @@ void check_boundary(const MeshData<dim>& mesh) {
       refuse("the boundary {} {} is not listed", word, between(mesh, count.side));
 }
 
+/// Refuses faces of the boundary that have three vertices in common: cells that should share a face
+/// there overlap, or leave a slit between them, which the refinement does not survive.
+void check_slits(const MeshData<3>& mesh) {
+  using Three = std::array<unsigned int, 3>;
+  std::map<Three, const Face<3>*> seen;
+  for (const Face<3>& face : mesh.faces)
+    for (std::size_t left_out = 0; left_out < face.vertices.size(); ++left_out) {
+      Three three{};
+      std::copy_if(face.vertices.begin(), face.vertices.end(), three.begin(),
+                   [&](const unsigned int& v) { return &v != &face.vertices[left_out]; });
+      std::sort(three.begin(), three.end());
+      const auto [other, is_new] = seen.emplace(three, &face);
+      if (!is_new)
+        refuse(
+            "the boundary faces {} and {} have three vertices in common: the cells behind them "
+            "overlap or leave a slit; let them share the face",
+            between(mesh, other->second->vertices), between(mesh, face.vertices));
+    }
+}
+void check_slits(const MeshData<2>& /*mesh*/) {}  // two edges have one vertex in common at most
+
 template <int dim>
 void check_circles(const MeshData<dim>& mesh) {
   for (const Face<dim>& face : mesh.faces) {
@@ -220,6 +241,7 @@ void check(const MeshData<dim>& mesh) {
   check_bodies(mesh);
   check_cells(mesh);
   check_boundary(mesh);
+  check_slits(mesh);
   check_circles(mesh);
 }
 

@@ -68,8 +68,9 @@ void check_bodies(const MeshData<dim>& mesh);
 /// Refuses a mesh that a solver cannot use.
 ///
 /// Checked: finite coordinates, indices in range, scaled Jacobian above 0.02 in every cell, every
-/// boundary face listed once and no other, every body has cells, no vertex shared by two bodies, no
-/// vertex unused, the vertices of faces on a circle, cylinder or sphere lie on it.
+/// boundary face listed once and no other, no two of them with three vertices in common, every body
+/// has cells, no vertex shared by two bodies, no vertex unused, the vertices of faces on a circle,
+/// cylinder or sphere lie on it.
 /// @throws base::InputError naming the cell, its place and what to change
 template <int dim>
 void check(const MeshData<dim>& mesh);

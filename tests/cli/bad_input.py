@@ -195,6 +195,18 @@ class Mechanisms(Refusals):
         changes = {"Mechanism/Stations": "12", "Mechanism/Wheel inertia": "Johnson"}
         self.assert_parameter_refused(MECHANISM, changes, "3 to 10")
 
+    def test_a_pin_out_of_all_proportion_is_refused_before_it_is_meshed(self):
+        case = self.copy_case("crowned-pin")
+        change_case(case, {"Mechanism/Wheel diameter": "4.53 um"})
+        self.assert_refused(case, "layers of cells")
+
+    def test_control_characters_of_a_table_do_not_reach_the_terminal(self):
+        case = self.copy_case("servo-harmonic")
+        change_case(case, {"Mechanism/Motion time": None, "Mechanism/Driver motion": "table",
+                           "Mechanism/Motion table": "motion.csv"})
+        (case / "motion.csv").write_text("time [s], angle [deg]\n0.1\x1b[2J, \u009b2J\n")
+        self.assert_refused(case, "motion.csv, line 2: '0.1 [2J,   2J'")
+
 
 class Surfaces(Refusals):
 

@@ -39,7 +39,10 @@ TEST(Errors, InputErrorsAreInvalidArgumentsAndLimitsAreNot) {
 
 TEST(Printable, ControlCharactersBecomeSpaces) {
   EXPECT_EQ(printable("a\x1b[2Jb\nc\x7f"), "a [2Jb c ");
-  EXPECT_EQ(printable("\xc3\xa9"), "\xc3\xa9");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "2J"),
+            "  2J");
+  EXPECT_EQ(printable("\xc3\xa9 \xc2\xb5m \xc2"), "\xc3\xa9 \xc2\xb5m \xc2");
 }
 
 TEST(Printable, LongTextsAreCut) {

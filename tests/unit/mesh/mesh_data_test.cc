@@ -214,5 +214,15 @@ TEST(MeshCheckInSpace, RefusesWhatASolverCannotUse) {
       "off the circle of its face");
 }
 
+TEST(MeshCheckInSpace, RefusesASlitBetweenCellsThatShareThreeOfFourVertices) {
+  MeshData<3> mesh = brick();
+  mesh.vertices.push_back({0., 2., 3.5});  // opposite vertex 7, which it leaves
+  for (const auto& [x, y] : {std::pair{0., 0.}, {1., 0.}, {1., 2.}, {0., 2.}})
+    mesh.vertices.push_back({x, y, 6.});
+  mesh.cells.push_back({{4, 5, 6, 8, 9, 10, 11, 12}, 0});
+  for (const auto& side : sides(mesh.cells[1])) mesh.faces.push_back({side, 0, -1});
+  expect_refused([&] { check(mesh); }, {"three vertices in common"});
+}
+
 }  // namespace
 }  // namespace geneva::mesh

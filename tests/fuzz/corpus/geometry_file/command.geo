@@ -1,0 +1,1 @@
+Point(1) = {0, 0, 0}; SystemCall "touch x";
