@@ -1,6 +1,9 @@
 """A results directory is replaced as a whole or not at all, whatever comes between."""
 
+import contextlib
 import os
+import pathlib
+import random
 import re
 import shutil
 import signal
@@ -12,6 +15,8 @@ from geneva_cli import CRASH_SIGNS, CliTest, read_summary, replace_in
 
 CASE = "hertz-line-contact"
 QUICK = "5 %"
+# Runs that are killed; more of them with GENEVA_KILLS.
+KILLS = int(os.environ.get("GENEVA_KILLS", "24"))
 
 
 class WholeResults(CliTest):
@@ -248,18 +253,25 @@ class Interruptions(WholeResults):
 
     def test_kills_leave_old_or_new_results_whole(self):
         """SIGKILL at moments around the end of a run."""
+        self.assert_whole_after_kills(KILLS, lambda run: run.kill())
+
+    def test_a_rank_killed_among_three_leaves_old_or_new_results_whole(self):
+        self.assert_whole_after_kills(KILLS // 4, lambda run: self.kill_rank(run, random.randrange(3)), ranks=3)
+
+    def assert_whole_after_kills(self, count, kill, **options):
         case = self.case()
-        self.run_case(case)
         text = (case / "case.prm").read_text()
-        begin = time.monotonic()
         self.run_case(case)
+        begin = time.monotonic()
+        self.start("run", case, **options).communicate(timeout=geneva_cli.TIME_LIMIT)
         length = time.monotonic() - begin
+        random.seed(1)
         seen = set()
-        for i in range(24):
+        for i in range(count):
             (case / "case.prm").write_text(geneva_cli.set_parameter(text, "Title", f"run {i}"))
-            started = self.start("run", case)
-            time.sleep(length * (0.7 + 0.02 * i))
-            started.kill()
+            started = self.start("run", case, **options)
+            time.sleep(length * (0.7 + 0.5 * i / count))
+            kill(started)
             started.communicate(timeout=30)
             titles = {self.title_in_summary(case), self.title_in_copy(case)}
             self.assertEqual(len(titles), 1, titles)
@@ -267,6 +279,18 @@ class Interruptions(WholeResults):
         self.assertIn(False, seen)
         self.run_case(case)
         self.assert_nothing_is_left_beside(case / "results")
+
+    def kill_rank(self, run, rank):
+        """Kills one of the processes that mpirun has started, if they still run."""
+        ranks = []
+        for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+            with contextlib.suppress(OSError):
+                name, parent = re.match(r"\d+ \((.*)\) \S (\d+)", status.read_text()).groups()
+                if name == self.program.name and int(parent) == run.pid:
+                    ranks.append(int(status.parent.name))
+        if rank < len(ranks):
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(sorted(ranks)[rank], signal.SIGKILL)
 
     @staticmethod
     def title_in_summary(case):

@@ -1,0 +1,53 @@
+// A program that does nothing but fail as it is told, with geneva's own ending:
+//   throwing KIND RANK
+// where all ranks but one go on to wait for each other, as in a computation; RANK all: all fail.
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include "app/ending.h"
+#include "app/exit_code.h"
+#include "app/interruption.h"
+#include "base/errors.h"
+#include "fem/contact_problem.h"
+
+namespace {
+
+const std::map<std::string, std::function<void()>> kinds{
+    {"input", [] { throw geneva::base::InputError("a wrong input"); }},
+    {"limit", [] { throw geneva::base::LimitReached("a limit"); }},
+    {"not converged", [] { throw geneva::fem::NotConverged("no state"); }},
+    {"memory", [] { throw std::bad_alloc(); }},
+    {"system",
+     [] {
+       throw std::filesystem::filesystem_error("no such place",
+                                               std::make_error_code(std::errc::io_error));
+     }},
+    {"bug", [] { throw std::logic_error("a mistake"); }},
+    {"no exception", [] { throw 42; }}};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 1;
+  const std::string kind = argv[1];
+  const std::string failing = argv[2];
+  geneva::app::watch_for_interruption();
+  geneva::app::watch_for_termination("throwing");
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  geneva::app::Ending ending(MPI_COMM_WORLD);
+  const auto command = [&] {
+    const auto rank = std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+    if (failing == "all" || failing == rank) kinds.at(kind)();
+    MPI_Barrier(MPI_COMM_WORLD);
+    return 0;
+  };
+  return geneva::app::exit_code_of(command, "throwing", ending);
+}
