@@ -284,6 +284,7 @@ Solved<dim> solve(const MPI_Comm communicator, const Case& given, const Model<di
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings, watch,
                               start);
   });
+  figures.resize(solution.history.size());  // after a failed allocation the last mesh may be gone
   return {std::move(solution), std::move(figures)};
 }
 
