@@ -117,7 +117,8 @@ TEST(ContactRadius, IsCountedFromTheAxisOnEveryMesh) {
         EXPECT_TRUE(contact.symmetric) << contact.source << ", " << contact.active_nodes;
         ++meshes;
       };
-      solve_contact(MPI_COMM_WORLD, sphere_on_block(R), problem, fem::Settings(), {{}, {}, check});
+      solve_contact(MPI_COMM_WORLD, sphere_on_block(R), problem, fem::Settings(),
+                    {{}, {}, check, {}});
       EXPECT_GE(meshes, 3U) << "the observer sees every mesh";
     }
 }
