@@ -16,6 +16,7 @@
 #include "app/parameter_text.h"
 #include "app/parameters.h"
 #include "base/errors.h"
+#include "base/printable.h"
 
 namespace geneva::app {
 
@@ -162,7 +163,7 @@ Case read_case(const fs::path& directory) {
   const CaseValues values(parameters_of(text, model, result.directory), text);
 
   const CaseSection general(values, {});
-  result.title = general.text("Title");
+  result.title = base::without_controls(general.text("Title"));
   result.units = post::unit_system_named(general.text("Output units"));
   if (model == "synthesis") {
     result.synthesis = read_synthesis(values, result.directory);

@@ -59,8 +59,15 @@ template <int dim>
 std::string checksum_of(const mesh::MeshData<dim>& mesh) {
   std::string bytes;
   append(bytes, mesh.vertices);
-  for (const mesh::Cell<dim>& cell : mesh.cells) append(bytes, std::vector{cell.vertices});
-  for (const mesh::Face<dim>& face : mesh.faces) append(bytes, std::vector{face.vertices});
+  for (const mesh::Cell<dim>& cell : mesh.cells) {
+    append(bytes, std::vector{cell.vertices});
+    append(bytes, std::vector{cell.body});
+  }
+  for (const mesh::Face<dim>& face : mesh.faces) {
+    append(bytes, std::vector{face.vertices});
+    append(bytes, std::vector{face.surface});
+    append(bytes, std::vector{face.circle});
+  }
   return base::checksum(bytes);
 }
 

@@ -54,7 +54,8 @@ void CheckpointKeeper::add_to(const fs::path& directory) const {
   if (!last_.empty()) base::write_text(post::own_file(directory, "checkpoint.bin"), last_);
 }
 
-void CheckpointKeeper::remove() const {
+void CheckpointKeeper::remove(const bool has_succeeded) const {
+  if (!has_succeeded && last_.empty()) return;
   std::error_code ignored;
   fs::remove(file_, ignored);
 }

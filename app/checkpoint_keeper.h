@@ -23,8 +23,9 @@ class CheckpointKeeper {
   std::string keep(std::string text);
   /// Puts the last one among the results.
   void add_to(const std::filesystem::path& directory) const;
-  /// Removes that beside the results, which hold it now.
-  void remove() const;
+  /// Removes that beside the results, unless it is an earlier run's, which came further than one
+  /// that has not succeeded and left none.
+  void remove(bool has_succeeded) const;
   /// How to continue the run; empty if there is no checkpoint.
   [[nodiscard]] std::string advice() const;
 

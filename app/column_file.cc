@@ -10,7 +10,6 @@
 
 #include "app/parameter_rule.h"
 #include "base/errors.h"
-#include "base/printable.h"
 
 namespace geneva::app {
 
@@ -87,7 +86,7 @@ std::array<std::vector<double>, 2> read_two_columns(const std::filesystem::path&
   ColumnReader reader(columns, example);
   std::string line;
   for (int line_number = 1; std::getline(stream, line); ++line_number) {
-    line = base::printable(trimmed(line));  // messages quote it
+    line = trimmed(line);
     if (line.empty() || line.front() == '#') continue;
     try {
       reader.read(line);

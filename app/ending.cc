@@ -7,6 +7,7 @@
 #include <new>
 #include <thread>
 
+#include "base/printable.h"
 #include "base/undo.h"
 
 namespace geneva::app {
@@ -124,7 +125,7 @@ void Ending::fail(const int code, const std::string& text) {
   const bool speaks = together ? rank_ == 0 : !a_lower_rank_fails();
   if (speaks) {
     std::cout.flush();
-    std::cerr << "geneva: " + text + "\n";
+    std::cerr << "geneva: " + base::without_controls(text) + "\n";
     note(together ? FailureStage::said : FailureStage::alone);
   }
   if (together) return;

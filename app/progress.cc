@@ -5,6 +5,8 @@
 
 #include <numeric>
 
+#include "base/printable.h"
+
 namespace geneva::app {
 
 ProgressDisplay::ProgressDisplay(const bool is_speaking, const post::UnitSystem units)
@@ -22,9 +24,10 @@ void ProgressDisplay::write(const std::string& text, const std::string& prefix,
   if (!is_speaking_) return;
   clear_status();
   std::fflush(stdout);
-  std::fputs((prefix + text + "\n").c_str(), stream);
+  const std::string shown = base::without_controls(text);  // titles and names are the user's
+  std::fputs((prefix + shown + "\n").c_str(), stream);
   std::fflush(stream);
-  log_ += text + "\n";
+  log_ += shown + "\n";
 }
 
 void ProgressDisplay::line(const std::string& text) { write(text, "", stdout); }

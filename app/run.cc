@@ -230,7 +230,7 @@ std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& so
   base::write_text(post::own_file(working, "log.txt"), log);
   checkpoints.add_to(working);
   std::vector<std::string> removed = directory.publish(write_report);
-  checkpoints.remove();
+  checkpoints.remove(fem::is_success(solution.outcome));
   return removed;
 }
 

@@ -703,7 +703,8 @@ class NestedIteration {
   double memory_at_start_ = peak_memory();
 };
 
-/// A coarse mesh is solved whatever the limit of unknowns says, unless it is a large one.
+/// A coarse mesh is solved whatever the limit of unknowns says, unless that takes more than
+/// seconds.
 template <int dim>
 void check_size(const mesh::MeshData<dim>& mesh, const Settings& settings) {
   constexpr std::size_t small = 100'000;

@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/printable.h"
 
 namespace geneva::mesh {
 
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  throw base::InputError(fmt::format("{}: {}", file.string(), base::printable(what)));
+  throw base::InputError(fmt::format("{}: {}", file.string(), what));
 }
 
 /// Position after a line that consists of the keyword, from a position on.
