@@ -22,6 +22,7 @@ struct SharedFlag {
   MPI_Win window = MPI_WIN_NULL;
   std::mutex mutex;  ///< of the pointer: the memory ends before the threads that look at it
   Flag* flag = nullptr;
+  FailureStage last = FailureStage::none;  ///< known when the memory ended
 };
 
 /// One for the process, as signals are, whose thread looks at it.
@@ -38,6 +39,13 @@ void note(const FailureStage stage) {
 void set_flag(Flag* const flag) {
   const std::lock_guard held(shared().mutex);
   shared().flag = flag;
+}
+
+/// The rank that exits first makes the launcher interrupt the others, which must still know why.
+void keep_what_is_known() {
+  const std::lock_guard held(shared().mutex);
+  shared().last = *shared().flag;
+  shared().flag = nullptr;
 }
 
 void share_flag(const MPI_Comm communicator) {
@@ -70,7 +78,7 @@ constexpr int failure_tag = 1;
 
 FailureStage failure_on_this_machine() {
   const std::lock_guard held(shared().mutex);
-  return shared().flag == nullptr ? FailureStage::none : shared().flag->load();
+  return shared().flag == nullptr ? shared().last : shared().flag->load();
 }
 
 void note_that_all_is_undone() { note(FailureStage::undone); }
@@ -85,7 +93,7 @@ Ending::Ending(const MPI_Comm communicator) {
 
 Ending::~Ending() {
   if (ranks_ == 1) return;
-  set_flag(nullptr);
+  keep_what_is_known();
   MPI_Win_free(&shared().window);
   MPI_Comm_free(&communicator_);
 }

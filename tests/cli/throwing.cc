@@ -4,34 +4,20 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <new>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 #include "app/ending.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
-#include "base/errors.h"
 #include "fem/contact_problem.h"
+#include "tests/cli/failure_kinds.h"
 
 namespace {
 
-const std::map<std::string, std::function<void()>> kinds{
-    {"input", [] { throw geneva::base::InputError("a wrong input"); }},
-    {"limit", [] { throw geneva::base::LimitReached("a limit"); }},
-    {"not converged", [] { throw geneva::fem::NotConverged("no state"); }},
-    {"memory", [] { throw std::bad_alloc(); }},
-    {"system",
-     [] {
-       throw std::filesystem::filesystem_error("no such place",
-                                               std::make_error_code(std::errc::io_error));
-     }},
-    {"bug", [] { throw std::logic_error("a mistake"); }},
-    {"no exception", [] { throw 42; }}};
+void fail(const std::string& kind) {
+  if (kind == "not converged") throw geneva::fem::NotConverged("no state");
+  failure_kinds().at(kind)();
+}
 
 }  // namespace
 
@@ -45,7 +31,7 @@ int main(int argc, char** argv) {
   geneva::app::Ending ending(MPI_COMM_WORLD);
   const auto command = [&] {
     const auto rank = std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
-    if (failing == "all" || failing == rank) kinds.at(kind)();
+    if (failing == "all" || failing == rank) fail(kind);
     MPI_Barrier(MPI_COMM_WORLD);
     return 0;
   };

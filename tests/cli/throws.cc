@@ -1,0 +1,58 @@
+// Loaded before a program (LD_PRELOAD), throws in the collective call of MPI with the number
+// GENEVA_THROW_AT an exception of the kind GENEVA_THROW (failure_kinds.h). GENEVA_THROW_COUNT names
+// a file to which every process adds the number of such calls in its end.
+//
+// Not among these calls are those by which ranks agree on their end (app/ending.cc).
+
+#include <dlfcn.h>
+#include <mpi.h>
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/cli/failure_kinds.h"
+
+namespace {
+
+std::atomic<long> calls{0};
+
+void count() {
+  static const char* const at = std::getenv("GENEVA_THROW_AT");
+  static const char* const kind = std::getenv("GENEVA_THROW");
+  if (++calls == (at == nullptr ? -1 : std::atol(at))) failure_kinds().at(kind)();
+}
+
+struct Report {
+  ~Report() {
+    const char* const file = std::getenv("GENEVA_THROW_COUNT");
+    if (file == nullptr) return;
+    if (std::FILE* const stream = std::fopen(file, "a")) {
+      std::fprintf(stream, "%ld\n", calls.load());
+      std::fclose(stream);
+    }
+  }
+} report;
+
+}  // namespace
+
+#define WRAP(name, parameters, arguments)                                                    \
+  extern "C" int name parameters {                                                           \
+    static const auto real = reinterpret_cast<int(*) parameters>(::dlsym(RTLD_NEXT, #name)); \
+    count();                                                                                 \
+    return real arguments;                                                                   \
+  }
+
+WRAP(MPI_Allreduce, (const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm),
+     (in, out, n, type, op, comm))
+WRAP(MPI_Bcast, (void* data, int n, MPI_Datatype type, int root, MPI_Comm comm),
+     (data, n, type, root, comm))
+WRAP(MPI_Exscan, (const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm),
+     (in, out, n, type, op, comm))
+WRAP(MPI_Allgather,
+     (const void* in, int n, MPI_Datatype type, void* out, int m, MPI_Datatype to, MPI_Comm comm),
+     (in, n, type, out, m, to, comm))
+WRAP(MPI_Gather,
+     (const void* in, int n, MPI_Datatype type, void* out, int m, MPI_Datatype to, int root,
+      MPI_Comm comm),
+     (in, n, type, out, m, to, root, comm))
