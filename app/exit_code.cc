@@ -4,11 +4,13 @@
 
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <string>
 
 #include "app/version.h"
 #include "base/errors.h"
+#include "base/printable.h"
 #include "fem/contact_problem.h"
 
 namespace geneva::app {
@@ -41,6 +43,24 @@ int exit_code_of(const std::function<int()>& command, const std::string& about, 
     return failed(internal_error, bug_report(error.what(), about));
   } catch (...) {
     return failed(internal_error, bug_report("unknown exception", about));
+  }
+}
+
+int exit_code_at_start() {
+  const auto failed = [](const ExitCode code, const std::string& text) {
+    std::cerr << "geneva: " + base::without_controls(text) + "\n";
+    return code;
+  };
+  try {
+    throw;
+  } catch (const base::InputError& error) {
+    return failed(wrong_input, error.what());
+  } catch (const std::bad_alloc&) {
+    return failed(not_converged, "memory ran out while the program started");
+  } catch (const std::exception& error) {
+    return failed(internal_error, std::string("cannot start: ") + error.what());
+  } catch (...) {
+    return failed(internal_error, "cannot start: unknown exception");
   }
 }
 

@@ -1,8 +1,8 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
-#include <exception>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -22,7 +22,6 @@
 #include "app/run.h"
 #include "app/synthesis.h"
 #include "app/threads.h"
-#include "base/errors.h"
 #include "mesh/mesher.h"
 
 namespace {
@@ -70,10 +69,6 @@ int main(int argc, char** argv) try {
   geneva::app::Ending ending(MPI_COMM_WORLD);
   return geneva::app::with_output_checked(
       geneva::app::exit_code_of([&] { return obey(request, mesher); }, task, ending));
-} catch (const geneva::base::InputError& error) {
-  std::cerr << "geneva: " << error.what() << '\n';
-  return geneva::app::wrong_input;
-} catch (const std::exception& error) {
-  std::cerr << "geneva: cannot start: " << error.what() << '\n';
-  return geneva::app::internal_error;
+} catch (...) {
+  return geneva::app::exit_code_at_start();
 }

@@ -21,7 +21,7 @@ namespace geneva::mesher {
 namespace {
 
 /// Of this process's address space [byte], most of it libraries.
-double address_space() {
+[[maybe_unused]] double address_space() {  // not with a sanitizer
   double pages = 0.;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<double>(sysconf(_SC_PAGESIZE));

@@ -10,7 +10,8 @@
 
 #include "base/errors.h"
 
-/// What throws an exception of each kind that the program may meet, by names that failures.py knows.
+/// What throws an exception of each kind that the program may meet, by names that failures.py
+/// knows.
 inline const std::map<std::string, std::function<void()>>& failure_kinds() {
   static const std::map<std::string, std::function<void()>> kinds{
       {"input", [] { throw geneva::base::InputError("a wrong input"); }},

@@ -1,7 +1,8 @@
 """Whatever the system fails at, a results directory holds old or new results whole.
 
 faults.cc counts the calls of a run that write below its case's directory (write, open, rename, fsync, mkdir, link ...)
-and its allocations, and makes the n-th fail. GENEVA_FAULTS=all tries every n, else so many that it takes a minute.
+and its allocations, and makes the n-th fail. GENEVA_FAULTS=all tries every call, and of the million allocations the
+first with each stack of calls; GENEVA_FAULTS=1000 tries a thousand of each, evenly chosen; else a few do.
 """
 
 import errno
@@ -16,7 +17,8 @@ import geneva_cli
 from geneva_cli import CliTest, read_summary
 
 SHIM = pathlib.Path()
-TRIES = None if os.environ.get("GENEVA_FAULTS") == "all" else 12
+FAULTS = os.environ.get("GENEVA_FAULTS", "12")
+TRIES = None if FAULTS == "all" else int(FAULTS)
 TIME_LIMIT = 60
 
 
@@ -53,13 +55,15 @@ class Faults(CliTest):
                               text=True, timeout=TIME_LIMIT, check=False)
 
     def counted(self):
-        """Calls and allocations of a run that succeeds; its results are taken back."""
-        file = self.directory / "count"
-        run = self.run_failing(count=file)
+        """The number of calls of a run that succeeds, and that of the first allocation in each place of the program, in
+        ascending order; its results are taken back."""
+        count, places = self.directory / "count", self.directory / "places"
+        run = self.run_failing(count=count, places=places)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.new_names = {path.name for path in (self.case / "results").iterdir()}
         self.put_back()
-        return max(tuple(map(int, line.split())) for line in file.read_text().splitlines())  # Open MPI's daemon counts, too
+        calls = max(int(line.split()[0]) for line in count.read_text().splitlines())  # Open MPI's daemon counts, too
+        return calls, sorted(map(int, places.read_text().split()))
 
     def put_back(self):
         for path in (self.case / "results").iterdir():
@@ -122,8 +126,10 @@ class Faults(CliTest):
         self.assert_nothing_is_left()
 
     def test_memory_may_run_out_at_any_allocation(self):
-        _, allocations = self.counted()
-        for n in some_of(allocations, None if TRIES is None else 2 * TRIES):
+        _, places = self.counted()
+        self.assertGreater(len(places), 1000)
+        for i in some_of(len(places)):
+            n = places[i - 1]
             with self.subTest(allocation=n):
                 run = self.run_failing(new=n)
                 self.assert_whole(must_be_new=run.returncode == 0)
@@ -132,9 +138,9 @@ class Faults(CliTest):
 
     def test_memory_may_run_out_on_one_rank_only(self):
         """One message, no rank that waits for ever, nothing left behind."""
-        _, allocations = self.counted()
+        _, places = self.counted()
         for rank in (0, 1, 2):
-            for n in some_of(allocations // 3, 3):
+            for n in places[rank::len(places) // (3 if TRIES == 12 else 33)]:
                 with self.subTest(rank=rank, allocation=n):
                     run = self.run_on_three_ranks(rank, n)
                     self.assert_whole(must_be_new=run.returncode == 0)

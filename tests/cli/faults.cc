@@ -3,9 +3,11 @@
 // GENEVA_FAULT_FOR=all those after it, fail as on a full disk; with GENEVA_FAULT_KILL the process
 // is killed there instead. GENEVA_FAULT_COUNT names a file to which every process adds the number
 // of such calls and of allocations in its end. With GENEVA_FAULT_NEW the n-th allocation by
-// operator new fails as if there was no memory.
+// operator new since main() began fails as if there was no memory; GENEVA_FAULT_PLACES names a file
+// to which the n of the first allocation with each stack of calls is written.
 
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/uio.h>
@@ -19,11 +21,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <unordered_map>
+#include <utility>
 
 namespace {
 
 std::atomic<long> calls{0};
 std::atomic<long> allocations{0};
+std::atomic<bool> is_in_main{false};
 
 const char* directory() { return std::getenv("GENEVA_FAULT_PATH"); }
 
@@ -71,6 +76,18 @@ Function next(const char* name) {
   return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, name));
 }
 
+template <typename T>
+struct Malloc {
+  using value_type = T;
+  Malloc() = default;
+  template <typename U>
+  Malloc(const Malloc<U>& /*other*/) {}
+  T* allocate(const std::size_t n) { return static_cast<T*>(std::malloc(n * sizeof(T))); }
+  void deallocate(T* const memory, std::size_t /*n*/) { std::free(memory); }
+  bool operator==(const Malloc& /*other*/) const { return true; }
+  bool operator!=(const Malloc& /*other*/) const { return false; }
+};
+
 struct Count {
   ~Count() {
     if (const char* const file = std::getenv("GENEVA_FAULT_COUNT")) {
@@ -83,6 +100,37 @@ struct Count {
     }
   }
 } count;
+
+/// Where the program allocates, by the return addresses of its innermost calls; kept without
+/// operator new, which it is called from.
+class Places {
+ public:
+  void note(const long n) {
+    constexpr int depth = 7;
+    void* calls[depth];
+    const int found = ::backtrace(calls, depth);
+    std::size_t hash = 0;
+    for (int i = 1; i < found; ++i)
+      hash = (hash ^ reinterpret_cast<std::size_t>(calls[i])) * 0x9E3779B97F4A7C15;
+    places_.try_emplace(hash, n);
+  }
+
+  ~Places() {
+    if (file_ == nullptr) return;
+    if (std::FILE* const stream = std::fopen(file_, "a")) {
+      for (const auto& [hash, first] : places_) std::fprintf(stream, "%ld\n", first);
+      std::fclose(stream);
+    }
+  }
+
+  [[nodiscard]] bool are_wanted() const { return file_ != nullptr; }
+
+ private:
+  const char* file_ = std::getenv("GENEVA_FAULT_PLACES");
+  std::unordered_map<std::size_t, long, std::hash<std::size_t>, std::equal_to<>,
+                     Malloc<std::pair<const std::size_t, long>>>
+      places_;
+};
 
 }  // namespace
 
@@ -126,13 +174,39 @@ WRAP(int, link, (const char* from, const char* to), (from, to), is_below_here(to
 WRAP_OPEN(open)
 WRAP_OPEN(open64)
 
-void* operator new(const std::size_t size) {
+namespace {
+
+/// Libraries allocate before main(), where nothing can be said.
+using Main = int (*)(int, char**, char**);
+Main real_main = nullptr;
+
+int watched_main(int argc, char** argv, char** environment) {
+  is_in_main = true;
+  return real_main(argc, argv, environment);
+}
+
+void note_allocation() {
   static const long at = number("GENEVA_FAULT_NEW");
+  static Places places;
   const long now = ++allocations;
-  if (at >= 0 && now == at) {
-    if (const std::new_handler handler = std::get_new_handler()) handler();
-    throw std::bad_alloc();
-  }
+  if (places.are_wanted()) places.note(now);
+  if (now != at) return;
+  if (const std::new_handler handler = std::get_new_handler()) handler();
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+extern "C" int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
+                                 void (*end_of_linker)(), void* stack) {
+  using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
+  real_main = main;
+  return next<Start>("__libc_start_main")(watched_main, argc, argv, init, fini, end_of_linker,
+                                          stack);
+}
+
+void* operator new(const std::size_t size) {
+  if (is_in_main) note_allocation();
   if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
