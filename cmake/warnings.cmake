@@ -4,8 +4,10 @@ target_compile_options(geneva_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual -Wnull-dereference -Werror)
 if(GENEVA_SANITIZE)
-  target_compile_options(geneva_warnings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer)
+  target_compile_options(geneva_warnings INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -g1)
   target_link_options(geneva_warnings INTERFACE -fsanitize=address,undefined)
+  # As in Gmsh, whose inlined parts of Eigen would otherwise free what ours have allocated, or the reverse.
+  target_compile_definitions(geneva_warnings INTERFACE EIGEN_MALLOC_ALREADY_ALIGNED=1)
 endif()
 if(GENEVA_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
