@@ -73,7 +73,7 @@ class FailuresOfARun(CliTest):
         for rank in range(3):
             fault = [word for name, value in variables.items() for word in ("-x", f"{name}={value}")]
             command += ["-n", "1", *(fault if rank in ranks else []), str(self.program), "run", str(self.case), ":"]
-        return subprocess.run(command[:-1], env=environment(), capture_output=True, text=True, timeout=60, check=False)
+        return subprocess.run(command[:-1], env=environment(), capture_output=True, text=True, timeout=200, check=False)
 
     def counted(self):
         """The exchanges of a run that succeeds."""
