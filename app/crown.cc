@@ -119,7 +119,7 @@ Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings
   const fem::Solution<3> solution =
       fem::solve_contact(communicator, model.mesh, model.problem, settings, {});
   return {post::load_evenness(solution, post::analyse(solution)),
-          fem::is_success(solution.outcome)};
+          fem::is_success(solution.stop.outcome)};
 }
 
 using Ratio = std::function<double(double)>;

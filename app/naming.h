@@ -3,7 +3,9 @@
 #include <string>
 
 #include "app/case_file.h"
+#include "app/stop_message.h"
 #include "base/errors.h"
+#include "fem/stop.h"
 
 namespace geneva::app {
 
@@ -21,6 +23,8 @@ auto naming(const Case& given, const Task& task) {
     throw base::InputError(named(error.what()));
   } catch (const base::LimitReached& error) {
     throw base::LimitReached(named(error.what()));
+  } catch (const fem::NotConverged& error) {
+    throw base::LimitReached(named(message_of(error.stop)));
   }
 }
 

@@ -22,6 +22,7 @@
 #include "app/parameters.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/stop_message.h"
 #include "app/together.h"
 #include "app/version.h"
 #include "base/output_file.h"
@@ -110,15 +111,15 @@ double rounded_up(const double value) {
 /// What was reached, what was wanted and why the refinement ended; empty if it converged.
 template <int dim>
 std::string shortfall(const fem::Solution<dim>& solution, const double accuracy) {
-  if (fem::is_success(solution.outcome)) return "";
+  if (fem::is_success(solution.stop.outcome)) return "";
   const double error = solution.error_estimate;
   const std::string reached =
       error < 1. ? fmt::format("{:.2g} %", 100. * error) : std::string("not even 100 %");
   const std::string message =
       fmt::format("not converged: the accuracy reached is {}, wanted is {:.2g} %: {}", reached,
-                  100. * accuracy, solution.message);
+                  100. * accuracy, message_of(solution.stop));
   const double offered = rounded_up(error);
-  if (solution.outcome == fem::Outcome::unbounded_pressure || offered > greatest_accuracy)
+  if (solution.stop.outcome == fem::Outcome::unbounded_pressure || offered > greatest_accuracy)
     return message;
   return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
 }
@@ -185,6 +186,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   report.notices = model.notices;
   for (const std::string& notice : notices_of(given, solution, results))
     report.notices.push_back(notice);
+  report.stop_message = message_of(solution.stop);
   report.allowed = given.allowed;
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
@@ -230,7 +232,7 @@ std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& so
   base::write_text(post::own_file(working, "log.txt"), log);
   checkpoints.add_to(working);
   std::vector<std::string> removed = directory.publish(write_report);
-  checkpoints.remove(fem::is_success(solution.outcome));
+  checkpoints.remove(fem::is_success(solution.stop.outcome));
   return removed;
 }
 
@@ -343,7 +345,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   if (!removed.empty()) progress.line(removal_notice(removed));
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",
                             shown_path(output), total.wall_time(), report.peak_memory / 1e6));
-  if (fem::is_success(solution.outcome)) return 0;
+  if (fem::is_success(solution.stop.outcome)) return 0;
   if (const std::string advice = checkpoints.advice(); !advice.empty())
     progress.line(advice + ", with other limits or another accuracy");
   return 2;

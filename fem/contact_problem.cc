@@ -1,7 +1,6 @@
 #include "fem/contact_problem.h"
 
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/solver_control.h>
@@ -24,8 +23,10 @@
 #include "fem/numbering.h"
 #include "fem/problem_check.h"
 #include "fem/refinement.h"
+#include "fem/resource_limits.h"
 #include "fem/resultants.h"
 #include "fem/rigid_motion.h"
+#include "fem/stopping_rule.h"
 #include "fem/symmetry.h"
 #include "mesh/triangulation.h"
 
@@ -51,7 +52,8 @@ class NestedIteration {
       : communicator_(communicator),
         settings_(settings),
         grading_(first_grading<dim>(settings.accuracy)),
-        progress_(progress) {
+        progress_(progress),
+        limits_(communicator, settings) {
     solution_.problem = problem;
     solution_.scales = scales_of(problem, mesh);
     solution_.mesh = mesh;
@@ -75,12 +77,20 @@ class NestedIteration {
     check_approach(level_, scaled_problem_, solution_.scales, communicator_);
     if (start) {
       restore(*start);
-      if (finished() || !refine()) return;
+      if (!make_next_mesh()) return;
     }
     while (solve()) {
       record();
-      if (finished() || !refine()) return;
+      if (!make_next_mesh()) return;
     }
+  }
+
+  /// @return false if the refinement ends here
+  bool make_next_mesh() {
+    std::optional<Stop> stop = choose_refinement();
+    if (!stop) stop = refine();
+    if (stop) solution_.stop = *stop;
+    return !stop;
   }
 
   void set_up_first_mesh() {
@@ -133,17 +143,13 @@ class NestedIteration {
             fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
                         "check the direction of the load",
                         apart));
-      return fail(fmt::format(
-          "the linear solver did not converge on a mesh of {} unknowns (residual {:.2e} after {} "
-          "iterations); check that supports and contact pairs hold every body, and that the softer "
-          "body of a pair is its source",
-          solution_.dof_handler->n_dofs(), failure.last_residual, failure.last_step));
+      return fail({Outcome::linear_solver, static_cast<double>(failure.last_step), 0.,
+                   solution_.dof_handler->n_dofs(), failure.last_residual});
     }
     if (!state)
-      return fail(fmt::format(
-          "the active set did not settle within {} steps on a mesh of {} unknowns; raise 'Maximum "
-          "active-set steps', or check that supports and contact pairs hold every body",
-          settings_.max_active_set_steps, solution_.dof_handler->n_dofs()));
+      return fail({Outcome::active_set_limit, 0.,
+                   static_cast<double>(settings_.max_active_set_steps),
+                   solution_.dof_handler->n_dofs()});
     state_ = std::move(*state);
     return true;
   }
@@ -203,9 +209,9 @@ class NestedIteration {
     return "";
   }
 
-  bool fail(const std::string& message) {
-    end(Outcome::active_set_limit, message);
-    if (solution_.history.empty()) throw NotConverged(message);
+  bool fail(const Stop& why) {
+    if (solution_.history.empty()) throw NotConverged(why);
+    solution_.stop = why;
     return false;
   }
 
@@ -310,12 +316,9 @@ class NestedIteration {
   }
 
   /// Memory ran out: the last mesh's result is made again, on a mesh of its own.
-  /// @throws base::LimitReached if there is none
+  /// @throws NotConverged if there is none
   void go_back_to_last_mesh() {
-    const std::string message = fmt::format(
-        "memory ran out on a mesh of {} unknowns; give the program more of it (other programs, "
-        "ulimit, the limit of a container)",
-        unknowns_);
+    const Stop why{Outcome::out_of_memory, 0., 0., unknowns_};
     reserve_.reset();
     level_ = Level<dim>();
     state_ = LevelState();
@@ -325,10 +328,10 @@ class NestedIteration {
     solution_.displacement.clear();
     solution_.dof_handler.reset();
     solution_.triangulation.reset();
-    if (!last_good_) throw base::LimitReached(message);
+    if (!last_good_) throw NotConverged(why);
     set_up_first_mesh();
     restore(*last_good_);
-    end(Outcome::memory_limit, message);
+    solution_.stop = why;
   }
 
   /// Greatest pressures of the pairs [Pa], as the mesh gives them.
@@ -400,41 +403,16 @@ class NestedIteration {
     return true;
   }
 
-  bool finished() {
-    const bool is_accurate = solution_.error_estimate <= settings_.accuracy;
-    if (is_accurate && solution_.edge && !solution_.edge->is_bounded)
-      return end(Outcome::unbounded_edge,
-                 fmt::format("the edge pressure is not bounded: sharp edge (it grows by the power "
-                             "{:.2g} of the cells' fineness); the pressure in the middle of the "
-                             "length has converged; a chamfered or rounded slot edge, a crowned "
-                             "pin or a logarithmic profile bounds it",
-                             solution_.edge->growth_exponent));
-    if (is_accurate) return end(Outcome::converged, "");
-    if (grows_without_bound(solution_.history) && peaks_at_corner())
-      return end(Outcome::unbounded_pressure,
-                 "the peak pressure grows by more than 10 % from each mesh to the next: the "
-                 "contact reaches a sharp "
-                 "edge, where linear elasticity knows no finite pressure; round the edge in the "
-                 "geometry, or move the "
-                 "contact away from it");
-    if (stands_still(solution_.history))
-      return end(Outcome::no_progress,
-                 "over the last three refinements of the contact zone neither the number of nodes "
-                 "in contact grew nor the pressure changed: finer meshes will not help; check "
-                 "supports and loads, or exchange source and target of the contact pair");
-    if (refinement_.n_refinements >= settings_.max_levels)
-      return end(Outcome::level_limit,
-                 fmt::format("the limit of {} refinement levels was reached; raise 'Maximum "
-                             "refinement levels'",
-                             settings_.max_levels));
-    return choose_refinement();
+  [[nodiscard]] Standing standing() const {
+    return {solution_.error_estimate, solution_.edge, peaks_at_corner(), refinement_.n_refinements};
   }
 
   /// Flags what is worth more: the contact zone until its part of the error is small, then the
   /// cells around it. In space, where the zone takes most of the cells, the latter once before.
-  /// @return whether a limit forbids the next mesh
-  bool choose_refinement() {
+  /// @return why there is no next mesh, if there is none
+  std::optional<Stop> choose_refinement() {
     constexpr double share_of_zone = 0.6;
+    if (const auto stop = why_to_stop(solution_.history, standing(), settings_)) return stop;
     if (has_spread()) return level_off();
     const bool zone_is_fine = zone_error_ <= share_of_zone * settings_.accuracy;
     double flagged = 0.;
@@ -448,10 +426,7 @@ class NestedIteration {
       refined_ = Refined::zone;
       flagged = flag(state_.displacement);
     }
-    const double growth = growth_by(flagged);
-    const double next = growth * solution_.history.back().dofs;
-    if (next > settings_.max_dofs) return end_at_unknowns(next);
-    return out_of_memory(growth) || out_of_time(growth);
+    return limits_.exceeded_by_next(growth_by(flagged), solution_.history, seconds_before_);
   }
 
   /// Whether the contact has become wider than the zone that was refined: edges of very different
@@ -464,12 +439,12 @@ class NestedIteration {
 
   /// Flags the longest edges of the zones only; how wide they must be is known after the next
   /// solve.
-  bool level_off() {
+  std::optional<Stop> level_off() {
     refined_ = Refined::nothing;
     refinement_.unevenness_levelled = unevenness_now();
     const double growth = growth_by(flag_zone_part(*solution_.dof_handler, level_.interfaces,
                                                    surface_ids(), ZonePart::longest));
-    return out_of_memory(growth) || out_of_time(growth);
+    return limits_.exceeded_by_next(growth, solution_.history, seconds_before_);
   }
 
   /// Whether the part of the surroundings is still to be measured, on a mesh where the pressure is
@@ -490,65 +465,17 @@ class NestedIteration {
 
   /// No cell around the contact is larger than asked for: only the zone's part of the error is
   /// left.
-  bool surroundings_are_fine() {
+  std::optional<Stop> surroundings_are_fine() {
     refinement_.surroundings_are_fine = true;
     surroundings_error_ = 0.;
     solution_.error_estimate = zone_error_;
     solution_.history.back().error_estimate = zone_error_;
-    return finished();
+    return choose_refinement();
   }
 
   /// How many times as many cells the next mesh will have.
   [[nodiscard]] double growth_by(const double flagged) const {
     return 1. + grading_overhead * ((1 << dim) - 1) * flagged / solution_.history.back().cells;
-  }
-
-  bool end_at_unknowns(const double next) {
-    return end(Outcome::dof_limit, fmt::format("the next mesh would have about {:.0f} unknowns, "
-                                               "the limit is {}; raise 'Maximum unknowns'",
-                                               next, settings_.max_dofs));
-  }
-
-  /// Whether the memory is used up, or would be by a mesh that is larger by a factor.
-  bool out_of_memory(const double growth) {
-    const double peak = peak_memory();
-    if (peak > settings_.max_memory)
-      return end(Outcome::memory_limit,
-                 fmt::format("the memory limit of {:.0f} MB was reached ({:.0f} MB are in use); "
-                             "raise 'Maximum memory'",
-                             settings_.max_memory / 1e6, peak / 1e6));
-    const double next = memory_at_start_ + growth * (peak - memory_at_start_);
-    if (next <= settings_.max_memory) return false;
-    return end(Outcome::memory_limit,
-               fmt::format("the next mesh would need about {:.0f} MB, the memory limit is {:.0f} "
-                           "MB; raise 'Maximum memory'",
-                           next / 1e6, settings_.max_memory / 1e6));
-  }
-
-  /// Whether a mesh that is larger by a factor would be solved too late: it takes at least as much
-  /// longer than the last one.
-  bool out_of_time(const double growth) {
-    const auto& history = solution_.history;
-    const double before = history.size() > 1 ? history[history.size() - 2].seconds : 0.;
-    const double next = history.back().seconds + growth * (history.back().seconds - before);
-    const double latest = dealii::Utilities::MPI::max(next - seconds_before_, communicator_);
-    if (latest <= settings_.max_seconds) return false;
-    return end(Outcome::time_limit,
-               fmt::format("the next mesh would be solved after about {:.2g} s, "
-                           "the time limit is {:.2g} s; raise 'Maximum time'",
-                           latest, settings_.max_seconds));
-  }
-
-  [[nodiscard]] double peak_memory() const {
-    dealii::Utilities::System::MemoryStats memory{};
-    dealii::Utilities::System::get_memory_stats(memory);
-    return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator_);
-  }
-
-  bool end(const Outcome outcome, const std::string& message) {
-    solution_.outcome = outcome;
-    solution_.message = message;
-    return true;
   }
 
   [[nodiscard]] bool is_resolved() const {
@@ -564,13 +491,13 @@ class NestedIteration {
 
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no
   /// use, the zone around them is refined once more before the next solve.
-  /// @return false if the mesh has become larger than allowed: the last one's result then stands
-  bool refine() {
+  /// @return why the mesh is not to be solved, if it is not: the last one's result then stands
+  std::optional<Stop> refine() {
     last_halvings_ = refined_ == Refined::zone ? 1 : 0;
     ++refinement_.n_refinements;
     refine_flagged(state_.displacement);
     is_ahead_ = true;
-    if (refined_ == Refined::nothing) return true;
+    if (refined_ == Refined::nothing) return std::nullopt;
     if (next_pressure_is_of_no_use() && refinement_.n_refinements < settings_.max_levels) {
       const Vector guess = ghosted_guess();
       flag(guess);
@@ -579,8 +506,7 @@ class NestedIteration {
       last_halvings_ = 2;
     }
     make_zones_even();
-    return solution_.dof_handler->n_dofs() <= settings_.max_dofs ||
-           !end_at_unknowns(solution_.dof_handler->n_dofs());
+    return limits_.exceeded_by(solution_.dof_handler->n_dofs());
   }
 
   /// Whether the next mesh, too, would have too few nodes in contact; in the plane, where meshes
@@ -683,6 +609,7 @@ class NestedIteration {
   Progress<dim> progress_;
   Problem<dim> scaled_problem_;
   dealii::Timer timer_;
+  ResourceLimits limits_;
   Solution<dim> solution_;
   std::optional<SurfaceOrigins<dim>> origins_;
   RefinementState refinement_;
@@ -700,7 +627,6 @@ class NestedIteration {
   std::unique_ptr<char[]> reserve_;           ///< for that
   double seconds_before_ = 0.;                ///< of the runs that this one continues
   bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
-  double memory_at_start_ = peak_memory();
 };
 
 /// A coarse mesh is solved whatever the limit of unknowns says, unless that takes more than
@@ -710,11 +636,8 @@ void check_size(const mesh::MeshData<dim>& mesh, const Settings& settings) {
   constexpr std::size_t small = 100'000;
   const std::size_t unknowns = dim * mesh.vertices.size();
   if (unknowns > std::max<std::size_t>(small, settings.max_dofs))
-    throw base::LimitReached(
-        fmt::format("the coarse mesh has {} unknowns already, the limit is {}; raise 'Maximum "
-                    "unknowns', or check the dimensions: lengths of very different sizes take many "
-                    "cells",
-                    unknowns, settings.max_dofs));
+    throw NotConverged({Outcome::coarse_dof_limit, static_cast<double>(unknowns),
+                        static_cast<double>(settings.max_dofs), unknowns});
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <stdexcept>
 
 #include "fem/checkpoint.h"
 #include "fem/problem.h"
@@ -12,13 +11,6 @@
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
-
-/// The contact solve could not reach a state on any mesh: the message says what happened and what
-/// to try.
-class NotConverged : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Told after every active-set step, on every rank: refinement level, unknowns, step and its linear
 /// iterations.
@@ -45,12 +37,11 @@ struct Progress {
 /// @param mesh coarse mesh, SI units, the same on all ranks
 /// @param start where an earlier run on this mesh and problem ended, the same on all ranks; the
 /// accuracy may be another
-/// @return the last converged state; `outcome` tells whether the accuracy was reached
+/// @return the last converged state; `stop` tells whether the accuracy was reached
 /// @throws base::InputError where check() and check_rigid_motions() do, and if the load opens
 /// all contact, or `start` does not fit
-/// @throws NotConverged if not even the first mesh gave a state
-/// @throws base::LimitReached if the coarse mesh is larger than allowed, or if memory runs out and
-/// there is no result yet, or there are several ranks
+/// @throws NotConverged if not even the first mesh gave a state, if the coarse mesh is larger than
+/// allowed, or if memory runs out and there is no result yet, or there are several ranks
 template <int dim>
 Solution<dim> solve_contact(MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                             const Problem<dim>& problem, const Settings& settings,

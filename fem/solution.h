@@ -15,6 +15,7 @@
 #include "fem/moment.h"
 #include "fem/problem.h"
 #include "fem/scaling.h"
+#include "fem/stop.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
@@ -108,25 +109,6 @@ struct LevelRecord {
   double one_solve_seconds;  ///< one assembly and one linear solve on this mesh
 };
 
-/// Why the refinement ended.
-enum class Outcome {
-  converged,
-  level_limit,
-  dof_limit,
-  memory_limit,
-  time_limit,
-  active_set_limit,
-  unbounded_pressure,  ///< the peak pressure grows from mesh to mesh: the contact reaches a sharp
-                       ///< edge
-  no_progress,         ///< neither contact nor pressure change while the mesh becomes finer
-  unbounded_edge  ///< so does that at an end of the contact's length, and the rest has converged
-};
-
-/// Whether all was reached that linear elasticity has to give.
-inline bool is_success(const Outcome outcome) {
-  return outcome == Outcome::converged || outcome == Outcome::unbounded_edge;
-}
-
 /// Pressure at the ends of a contact's length.
 struct EdgePressure {
   bool is_bounded;
@@ -158,8 +140,7 @@ struct Solution {
   std::optional<EdgePressure> edge;  ///< in space
   bool has_free_ends = false;  ///< whether a contact ends within the surfaces: only then do figures
                                ///< depend on the cells around it
-  Outcome outcome = Outcome::converged;
-  std::string message;  ///< what ended the refinement early and what to try; empty when converged
+  Stop stop;                   ///< of the refinement
 };
 
 }  // namespace geneva::fem

@@ -177,13 +177,13 @@ std::string line_of(const ComparisonRow& row, const UnitSystem units) {
 
 /// The line on the error estimate, and what is said of the edges.
 template <int dim>
-std::string error_lines(const fem::Solution<dim>& solution) {
-  const bool is_edge = solution.outcome == fem::Outcome::unbounded_edge;
+std::string error_lines(const fem::Solution<dim>& solution, const RunReport& report) {
+  const bool is_edge = solution.stop.outcome == fem::Outcome::unbounded_edge;
   const char* of = is_edge ? "pressure in the middle" : "peak contact pressure";
   if (solution.error_estimate >= 1.)
     return fmt::format("estimated error of the {}: unknown, the mesh is too coarse\n", of);
   return fmt::format("estimated error of the {}: {:.2g} %\n", of, 100. * solution.error_estimate) +
-         (is_edge ? solution.message + "\n" : std::string());
+         (is_edge ? report.stop_message + "\n" : std::string());
 }
 
 }  // namespace
@@ -223,7 +223,7 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
                                   "+- error", "closed form", "published", "difference");
   for (const ComparisonRow& row : comparison(solution, results, report))
     table += line_of(row, units);
-  return table + error_lines(solution) +
+  return table + error_lines(solution, report) +
          fmt::format("force balance: defect {:.1e} of the contact force\n",
                      results.equilibrium.force_defect) +
          safety_lines(safety(solution, results, report), units);

@@ -194,7 +194,7 @@ double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode
 template <int dim>
 bool is_bounded(const fem::Solution<dim>& solution) {
   return (!solution.edge || solution.edge->is_bounded) &&
-         solution.outcome != fem::Outcome::unbounded_pressure;
+         solution.stop.outcome != fem::Outcome::unbounded_pressure;
 }
 
 template <int dim>

@@ -52,6 +52,7 @@ struct RunReport {
   CaseHeader about;
   double accuracy;                   ///< wanted, relative
   std::vector<std::string> notices;  ///< what the user should know before trusting the figures
+  std::string stop_message;          ///< why the refinement ended early; empty if it converged
   std::optional<MechanismReport> mechanism;
   RunFigures errors;  ///< estimated, relative
   Allowables allowed;

@@ -282,7 +282,7 @@ json run_case_section(const RunReport& report, const int dimension) {
 }
 
 template <int dim>
-json solver_section(const fem::Solution<dim>& solution) {
+json solver_section(const fem::Solution<dim>& solution, const RunReport& report) {
   json levels = json::array();
   double assemble_and_solve = 0.;
   for (const fem::LevelRecord& level : solution.history) {
@@ -298,8 +298,8 @@ json solver_section(const fem::Solution<dim>& solution) {
     assemble_and_solve = level.one_solve_seconds;
   }
   return {{"levels", levels},
-          {"converged", fem::is_success(solution.outcome)},
-          {"message", solution.message},
+          {"converged", fem::is_success(solution.stop.outcome)},
+          {"message", report.stop_message},
           {"finest_assembly_and_solve", quantity(assemble_and_solve, "s")}};
 }
 
@@ -316,7 +316,7 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
                                   report.errors.contacts[leading], parts)},
       {"bodies", bodies_section(solution, results)},
       {"equilibrium", equilibrium_section(results, report)},
-      {"solver", solver_section(solution)},
+      {"solver", solver_section(solution, report)},
       {"comparison", comparison_section(solution, results, report)},
       {"checks", checks_section(solution, results, report)},
       {"safety", safety_section(solution, results, report)},

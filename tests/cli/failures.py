@@ -17,7 +17,7 @@ from geneva_cli import CliTest, environment, read_summary
 KINDS = {"input": (1, "a wrong input"), "limit": (2, "a limit"),
          "memory": (2, "memory ran out"), "system": (1, "no such place"),
          "bug": (3, "a mistake"), "no exception": (3, "unknown exception")}
-ALL_KINDS = {**KINDS, "not converged": (2, "no state")}
+ALL_KINDS = {**KINDS, "not converged": (2, "finer meshes will not help")}
 THROWING = pathlib.Path()
 THROWS = pathlib.Path()
 MOMENTS = 25 if os.environ.get("GENEVA_FAULTS") == "all" else 1

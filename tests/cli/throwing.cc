@@ -9,13 +9,13 @@
 #include "app/ending.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
-#include "fem/contact_problem.h"
+#include "fem/stop.h"
 #include "tests/cli/failure_kinds.h"
 
 namespace {
 
 void fail(const std::string& kind) {
-  if (kind == "not converged") throw geneva::fem::NotConverged("no state");
+  if (kind == "not converged") throw geneva::fem::NotConverged({geneva::fem::Outcome::no_progress});
   failure_kinds().at(kind)();
 }
 

@@ -44,7 +44,7 @@ TEST(LineContactInSpace, BetweenHeldEndsIsThatOfPlaneStrain) {
   const Solution<3> solution = solve_contact(
       MPI_COMM_WORLD, mesh, in_space(geneva::test::problem_of(contact)), settings, {});
   const Solution<2> plane = geneva::test::solve(contact, settings);
-  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_EQ(solution.stop.outcome, Outcome::converged);
   const double peak = solution.contacts[0].peak_pressure;
   EXPECT_NEAR(error_of(peak, geneva::test::peak_pressure(plane)), 0., 0.01);
   for (const LevelRecord& level : solution.history)
@@ -63,7 +63,7 @@ TEST(LineContactInSpace, OfAStiffRollerOnASoftBlockIsThatOfPlaneStrain) {
   const Settings settings = geneva::test::with_accuracy(0.02);
   const Solution<3> solution = solve_contact(
       MPI_COMM_WORLD, mesh, in_space(geneva::test::problem_of(contact)), settings, {});
-  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_EQ(solution.stop.outcome, Outcome::converged);
   EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure,
                        geneva::test::peak_pressure(geneva::test::solve(contact, settings))),
               0., 0.01);
@@ -90,7 +90,7 @@ TEST(LineContactInSpace, WithASecondPairThatStaysOpenIsThatOfThePlane) {
   const Settings settings = geneva::test::with_accuracy(0.02);
   const Solution<3> solution = solve_contact(MPI_COMM_WORLD, extruded(plane, {slice, slice, slice}),
                                              in_space(problem), settings, {});
-  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_EQ(solution.stop.outcome, Outcome::converged);
   EXPECT_EQ(solution.contacts[1].active_nodes, 0U);
   EXPECT_NEAR(error_of(solution.contacts[0].peak_pressure,
                        geneva::test::peak_pressure(geneva::test::solve(contact, settings))),
@@ -137,7 +137,7 @@ TEST(LineContactInSpace, OfEqualLengthIsInPlaneStrainInItsMiddleThird) {
   contact.force *= 3. * contact.radius / contact.thickness;
   contact.thickness = 3. * contact.radius;
   const Solution<3> solution = flush_rollers(contact);
-  EXPECT_EQ(solution.outcome, Outcome::converged) << solution.message;
+  EXPECT_EQ(solution.stop.outcome, Outcome::converged);
   const GreatestStrains strains = strains_in_middle_third(solution, 6. * contact.radius);
   EXPECT_LT(strains.along, 0.02 * strains.across);
   EXPECT_GT(strains.along, 0.);
