@@ -18,9 +18,10 @@
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
 #include "fem/distribution.h"
-#include "fem/error_estimate.h"
 #include "fem/hanging_vertices.h"
+#include "fem/lengthwise_pressure.h"
 #include "fem/numbering.h"
+#include "fem/pressure_error.h"
 #include "fem/problem_check.h"
 #include "fem/refinement.h"
 #include "fem/resource_limits.h"
@@ -342,52 +343,33 @@ class NestedIteration {
     return result;
   }
 
-  /// Errors of the peak pressure, or, where it has no bound, of that in the middle of the length.
   void estimate() {
-    LevelRecord& now = solution_.history.back();
-    if (dim == 3) solution_.edge = edge_pressure(solution_.history);
-    const bool is_bounded = !solution_.edge || solution_.edge->is_bounded;
-    Extrapolation found = extrapolation_of(is_bounded ? &LevelRecord::peak_pressure
-                                                      : &LevelRecord::mid_length_pressure);
-    zone_error_ =
-        error_of(found.zone_error, end_error(level_.interfaces, state_.contacts, reaches_axis()));
-    surroundings_error_ = found.surroundings_error;
-    if (!shows_zone_error<dim>(solution_.history) || has_spread()) zone_error_ = 1.;
     solution_.has_free_ends = has_free_ends(level_.interfaces);
-    if (!solution_.has_free_ends || refinement_.surroundings_are_fine) surroundings_error_ = 0.;
-    solution_.correction = zone_error_ < 1. ? found.correction : 0.;
-    solution_.error_estimate = error_of(zone_error_, surroundings_error_);
-    now.error_estimate =
-        is_bounded ? solution_.error_estimate : std::min(1., 2. * solution_.error_estimate);
+    const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
+    error_ = pressure_error<dim>(
+        solution_.history,
+        {{forces_are_given, reaches_axis(), peaks_beside_end(level_.interfaces, state_.contacts)},
+         grading_,
+         end_error(level_.interfaces, state_.contacts, reaches_axis()),
+         solution_.has_free_ends,
+         has_spread(),
+         refinement_.surroundings_are_fine});
+    solution_.edge = error_.edge;
+    solution_.correction = error_.correction;
+    solution_.error_estimate = error_.total();
+    solution_.history.back().error_estimate =
+        error_.is_of_peak() ? error_.total() : std::min(1., 2. * error_.total());
     for (ContactResult<dim>& contact : solution_.contacts)
       contact.peak_pressure *= 1. + solution_.correction;
   }
 
-  [[nodiscard]] Extrapolation extrapolation_of(double LevelRecord::*pressure) const {
-    const std::vector<MeshValue> values = resolved_values(solution_.history, pressure);
-    if (values.empty()) return {0., 1., 1.};
-    return extrapolate(values, grading_,
-                       {dim == 2 && !has_prescribed_displacement(solution_.problem), reaches_axis(),
-                        peaks_beside_end(level_.interfaces, state_.contacts)});
-  }
-
-  /// Pressures in the middle half of each contact's length and at its ends.
   void record_lengthwise([[maybe_unused]] LevelRecord& record) const {
     if constexpr (dim == 3)
       for (const ContactResult<3>& contact : solution_.contacts) {
-        const auto [lowest, highest] = std::minmax_element(
-            contact.nodes.begin(), contact.nodes.end(),
-            [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
-        const auto plane = symmetry_plane(solution_.mesh, solution_.problem, contact, 2);
-        const double middle = plane.value_or((lowest->position[2] + highest->position[2]) / 2.);
-        const double half = std::max(highest->position[2] - middle, middle - lowest->position[2]);
-        for (const ContactNode<3>& node : contact.nodes) {
-          const double share = std::abs(node.position[2] - middle) / half;
-          if (share <= 0.5 * (1. + 1e-9))
-            record.mid_length_pressure = std::max(record.mid_length_pressure, node.pressure);
-          if (share >= 1. - 1e-9)
-            record.end_pressure = std::max(record.end_pressure, node.pressure);
-        }
+        const LengthwisePressure greatest = lengthwise_pressure(
+            contact, symmetry_plane(solution_.mesh, solution_.problem, contact, 2));
+        record.mid_length_pressure = std::max(record.mid_length_pressure, greatest.middle);
+        record.end_pressure = std::max(record.end_pressure, greatest.end);
       }
   }
 
@@ -414,9 +396,9 @@ class NestedIteration {
     constexpr double share_of_zone = 0.6;
     if (const auto stop = why_to_stop(solution_.history, standing(), settings_)) return stop;
     if (has_spread()) return level_off();
-    const bool zone_is_fine = zone_error_ <= share_of_zone * settings_.accuracy;
+    const bool zone_is_fine = error_.zone <= share_of_zone * settings_.accuracy;
     double flagged = 0.;
-    if (surroundings_error_ > 0. && (zone_is_fine || surroundings_come_first())) {
+    if (error_.surroundings > 0. && (zone_is_fine || surroundings_come_first())) {
       refined_ = Refined::surroundings;
       grading_ *= grading_step<dim>;
       flagged = flag(state_.displacement);
@@ -455,7 +437,7 @@ class NestedIteration {
         solution_.history.begin(), solution_.history.end(),
         [](const LevelRecord& level) { return level.refined == Refined::surroundings; });
     if (dim == 2 || is_measured || !is_resolved()) return false;
-    if (zone_error_ < 1.) return true;
+    if (error_.zone < 1.) return true;
     refined_ = Refined::zone;
     const bool result = growth_by(flag(state_.displacement)) > dear;
     for (const auto& cell : solution_.triangulation->active_cell_iterators())
@@ -467,9 +449,9 @@ class NestedIteration {
   /// left.
   std::optional<Stop> surroundings_are_fine() {
     refinement_.surroundings_are_fine = true;
-    surroundings_error_ = 0.;
-    solution_.error_estimate = zone_error_;
-    solution_.history.back().error_estimate = zone_error_;
+    error_.surroundings = 0.;
+    solution_.error_estimate = error_.zone;
+    solution_.history.back().error_estimate = error_.zone;
     return choose_refinement();
   }
 
@@ -620,8 +602,7 @@ class NestedIteration {
   Level<dim> level_;
   LevelState state_;
   Vector guess_;
-  double zone_error_ = 1.;  ///< of the pressure that solution_.error_estimate speaks of
-  double surroundings_error_ = 1.;
+  PressureError error_;
   std::size_t unknowns_ = 0;                  ///< of the mesh being solved or refined
   std::optional<Checkpoint<dim>> last_good_;  ///< on one rank
   std::unique_ptr<char[]> reserve_;           ///< for that
