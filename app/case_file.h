@@ -52,7 +52,7 @@ struct DesignCase {
   std::optional<double> amplitude_radius;  ///< [m]
 };
 
-/// The pin along its length, of a mechanism in space.
+/// The pin along its length, of a mechanism in 3-D.
 struct PinCase {
   enum class Hold { one_end, both_ends, core };
   enum class Profile { cylindrical, crown, logarithmic, table };
@@ -130,7 +130,7 @@ using SynthesisCase = std::variant<loads::QuickReturnInput, loads::CrankRockerIn
 
 /// Whether a run leaves what it needs to be continued.
 enum class Checkpoints {
-  automatic,  ///< in space, once it takes a while
+  automatic,  ///< in 3-D, once it takes a while
   always,
   never
 };

@@ -39,7 +39,7 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   bool is_crown = false;
   design->add_flag("--crown", is_crown,
                    "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
-                   "which the line load along the pin of one case in space is most even; writes "
+                   "which the line load along the pin of one case in 3-D is most even; writes "
                    "crown.json, crown.csv and the report");
   auto* synthesize = app.add_subcommand(
       "synthesize", "Find the dimensions of a quick-return, crank-rocker or path linkage");

@@ -10,7 +10,7 @@
 namespace geneva::app {
 
 /// Searches for the crown radius (of a logarithmic profile: the amplitude) by which the line load
-/// along the pin of a case in space is most even, prints the pin before and after, and writes
+/// along the pin of a case in 3-D is most even, prints the pin before and after, and writes
 /// crown.json.
 ///
 /// The search runs on coarse meshes; before and after are solved as accurately as the case asks.

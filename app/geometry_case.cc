@@ -233,7 +233,7 @@ void require_free(const CaseSection& section, const std::string& surface,
 /// Refuses a load given per thickness where there is none.
 template <int dim>
 void require_thickness(const CaseSection& section, const fem::Problem<dim>& problem) {
-  if (dim == 3) section.refuse("Type", "a model in space has no thickness; Type = force is wanted");
+  if (dim == 3) section.refuse("Type", "a model in 3-D has no thickness; Type = force is wanted");
   if (problem.plane == fem::PlaneKind::axisymmetric)
     section.refuse("Type", "an axisymmetric model has no thickness; Type = force is wanted");
 }

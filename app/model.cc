@@ -25,7 +25,7 @@ namespace geneva::app {
 
 namespace {
 
-/// Whether the wheel is so soft that in space, where systems are not factorised, its wall has to be
+/// Whether the wheel is so soft that in 3-D, where systems are not factorised, its wall has to be
 /// the contact's source: with a stiff one the conjugate gradients take hundreds of iterations.
 bool is_on_soft_wheel(const MechanismCase& mechanism) {
   return mechanism.pin.youngs_modulus > fem::very_stiff * mechanism.wheel.youngs_modulus;
@@ -69,7 +69,7 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   return problem;
 }
 
-/// Pin and wheel in the plane, or drawn out.
+/// Pin and wheel in the plane, or extruded.
 template <int dim>
 mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const MechanismState& state,
                                    const ContactGeometry& geometry, mesh::Mesher& mesher,

@@ -33,7 +33,7 @@ QuantityRule whole(double lower, double upper, const std::string& text) {
   return rule;
 }
 
-/// Components of a vector: two in the plane, three in space.
+/// Components of a vector: two in the plane, three in 3-D.
 QuantityRule vector_of(Dimension dimension, std::vector<std::string> words = {}) {
   QuantityRule rule = quantity(dimension, Range(), std::move(words));
   rule.count = 2;
@@ -340,9 +340,9 @@ std::vector<Parameter> body_parameters(const std::string& body) {
   std::vector<Parameter> parameters = material_parameters(section);
   append(parameters,
          {{section, "Body force", "0 N/m^3, 0 N/m^3", vector_of(Dimension::force_per_volume),
-           "Force per volume of the body in x and y, in space in x, y and z."},
+           "Force per volume of the body in x and y, in 3-D in x, y and z."},
           {section, "Gravity", "0 m/s^2, 0 m/s^2", vector_of(Dimension::acceleration),
-           "Acceleration of gravity in x and y, in space in x, y and z: density times gravity is "
+           "Acceleration of gravity in x and y, in 3-D in x, y and z: density times gravity is "
            "added "
            "to the body force."}});
   return parameters;
@@ -362,7 +362,7 @@ std::vector<Parameter> load_parameters(const std::string& surface) {
        "displacement: a length. Negative: against the direction.",
        true},
       {section, "Direction", "", vector_of(Dimension::dimensionless, {""}),
-       "Direction in x and y, in space in x, y and z, of any length; not with Type = pressure, "
+       "Direction in x and y, in 3-D in x, y and z, of any length; not with Type = pressure, "
        "which "
        "has none."}};
 }
@@ -378,7 +378,7 @@ std::vector<Parameter> geometry_file_parameters(const std::string& default_file)
        "Unit of the file's coordinates."},
       {section, "Circle tolerance", "0",
        quantity(Dimension::dimensionless, between(0., 0.01, "from 0 to 1 %")),
-       "By what share of the radius the points of a curve (in space: surface) may be off the "
+       "By what share of the radius the points of a curve (in 3-D: surface) may be off the "
        "circle, cylinder or sphere nearest to them; the nodes are then moved onto it. 0: what is "
        "off by more than rounding stays a polygon."},
       {section, "Plane", "plane strain",
@@ -393,14 +393,13 @@ std::vector<Parameter> geometry_list_parameters() {
   const SectionPath section{names::geometry};
   return {
       {section, "Bodies", "", TextRule{"names separated by commas"},
-       "Physical surfaces of the file that are bodies, in space physical volumes; each has its "
+       "Physical surfaces of the file that are bodies, in 3-D physical volumes; each has its "
        "subsection 'Body NAME'.",
        true},
       {section, "Supports", "",
-       TextRule{
-           "a list of 'surface: fixed', 'surface: x', 'surface: y' or, in space, 'surface: z', "
-           "separated by commas"},
-       "Physical curves, in space physical surfaces, that do not move at all, in x, in y, or in z; "
+       TextRule{"a list of 'surface: fixed', 'surface: x', 'surface: y' or, in 3-D, 'surface: z', "
+                "separated by commas"},
+       "Physical curves, in 3-D physical surfaces, that do not move at all, in x, in y, or in z; "
        "'surface: x y' holds two directions."},
       {section, "Loads", "", TextRule{"names separated by commas"},
        "Physical curves (surfaces) that are loaded; each has its subsection 'Load NAME'."},
@@ -514,14 +513,14 @@ std::vector<Parameter> settings_parameters() {
        "2",
        ChoiceRule{{"2", "3"}},
        "'2': a section across the pin, the same along the whole length, or a plane geometry. '3': "
-       "pin and wheel in space, with bending, edges and crowning (subsection Pin), or a geometry "
+       "pin and wheel in 3-D, with bending, edges and crowning (subsection Pin), or a geometry "
        "of hexahedra."},
       {{},
        "Accuracy",
        "by dimension",
        quantity(Dimension::dimensionless, accuracy, {"by dimension"}),
        "Wanted relative error of the peak contact pressure: the mesh is refined until its "
-       "estimate is smaller. 'by dimension': 0.5 % in the plane, 5 % in space."},
+       "estimate is smaller. 'by dimension': 0.5 % in the plane, 5 % in 3-D."},
       {{},
        "Maximum refinement levels",
        "20",
@@ -552,7 +551,7 @@ std::vector<Parameter> settings_parameters() {
        ChoiceRule{{"automatic", "true", "false"}},
        "Whether every finished mesh is kept, so that 'geneva run --continue' goes on from the last "
        "one when the run was ended, or with other limits or a better accuracy. 'automatic': in "
-       "space, from the first mesh that is finished after 60 s."},
+       "3-D, from the first mesh that is finished after 60 s."},
       {{},
        "Maximum active-set steps",
        "50",

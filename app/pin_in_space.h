@@ -31,7 +31,7 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 /// The pin as a beam; none if its core is held.
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
-/// How wheel (or block) and pin are drawn out along z. Surfaces: "faces" of the wheel, "pin root",
+/// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
 /// "pin tip"; of a half model "wheel middle" and "pin middle".
 /// @param cell greatest size of the plane cells at the contact [m]
 /// @return by the names of the bodies

@@ -237,7 +237,7 @@ std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& so
 }
 
 /// Of the results on a mesh of so many unknowns [byte], at most: measured in the plane 5.3 and 13.3
-/// MB with 6 300 and 21 100, in space 5.1, 22.3 and 39.6 MB with 9 100, 46 900 and 89 300; the
+/// MB with 6 300 and 21 100, in 3-D 5.1, 22.3 and 39.6 MB with 9 100, 46 900 and 89 300; the
 /// checkpoint adds 20 to 31 bytes per unknown.
 double size_of_results(const double unknowns) { return 2e6 + 581. * unknowns; }
 

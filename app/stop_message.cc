@@ -17,7 +17,7 @@ std::string message_of(const fem::Stop& stop) {
           stop.growth);
     case Outcome::unbounded_pressure:
       return "the peak pressure grows by more than 10 % from each mesh to the next: the contact "
-             "reaches a sharp edge, where linear elasticity knows no finite pressure; round the "
+             "reaches a sharp edge, where the pressure of linear elasticity is singular; round the "
              "edge in the geometry, or move the contact away from it";
     case Outcome::no_progress:
       return "over the last three refinements of the contact zone neither the number of nodes in "

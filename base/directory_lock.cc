@@ -66,8 +66,14 @@ DirectoryLock::DirectoryLock(std::filesystem::path file, const std::string& guar
     ::close(descriptor_);
     descriptor_ = open_lock(file_);
   }
-  write_holder(descriptor_);
-  undo_.emplace([path = file_] { ::unlink(path.c_str()); });
+  try {
+    write_holder(descriptor_);
+    undo_.emplace([path = file_] { ::unlink(path.c_str()); });
+  } catch (...) {  // no memory
+    ::unlink(file_.c_str());
+    ::close(descriptor_);
+    throw;
+  }
 }
 
 DirectoryLock::~DirectoryLock() {

@@ -105,7 +105,7 @@ class SystemOfSets {
     last_sets_ = sets;
   }
 
-  /// Whether the sets change by so much still that reducing local errors is enough.
+  /// Whether the sets change by so much still that smoothing is enough.
   [[nodiscard]] bool is_smoothing() const { return is_smoothing_; }
 
   [[nodiscard]] const LinearSystem<dim>& now() const { return *system_; }
@@ -114,7 +114,7 @@ class SystemOfSets {
   [[nodiscard]] double assembly_seconds() const { return assembly_seconds_; }
 
  private:
-  /// Share of the active nodes by which the sets change no more when local errors are small.
+  /// Share of the active nodes by which the sets change no more when smoothing is enough.
   static constexpr double few_for_smoothing = 0.05;
   static constexpr unsigned int most_smoothing_steps = 2;
   /// With fewer nodes the sets may change wholly from one mesh to the next.

@@ -27,7 +27,7 @@ struct FaceRecord {
   int circle;
 };
 
-/// A face's vertices in the cell: counter-clockwise around the cell, in space as seen from outside.
+/// A face's vertices in the cell: counter-clockwise around the cell, in 3-D as seen from outside.
 template <int dim>
 std::array<unsigned int, n_ends<dim>> ends_of(
     const typename dealii::DoFHandler<dim>::active_cell_iterator& cell, const unsigned int face) {

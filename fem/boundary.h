@@ -20,7 +20,7 @@ struct BoundaryNode {
 };
 
 /// A boundary edge, counter-clockwise around its body: the outward normal is to the right of start
-/// -> end. In space a quadrilateral, its vertices counter-clockwise as seen from outside.
+/// -> end. In 3-D a quadrilateral, its vertices counter-clockwise as seen from outside.
 template <int dim>
 struct BoundaryFace {
   std::array<unsigned int, 1U << (dim - 1)> nodes;  ///< indices into Boundary::nodes

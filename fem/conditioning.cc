@@ -93,7 +93,7 @@ bool is_factorised(const Problem<dim>& problem) {
 template <int dim>
 void check_stiffness_ratio(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   // Balance of the forces on the finest mesh of a run at the default accuracy: in the plane 3e-6
-  // for 1e8, 7e-5 for 1e9 and the peak pressure 0.3 % off for 1e10; in space 8e-8 for 1e6.
+  // for 1e8, 7e-5 for 1e9 and the peak pressure 0.3 % off for 1e10; in 3-D 8e-8 for 1e6.
   constexpr double most = dim == 2 ? 1e8 : 1e6;
   // With stiff sources 1e3 takes twelve steps of 15 iterations, 1e5 does not converge in 1000
   // iterations on 10 000 unknowns; exchanged, it takes 17.

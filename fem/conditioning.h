@@ -16,7 +16,7 @@ template <int dim>
 bool is_factorised(const Problem<dim>& problem);
 
 /// Checks that no body is so much stiffer than another that the roundings of its rigid motion would
-/// be forces comparable to the contact's; in space, also that no source is so much stiffer than its
+/// be forces comparable to the contact's; in 3-D, also that no source is so much stiffer than its
 /// target that smoothers fail (their nodes follow the target's, which then carry a stiff body).
 /// @param problem in any units, its bodies in the order of the mesh's
 /// @throws base::InputError naming the bodies, their ratio, what is allowed and what to do

@@ -281,7 +281,7 @@ class NestedIteration {
   }
 
   /// What the results of a mesh take to be written: resident memory grows by 480 bytes per unknown
-  /// then (measured in space, with 57 000), and the mesh has to be made again before. The reserve
+  /// then (measured in 3-D, with 57 000), and the mesh has to be made again before. The reserve
   /// is never touched: it takes addresses only, which are what runs out when an allocation fails.
   void keep_reserve(const std::size_t unknowns) {
     constexpr std::size_t least = 16U << 20U;
@@ -374,7 +374,7 @@ class NestedIteration {
   }
 
   /// Whether the greatest pressure stands at an end or a corner of its surfaces; elsewhere it has a
-  /// bound, however steeply it rises. In space the surfaces always have edges.
+  /// bound, however steeply it rises. In 3-D the surfaces always have edges.
   [[nodiscard]] bool peaks_at_corner() const {
     if constexpr (dim == 2) {
       const std::vector<double> greatest = peaks();
@@ -390,7 +390,7 @@ class NestedIteration {
   }
 
   /// Flags what is worth more: the contact zone until its part of the error is small, then the
-  /// cells around it. In space, where the zone takes most of the cells, the latter once before.
+  /// cells around it. In 3-D, where the zone takes most of the cells, the latter once before.
   /// @return why there is no next mesh, if there is none
   std::optional<Stop> choose_refinement() {
     constexpr double share_of_zone = 0.6;
@@ -508,7 +508,7 @@ class NestedIteration {
                          ZonePart::uneven) == 0)
         return;
       refine_flagged(ghosted_guess());
-      if (dim == 2) before = now;  // in space the levels of a zone can always be made equal
+      if (dim == 2) before = now;  // in 3-D the levels of a zone can always be made equal
     }
   }
 

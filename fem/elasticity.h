@@ -28,10 +28,10 @@ struct PlaneStress {
 PlaneStress stress(const Lame& lame, PlaneKind plane, const dealii::SymmetricTensor<2, 2>& strain,
                    double hoop_strain);
 
-/// Hooke's law in space.
+/// Hooke's law in 3-D.
 dealii::SymmetricTensor<2, 3> stress(const Lame& lame, const dealii::SymmetricTensor<2, 3>& strain);
 
-/// Out-of-plane measure of a point: the thickness, or 2 pi r in an axisymmetric model; 1 in space.
+/// Out-of-plane measure of a point: the thickness, or 2 pi r in an axisymmetric model; 1 in 3-D.
 template <int dim>
 double out_of_plane_measure(const Problem<dim>& problem, const dealii::Point<dim>& point);
 

@@ -18,7 +18,7 @@ std::vector<std::size_t> zone_steps(const std::vector<LevelRecord>& history) {
 }
 
 /// Relative error over the square of the grading as long as it has not been measured: the greatest
-/// that was seen, of cells five times as long as deep and of tilted pins in space.
+/// that was seen, of cells five times as long as deep and of tilted pins in 3-D.
 constexpr double greatest_grading_coefficient = 0.35;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an

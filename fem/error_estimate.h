@@ -44,7 +44,7 @@ constexpr unsigned int nodes_for_grading = 3;
 constexpr unsigned int fewest_active_nodes = 6;
 
 /// Whether the meshes show what refinement of the zone leaves: in the plane if two of them have
-/// enough nodes for a pressure of use, in space, where meshes are dear, if the last one has.
+/// enough nodes for a pressure of use, in 3-D, where meshes are dear, if the last one has.
 /// @param history levels so far, the newest last
 template <int dim>
 bool shows_zone_error(const std::vector<LevelRecord>& history);
@@ -78,7 +78,7 @@ double error_of(double one, double other);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
 /// an edge: 0.8/N^2. In the plane N is twice the number of nodes from the end to the peak, less
-/// one, in space the nodes across; every run of nodes counts as its pressure is to the greatest.
+/// one, in 3-D the nodes across; every run of nodes counts as its pressure is to the greatest.
 /// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
 /// it
 template <int dim>

@@ -42,7 +42,7 @@ class LinearSystem {
   /// @param is_factorised whether the mesh is its coarsest level
   void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler, bool is_factorised);
 
-  /// Reduces local errors by a few conjugate gradients without multigrid.
+  /// Smooths by a few conjugate gradients without multigrid.
   /// @param displacement as in solve()
   /// @return number of iterations
   unsigned int smooth(dealii::TrilinosWrappers::MPI::Vector& displacement) const;

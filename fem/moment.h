@@ -7,7 +7,7 @@
 
 namespace geneva::fem {
 
-/// A moment: about z in the plane, a vector in space.
+/// A moment: about z in the plane, a vector in 3-D.
 template <int dim>
 using Moment = std::conditional_t<dim == 2, double, dealii::Tensor<1, 3>>;
 

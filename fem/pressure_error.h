@@ -23,7 +23,7 @@ struct PressureError {
   double zone = 1.;                  ///< by the resolution of the contact itself
   double surroundings = 1.;          ///< by the cells around it
   double correction = 0.;            ///< to be added to the pressure of the mesh
-  std::optional<EdgePressure> edge;  ///< in space
+  std::optional<EdgePressure> edge;  ///< in 3-D
 
   [[nodiscard]] bool is_of_peak() const { return !edge || edge->is_bounded; }
   [[nodiscard]] double total() const { return error_of(zone, surroundings); }

@@ -36,7 +36,7 @@ struct Material {
   double poissons_ratio;  ///< nu, -1 < nu < 0.5
 };
 
-/// Rotation of a body about the origin, in space about the z axis, whose inertia loads it:
+/// Rotation of a body about the origin, in 3-D about the z axis, whose inertia loads it:
 /// rho (omega^2 r - alpha x r).
 ///
 /// The density is not given: on every mesh it is set so that the body's moment of inertia is the
@@ -87,16 +87,16 @@ struct RigidTie {
 struct ContactPair {
   std::string source;
   std::string target;
-  /// In space: what crowning, tilt and edge breaks, which the mesh does not show, add to the gap
+  /// In 3-D: what crowning, tilt and edge breaks, which the mesh does not show, add to the gap
   /// [m] at a place z [m]; may be empty.
   std::function<double(double)> clearance = {};
 };
 
-/// An elastic contact problem in the plane or in space, all by name, SI units.
+/// An elastic contact problem in the plane or in 3-D, all by name, SI units.
 template <int dim>
 struct Problem {
-  PlaneKind plane = PlaneKind::plane_strain;  ///< not used in space
-  double thickness = 1.;  ///< [m], > 0; not used in an axisymmetric model and in space
+  PlaneKind plane = PlaneKind::plane_strain;  ///< not used in 3-D
+  double thickness = 1.;  ///< [m], > 0; not used in an axisymmetric model and in 3-D
   std::vector<Body<dim>> bodies;
   std::vector<Support<dim>> supports;
   std::vector<SurfaceLoad<dim>> loads;
@@ -114,7 +114,7 @@ bool has_prescribed_displacement(const Problem<dim>& problem) {
 }
 
 /// Ratio of the stiffnesses of two bodies from which on point smoothers fail. Up to it the
-/// multigrid takes 38 iterations at most, with a ratio of 1000 it takes 116; in space that holds
+/// multigrid takes 38 iterations at most, with a ratio of 1000 it takes 116; in 3-D that holds
 /// for a stiff source.
 constexpr double very_stiff = 100.;
 

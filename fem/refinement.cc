@@ -42,7 +42,7 @@ double longest_edge(const Surface<dim>& surface, const SurfaceFace<dim>& face) {
   return longest;
 }
 
-/// The longest extent of a cell; in space the middle one, or the longest one over the elongation of
+/// The longest extent of a cell; in 3-D the middle one, or the longest one over the elongation of
 /// the zone's faces if that is more: where the contact needs no short cells along it, they are not
 /// needed around it.
 template <int dim>
@@ -61,7 +61,7 @@ struct ZoneOutline {
   std::vector<dealii::Point<dim>> nodes;  ///< in contact, of both sides: a gap may have been wide
   std::vector<double> sizes;              ///< of the edges at these nodes after this refinement
   double elongation;                      ///< greatest ratio of a face's edges in the zone
-  double width;       ///< of the contact; in space its edges times the nodes across
+  double width;       ///< of the contact; in 3-D its edges times the nodes across
   double zone_width;  ///< without a smooth middle
 };
 

@@ -40,7 +40,7 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
 /// much as those of the dual solution of the peak pressure. Under a line load the former fall as
 /// 1/r^2. In the plane, where loads give the force of a contact, what is left of the dual solution
 /// is a double couple, with b^2/r^4: m = 6; around an axis 1/r^3, b^2/r^5 and cells of the volume
-/// r dA: m = 7. Under a prescribed displacement the cells decide how great the force is, in space
+/// r dA: m = 7. Under a prescribed displacement the cells decide how great the force is, in 3-D
 /// where along the length it goes, and the dual solution is a force: m is less by 2.
 template <int dim>
 int size_decay(const Problem<dim>& problem);
@@ -50,7 +50,7 @@ int size_decay(const Problem<dim>& problem);
 ///
 /// The least number of cells for an error of the sum of h^2 V/r^m, in the plane with a number of
 /// V/h^2, has h in proportion to r^(m/4): 1.5 where loads give the contact's force, and 1 under a
-/// prescribed displacement, where cells far away decide how great it is. In space 1.
+/// prescribed displacement, where cells far away decide how great it is. In 3-D 1.
 template <int dim>
 double size_growth(const Problem<dim>& problem);
 

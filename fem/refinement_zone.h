@@ -15,9 +15,9 @@ using SurfaceIds = std::vector<std::pair<unsigned int, unsigned int>>;
 /// Which cells along a contact zone.
 enum class ZonePart {
   all,
-  uneven,  ///< in the plane whose edges are long beside the shortest of the zone, in space of lower
+  uneven,  ///< in the plane whose edges are long beside the shortest of the zone, in 3-D of lower
            ///< levels than the highest of their side
-  longest  ///< in the plane whose edges are about as long as the longest of the zone, in space all
+  longest  ///< in the plane whose edges are about as long as the longest of the zone, in 3-D all
 };
 
 /// Flags this rank's cells along the contact zones, which reach a quarter of the contact's width

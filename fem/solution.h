@@ -49,7 +49,7 @@ struct ContactResult {
   std::string source;
   std::string target;
   std::vector<ContactNode<dim>> nodes;  ///< in the plane in the order of the arc length
-  /// Faces (indices into nodes) of the source whose nodes all face the target; in space.
+  /// Faces (indices into nodes) of the source whose nodes all face the target; in 3-D.
   std::vector<std::array<std::size_t, 4>> faces;
   Components<dim> force;  ///< resultant of the pressure on the source body [N]
   /// What the pressure adds up to along the normals of planes of symmetry, or along the radius of a
@@ -97,7 +97,7 @@ struct LevelRecord {
   double grading;         ///< greatest ratio of cell size to distance from the contact
   double size_measure;    ///< see there; of the error by the cells' sizes
   double error_estimate;  ///< relative, of the peak pressure extrapolated from this mesh
-  /// In space: greatest pressure in the middle half of the surfaces' common length, and at its two
+  /// In 3-D: greatest pressure in the middle half of the surfaces' common length, and at its two
   /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
@@ -137,7 +137,7 @@ struct Solution {
                                ///< is not bounded, of that in the middle half of the length
   double correction = 0.;      ///< relative, of the same pressure: what its extrapolation to ever
                                ///< finer cells around the contact adds to that of the mesh
-  std::optional<EdgePressure> edge;  ///< in space
+  std::optional<EdgePressure> edge;  ///< in 3-D
   bool has_free_ends = false;  ///< whether a contact ends within the surfaces: only then do figures
                                ///< depend on the cells around it
   Stop stop;                   ///< of the refinement

@@ -10,7 +10,7 @@ namespace geneva::fem {
 /// What is known of the last mesh when it is asked whether to go on.
 struct Standing {
   double error_estimate;             ///< relative
-  std::optional<EdgePressure> edge;  ///< in space
+  std::optional<EdgePressure> edge;  ///< in 3-D
   bool peaks_at_corner;              ///< of the surfaces, where a pressure may have no bound
   unsigned int n_refinements;
 };

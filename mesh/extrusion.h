@@ -8,7 +8,7 @@
 
 namespace geneva::mesh {
 
-/// How a plane body becomes one in space.
+/// How a plane body becomes one in 3-D.
 struct Extrusion {
   std::vector<double> planes;  ///< z of the layers' boundaries, two or more, ascending [m]
   std::string lower_end;       ///< surface at the first plane; may be ""

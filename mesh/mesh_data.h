@@ -11,7 +11,7 @@
 
 namespace geneva::mesh {
 
-/// The circle that a boundary curve of a plane mesh is part of; in space the cylinder or the sphere
+/// The circle that a boundary curve of a plane mesh is part of; in 3-D the cylinder or the sphere
 /// that a boundary surface is part of.
 struct Circle {
   std::array<double, 3> centre;               ///< [m]; of a cylinder a point of its axis
@@ -52,7 +52,7 @@ struct MeshData {
   std::vector<Circle> circles;
   std::vector<std::string> bodies;
   std::vector<std::string> surfaces;
-  std::optional<Grading> grading;  ///< of the layers along z that refinement makes; in space only
+  std::optional<Grading> grading;  ///< of the layers along z that refinement makes; in 3-D only
 };
 
 /// The faces of a cell: counter-clockwise edges, or quadrilaterals counter-clockwise as seen from

@@ -15,7 +15,7 @@ Corners corners(const MeshData<2>& mesh, const Cell<2>& quad);
 /// for a cell that is turned over, pinched or not convex.
 double scaled_jacobian(const Corners& corners);
 
-/// The same of a cell: in space the least over the corners of the volume that the unit vectors
+/// The same of a cell: in 3-D the least over the corners of the volume that the unit vectors
 /// along its edges span.
 template <int dim>
 double scaled_jacobian(const MeshData<dim>& mesh, const Cell<dim>& cell);

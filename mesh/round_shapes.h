@@ -8,7 +8,7 @@
 
 namespace geneva::mesh {
 
-/// A point in space.
+/// A point in 3-D.
 using Place = std::array<double, 3>;
 
 /// The circle in the plane z = 0 on which all points lie to 1e-8 of its radius, if there is one;
@@ -27,7 +27,7 @@ std::optional<Circle> round_surface_through(const std::vector<Place>& points,
 /// @return nothing if a point is farther off, or if a straight line is not ten times as far off
 std::optional<Circle> circle_near(const std::vector<Place>& points, double tolerance);
 
-/// The same in space for the nearer of a cylinder and a sphere, with ten points at least.
+/// The same in 3-D for the nearer of a cylinder and a sphere, with ten points at least.
 /// @param normals see round_surface_through
 std::optional<Circle> round_surface_near(const std::vector<Place>& points,
                                          const std::vector<Place>& normals, double tolerance);

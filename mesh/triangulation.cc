@@ -130,7 +130,7 @@ dealii::SubCellData boundary_data(const MeshData<dim>& mesh) {
   return boundary;
 }
 
-/// Gives the edges of curved faces in space the manifold of their face.
+/// Gives the edges of curved faces in 3-D the manifold of their face.
 template <int dim>
 void bend_lines(dealii::Triangulation<dim>& triangulation) {
   if constexpr (dim == 3)

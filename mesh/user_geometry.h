@@ -7,11 +7,11 @@
 
 namespace geneva::mesh {
 
-/// Reads a geometry (.geo, meshed with quadrilaterals, in space with hexahedra as it
+/// Reads a geometry (.geo, meshed with quadrilaterals, in 3-D with hexahedra as it
 /// says itself) or mesh (.msh, format 2.2 or 4.1).
 ///
 /// In the plane physical surfaces become bodies and physical curves become surfaces, by name; in
-/// space physical volumes become bodies and physical surfaces become surfaces. Curves that are
+/// 3-D physical volumes become bodies and physical surfaces become surfaces. Curves that are
 /// circles, surfaces that are parts of cylinders or spheres are found (.geo: from the geometry;
 /// .msh: if all nodes, five on a curve and ten on a surface at least, lie on one). Nodes of nearly
 /// round ones are moved onto the nearest circle, cylinder or sphere. Runs on one rank, without MPI.

@@ -94,7 +94,7 @@ void read_vertices(TaggedMesh<dim>& result) {
   if (dim == 2 && !(off_plane <= in_plane * extent))
     throw base::InputError(
         fmt::format("a vertex stands at z = {:.6g}: a plane geometry must lie in the plane z = 0; "
-                    "'set Dimension = 3' reads one in space",
+                    "'set Dimension = 3' reads one in 3-D",
                     off_plane));
 }
 

@@ -16,14 +16,14 @@ using mesh::MeshData;
 struct ModelLabels {
   struct Body {
     std::string name;
-    std::vector<int> entities;  ///< Gmsh's tags of its surfaces, in space of its volumes
+    std::vector<int> entities;  ///< Gmsh's tags of its surfaces, in 3-D of its volumes
   };
   struct BoundaryPart {
     std::string surface;  ///< empty: no name
     int circle;           ///< index into circles; -1: straight, or no circle
   };
   std::vector<Body> bodies;
-  std::map<int, BoundaryPart> boundary;  ///< by Gmsh's tag of the curve, in space of the surface
+  std::map<int, BoundaryPart> boundary;  ///< by Gmsh's tag of the curve, in 3-D of the surface
   std::vector<Circle> circles;
   std::vector<std::string> surfaces;  ///< names of the boundary's parts in the order wanted
 };
@@ -39,7 +39,7 @@ struct TaggedMesh {
   std::vector<std::size_t> tags;
 };
 
-/// Cells of the current Gmsh model's mesh that are not linear quadrilaterals, in space not linear
+/// Cells of the current Gmsh model's mesh that are not linear quadrilaterals, in 3-D not linear
 /// hexahedra.
 struct OtherCells {
   std::size_t simplices = 0;  ///< triangles or tetrahedra

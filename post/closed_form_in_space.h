@@ -9,7 +9,7 @@
 
 namespace geneva::post {
 
-/// Hertz's solution of a contact in space for the force that it carries.
+/// Hertz's solution of a contact in 3-D for the force that it carries.
 struct ClosedFormInSpace {
   std::optional<loads::HertzLine> line;        ///< evenly loaded over the loaded length
   std::optional<loads::HertzEllipse> ellipse;  ///< where the contact ends before the surfaces do

@@ -47,7 +47,7 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<2>& solution,
                  value_of(errors, Figure::max_shear_depth))};
 }
 
-/// What a closed form in space says of the figures; unknown without one.
+/// What a closed form in 3-D says of the figures; unknown without one.
 struct ClosedFigures {
   std::optional<double> peak, width, length, shear, depth, line_load;
 };
@@ -224,7 +224,7 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
   for (const ComparisonRow& row : comparison(solution, results, report))
     table += line_of(row, units);
   return table + error_lines(solution, report) +
-         fmt::format("force balance: defect {:.1e} of the contact force\n",
+         fmt::format("force balance: residual {:.1e} of the contact force\n",
                      results.equilibrium.force_defect) +
          safety_lines(safety(solution, results, report), units);
 }

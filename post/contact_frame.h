@@ -10,7 +10,7 @@
 
 namespace geneva::post {
 
-/// Where a contact in space carries its load, and how the surfaces curve there.
+/// Where a contact in 3-D carries its load, and how the surfaces curve there.
 struct ContactFrame {
   dealii::Point<3> centre;      ///< of pressure [m]; of the whole contact where the model is a part
   dealii::Tensor<1, 3> normal;  ///< target's outward unit normal there

@@ -139,7 +139,7 @@ struct VtkCells {
   }
 };
 
-/// Lines from node to node in the plane, quadrilaterals in space.
+/// Lines from node to node in the plane, quadrilaterals in 3-D.
 void add_cells(const fem::ContactResult<2>& contact, const std::size_t first_point,
                VtkCells& cells) {
   constexpr int line = 3;

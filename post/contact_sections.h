@@ -7,7 +7,7 @@
 
 namespace geneva::post {
 
-/// One section across a contact in space that extends along z.
+/// One section across a contact in 3-D that extends along z.
 struct ContactSection {
   double z;                ///< [m]
   double line_load;        ///< integral of the pressure across the contact [N/m]

@@ -81,7 +81,7 @@ ContactAnalysis<3> contact_analysis(const fem::Solution<3>& solution,
 template <int dim>
 bool is_bounded(const fem::Solution<dim>& solution);
 
-/// Half-width of a contact [m]; in space of its middle section, or the semi-axis across z.
+/// Half-width of a contact [m]; in 3-D of its middle section, or the semi-axis across z.
 double half_width(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& analysis);
 double half_width(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis);
 

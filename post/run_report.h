@@ -14,7 +14,7 @@
 
 namespace geneva::post {
 
-/// The pin of a mechanism in space.
+/// The pin of a mechanism in 3-D.
 struct PinReport {
   PinBending bending;
   std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
@@ -31,7 +31,7 @@ struct MechanismReport {
   double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
   std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
   std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
-  std::optional<PinReport> pin;       ///< in space
+  std::optional<PinReport> pin;       ///< in 3-D
   double parts;                       ///< of which the model is one: 2 of a half model
   std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
   double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin

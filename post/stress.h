@@ -42,7 +42,7 @@ double max_shear(const std::array<double, 3>& principal);
 /// Greatest shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
 double in_plane_shear(const fem::PlaneStress& stress);
 
-/// Independent components of a stress: xx, yy, out of plane, xy; in space xx, yy, zz, xy, xz, yz.
+/// Independent components of a stress: xx, yy, out of plane, xy; in 3-D xx, yy, zz, xy, xz, yz.
 template <int dim>
 constexpr unsigned int n_stress_components = dim == 2 ? 4 : 6;
 

@@ -1,4 +1,4 @@
-"""Renders the README's picture in space: pvbatch doc/images/pin_picture.py RESULTS_DIR PICTURE.png
+"""Renders the README's picture in 3-D: pvbatch doc/images/pin_picture.py RESULTS_DIR PICTURE.png
 
 RESULTS_DIR holds the results of cases/johnson-optimum-3d (in-lbf units). The contact zone is drawn 25 times as wide as
 it is; the pressure stands on it as a mountain.

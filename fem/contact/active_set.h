@@ -45,7 +45,7 @@ std::vector<bool> first_touch(const ContactInterface<dim>& interface);
 std::vector<bool> inherited(const ContactInterface<2>& interface,
                             const std::vector<ContactInterval>& intervals, double length);
 
-/// In space: the rows whose nodes are nearest to an active node of the coarser mesh, and not as
+/// In 3-D: the rows whose nodes are nearest to an active node of the coarser mesh, and not as
 /// near to one that is not active.
 /// @param nodes of the coarser mesh's result [m]
 std::vector<bool> inherited(const ContactInterface<3>& interface,
@@ -85,7 +85,7 @@ ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const Contac
 /// over one of the target.
 bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& state);
 
-/// How many active nodes the contact is wide: all of them in the plane; in space twice the most
+/// How many active nodes the contact is wide: all of them in the plane; in 3-D twice the most
 /// steps from an active node to an open one, less one.
 unsigned int nodes_across(const ContactInterface<2>& interface);
 unsigned int nodes_across(const ContactInterface<3>& interface);

@@ -18,7 +18,7 @@ template <int dim>
 struct MortarData {
   std::function<double(const dealii::Point<dim>&)> measure;  ///< out-of-plane measure at a point
   double source_share;  ///< of the source body in the compliance of both, 0..1
-  std::function<double(double)> clearance = {};  ///< added to the gap by z, in space; may be empty
+  std::function<double(double)> clearance = {};  ///< added to the gap by z, in 3-D; may be empty
   MPI_Comm communicator = MPI_COMM_SELF;         ///< ranks that share the work; all get the result
 };
 
@@ -50,13 +50,13 @@ class FaceSearch<2> {
   const Surface<2>& target;
 };
 
-/// In space by a tree of the boxes around the target faces.
+/// In 3-D by a tree of the boxes around the target faces.
 template <>
 class FaceSearch<3> {
  public:
   explicit FaceSearch(const Surface<3>& surface);
 
-  /// Indices in ascending order of the target faces that come near a source face drawn out along
+  /// Indices in ascending order of the target faces that come near a source face extruded along
   /// its normal to both sides by the target's length: their boxes meet, and the ball around the
   /// target face meets the cylinder around the other.
   [[nodiscard]] std::vector<unsigned int> near(const Surface<3>& source,
@@ -76,7 +76,7 @@ class FaceSearch<3> {
 };
 
 /// Gauss points on all overlaps of one source face with the target. In the plane the source edge is
-/// split where target nodes project on it; in space both faces are projected on the source face's
+/// split where target nodes project on it; in 3-D both faces are projected on the source face's
 /// plane and cut with each other (Puso and Laursen 2004).
 std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source, const SurfaceFace<2>& face,
                                             const FaceSearch<2>& search, const MortarData<2>& data);

@@ -29,7 +29,7 @@ struct SurfaceNode {
   double arc_length;  ///< in the plane, along the true surface, counter-clockwise around the body
 };
 
-/// A face of a contact surface: in the plane an edge, counter-clockwise around the body; in space a
+/// A face of a contact surface: in the plane an edge, counter-clockwise around the body; in 3-D a
 /// quadrilateral, its nodes counter-clockwise as seen from outside.
 template <int dim>
 struct SurfaceFace {
@@ -43,13 +43,13 @@ template <int dim>
 struct Surface {
   std::vector<SurfaceNode<dim>> nodes;
   std::vector<SurfaceFace<dim>> faces;
-  std::vector<mesh::Circle> circles;  ///< in space cylinders and spheres
+  std::vector<mesh::Circle> circles;  ///< in 3-D cylinders and spheres
   bool closed = false;                ///< in the plane: the last node is joined to the first
-  double length = 0.;  ///< total arc length; in space the diagonal of the box around it
+  double length = 0.;  ///< total arc length; in 3-D the diagonal of the box around it
 };
 
 /// Where arc lengths are counted from, for both surfaces of every pair, on every mesh; not used in
-/// space.
+/// 3-D.
 template <int dim>
 struct SurfaceOrigins {
   std::vector<dealii::Point<dim>> source;

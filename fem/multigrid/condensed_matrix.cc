@@ -51,7 +51,7 @@ std::vector<double> CondensedMatrix<n>::diagonal() const {
   return result;
 }
 
-/// Of the rows of this rank's unknowns that follow others, with their images in the columns.
+/// Of the rows of this rank's constrained unknowns, with their images in the columns.
 template <int n>
 std::map<int, double> CondensedMatrix<n>::contributions_to_diagonal() const {
   std::map<int, double> result;

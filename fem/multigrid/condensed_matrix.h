@@ -10,9 +10,9 @@
 
 namespace geneva::fem {
 
-/// E^T A E for unknowns u = E v that follow others (Shephard 1984, Linear multipoint constraints
+/// E^T A E for constrained unknowns u = E v (Shephard 1984, Linear multipoint constraints
 /// applied via transformation as part of a direct stiffness assembly process), by its factors: A
-/// stays when other unknowns follow. It does not see the entries of unknowns that follow others,
+/// stays when other unknowns are constrained. It does not see the entries of constrained unknowns,
 /// and its products are zero there.
 template <int n>
 class CondensedMatrix {
@@ -22,8 +22,8 @@ class CondensedMatrix {
   /// @param whole A; no unknown follows another yet
   explicit CondensedMatrix(SymmetricMatrix<n> whole);
 
-  /// Lets other unknowns follow others than before.
-  /// @param lines of all unknowns in the rows and columns of this rank that follow others
+  /// Constrains other unknowns than before.
+  /// @param lines of all constrained unknowns in the rows and columns of this rank
   void eliminate(const std::map<int, Shares>& lines);
 
   [[nodiscard]] const SymmetricMatrix<n>& whole() const { return whole_; }
@@ -33,10 +33,10 @@ class CondensedMatrix {
   /// E^T A E v
   void vmult(Vector& result, const Vector& vector) const;
   /// b - E^T A E v
-  /// @param right_hand_side zero at unknowns that follow others
+  /// @param right_hand_side zero at constrained unknowns
   void residual(Vector& result, const Vector& vector, const Vector& right_hand_side) const;
 
-  /// In the order of this rank's unknowns; that of A at those that follow others.
+  /// In the order of this rank's unknowns; that of A at the constrained ones.
   [[nodiscard]] std::vector<double> diagonal() const;
 
  private:

@@ -16,7 +16,7 @@ class DirectSolver {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// Of E^T A E for unknowns that follow others; their own equations have A's diagonal alone.
+  /// Of E^T A E for constrained unknowns; their own equations have A's diagonal alone.
   /// @param matrix A; E^T A E is to be positive definite
   /// @param elimination E
   DirectSolver(const SymmetricMatrix<n>& matrix, const Elimination& elimination,

@@ -17,7 +17,7 @@ namespace geneva::fem {
 /// Shares that an unknown has in others, ascending by these.
 using Shares = std::vector<std::pair<int, double>>;
 
-/// Unknowns that follow others: u = E v.
+/// Constrained unknowns: u = E v.
 class Elimination {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -29,7 +29,7 @@ class Elimination {
   };
 
   /// @param unknowns of this rank
-  /// @param lines by unknowns of any rank that follow others, which follow none; those of this rank
+  /// @param lines by constrained unknowns of any rank, in unconstrained ones; those of this rank
   /// at least
   Elimination(const Epetra_Map& unknowns, const std::map<int, Shares>& lines);
 
@@ -42,7 +42,7 @@ class Elimination {
 
   /// E v in place of v.
   void distribute(Vector& vector) const;
-  /// E^T r in place of r; zero at the unknowns that follow others.
+  /// E^T r in place of r; zero at the constrained unknowns.
   void collect(Vector& vector) const;
   /// The sums of the ranks' values, at this rank's unknowns.
   /// @param values at unknowns of any rank that this rank's follow

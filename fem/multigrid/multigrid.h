@@ -30,7 +30,7 @@ class Multigrid {
 
   void vmult(Vector& correction, const Vector& residual) const;
 
-  /// To be called when other unknowns of the matrix follow others.
+  /// To be called when other unknowns of the matrix are constrained.
   void renew();
 
   /// Whether the matrix is positive definite, as far as that was found out.

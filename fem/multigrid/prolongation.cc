@@ -190,7 +190,7 @@ BlockRows<RigidDisplacement<dim>> rows_followed(const std::vector<NodeRow<dim>>&
   return result;
 }
 
-/// Lets eliminated unknowns follow others.
+/// Gives the constrained unknowns their values.
 template <int dim>
 void distribute(std::vector<NodeRow<dim>>& rows, const Elimination& elimination,
                 const Epetra_Map& unknowns, const MPI_Comm communicator) {

@@ -14,7 +14,7 @@ namespace geneva::fem {
 /// How the unknowns of a mesh depend on each other.
 struct Dependence {
   const dealii::AffineConstraints<double>& constraints;  ///< by which the matrix was assembled
-  const Elimination& elimination;                        ///< of unknowns that follow others
+  const Elimination& elimination;                        ///< of constrained unknowns
   const dealii::IndexSet& unknowns;                      ///< of this rank
 };
 

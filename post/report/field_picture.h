@@ -5,7 +5,7 @@
 
 namespace geneva::post {
 
-/// A picture of the von Mises stress around the contact, four half-widths up and down, in space of
+/// A picture of the von Mises stress around the contact, four half-widths up and down, in 3-D of
 /// the cut across it: an SVG document with axes and colour bar in output units.
 /// @param view what view.json holds
 /// @throws base::InputError if it is damaged

@@ -9,7 +9,7 @@ namespace geneva::post {
 /// checks.
 ReportPart verdict_part(const ResultsDirectory& results);
 
-/// Pressure and stress below the contact; in space line load and pressure along the pin.
+/// Pressure and stress below the contact; in 3-D line load and pressure along the pin.
 ReportPart contact_part(const ResultsDirectory& results);
 
 /// Pressure and error mesh by mesh, and what it took.

@@ -208,7 +208,7 @@ class SkinBuilder {
   SharpEdges edges_;
 };
 
-/// What can be seen of this rank's cells.
+/// Visualisation data of this rank's cells.
 template <int dim>
 ViewMesh own_skin(const fem::Solution<dim>& solution, const Results<dim>& results) {
   SkinBuilder<dim> builder(solution, results);

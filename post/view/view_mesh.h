@@ -19,11 +19,11 @@ struct ViewMesh {
   std::vector<unsigned int> bodies;  ///< of each point, an index into Problem::bodies
   std::array<std::vector<float>, view_fields.size()> fields;  ///< [Pa]; not a number: there is none
   std::vector<unsigned int> triangles;                        ///< three points of each triangle
-  std::vector<unsigned int> outlines;  ///< two points of each line that bounds the bodies, in space
+  std::vector<unsigned int> outlines;  ///< two points of each line that bounds the bodies, in 3-D
                                        ///< of each of their edges
 };
 
-/// What can be seen of a solution: in the plane all cells, in space the boundary of the bodies. On
+/// Visualisation data of a solution: in the plane all cells, in 3-D the boundary of the bodies. On
 /// rank 0; all ranks take part.
 template <int dim>
 ViewMesh visible_mesh(const fem::Solution<dim>& solution, const Results<dim>& results);

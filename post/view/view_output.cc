@@ -103,7 +103,7 @@ class PointFinder {
   std::map<Key, unsigned int> points_;
 };
 
-/// Where the pressure on the source surface is shown: in space its faces, in the plane a band that
+/// Where the pressure on the source surface is shown: in 3-D its faces, in the plane a band that
 /// is as high as the pressure is great.
 struct PressureMesh {
   ViewMesh mesh;

@@ -7,8 +7,8 @@
 
 namespace geneva::post {
 
-/// What view.json says: what can be seen of the solution, as triangles with displacements and
-/// stresses in output units; in space also cuts across the pin where the pressure is greatest and
+/// What view.json holds: visualisation data of the solution, triangles with displacements and
+/// stresses in output units; in 3-D also cuts across the pin where the pressure is greatest and
 /// along it, and the contact pressure on the source surface. doc/results.md describes it. Every
 /// rank takes part.
 /// @return on rank 0; null on the others, and if nothing is in contact

@@ -11,7 +11,7 @@ holds if it is at least that. Prints a row for each case, one for each kind, and
 OUTPUT/cases/NAME/at-ACCURACY is each case directory, to be run by hand. OUTPUT/results.jsonl gains a line for every
 run that has ended: a second call leaves those out, and other programs, accuracies and splits add to it. A run is known
 by the text of its case and by the label of its program; the truth may be that of another program (--truth-program).
-With the kind "all" every index stands for a case in the plane and one in space.
+With the kind "all" every index stands for a case in the plane and one in 3-D.
 """
 
 import argparse
@@ -372,7 +372,7 @@ def read_arguments():
     parser.add_argument("last", type=int)
     parser.add_argument("--accuracy", type=read_accuracy, required=True, help="of the runs, as in a case file")
     parser.add_argument("--kind", choices=("plane", "space", "all"), default="plane")
-    parser.add_argument("--space-accuracy", type=read_accuracy, help="of the runs in space (default: the same)")
+    parser.add_argument("--space-accuracy", type=read_accuracy, help="of the runs in 3-D (default: the same)")
     parser.add_argument("--only", choices=("odd", "even"), help="cases with such an index: one half to tune on, the "
                         "other to check")
     parser.add_argument("--program", default=ROOT / "build/release/app/geneva")

@@ -586,7 +586,7 @@ def local_contact(draw):
     return wheel_contact(draw, draw.pick(("external", "internal")), block)
 
 
-# In space
+# In 3-D
 
 
 def ellipse(force, radii, modulus):
@@ -660,7 +660,7 @@ def crossed_contact(draw):
     return [("Dimension", 3), *parameters], geometry, None
 
 
-# A sector between surface and core of each cylinder, drawn out along its axis.
+# A sector between surface and core of each cylinder, extruded along its axis.
 CROSSED = """SetFactory("OpenCASCADE");
 Macro Sector
   Point(n) = {0, side * R, 0};

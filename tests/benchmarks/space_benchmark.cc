@@ -1,4 +1,4 @@
-// What a contact analysis in space costs, beside one plain linear elastic solve (cell matrices,
+// What a contact analysis in 3-D costs, beside one plain linear elastic solve (cell matrices,
 // assembly, multigrid and conjugate gradients to 1e-8 from zero) on its finest mesh with its final
 // contact.
 //

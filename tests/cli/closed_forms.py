@@ -458,7 +458,7 @@ def hertz_ellipse(force, larger, smaller, modulus):
 
 
 def in_space(hertz):
-    """Keys of a contact in space and of the closed form beside it; a circle has one radius."""
+    """Keys of a contact in 3-D and of the closed form beside it; a circle has one radius."""
     hertz = {"half_length": hertz["half_width"], **hertz}
     return {f"{section}.{key}": hertz[key] for section in ("contact", "hertz")
             for key in ("peak_pressure", "half_width", "half_length", "max_shear") if key in hertz}

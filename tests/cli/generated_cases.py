@@ -23,7 +23,7 @@ SPECIMENS = {("plane", 0): "Value = 2.1803068", ("space", 2): "Crown radius = 10
 # below its middle, and a sphere under a prescribed displacement with coarse cells far away.
 ONCE_MISSED = {92: (0.02, 0.002), 97: (0.02, 0.005), 442: (0.02, 0.005), 378: (0.005, 0.0005)}
 
-# Crossed cylinders in space whose peak pressure with its correction is more than a thousandth above that of every node.
+# Crossed cylinders in 3-D whose peak pressure with its correction is more than a thousandth above that of every node.
 ABOVE_ALL_NODES = 36
 
 

@@ -245,7 +245,7 @@ STRESSES = ("von_mises", "max_shear", "principal_stress_1", "principal_stress_2"
 
 
 class SpaceReport(ReportTest):
-    """The report of two blocks pressed together in space."""
+    """The report of two blocks pressed together in 3-D."""
 
     case_name = "flat-patch-3d"
 

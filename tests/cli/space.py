@@ -1,4 +1,4 @@
-"""Pin and wheel in space: closed forms, invariants and refusals on a soft pin and block, which need few unknowns."""
+"""Pin and wheel in 3-D: closed forms, invariants and refusals on a soft pin and block, which need few unknowns."""
 
 import csv
 import json

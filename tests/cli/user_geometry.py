@@ -39,7 +39,7 @@ class DocumentedExamples(CliTest):
 
     def test_run_as_they_stand_on_the_page(self):
         cases = self.write_examples()
-        self.assertEqual(len(cases), 2, "in the plane and in space")
+        self.assertEqual(len(cases), 2, "in the plane and in 3-D")
         for case, tolerance in zip(cases, (0.005, 0.05)):
             with self.subTest(case.name):
                 summary = self.run_case(case)

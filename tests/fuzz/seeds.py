@@ -67,7 +67,7 @@ def mechanism(name, changes=None):
 
 
 def in_space(name):
-    """A mechanism with its pin in space, whose first mesh costs what many other mutants do."""
+    """A mechanism with its pin in 3-D, whose first mesh costs what many other mutants do."""
     return Seed(name, shipped(name), "case.prm", ("run", "kinematics", "kinematics", "design"))
 
 

@@ -13,7 +13,7 @@ namespace {
 using geneva::test::error_of;
 using geneva::test::LineContact;
 
-/// The plane problem drawn out, its ends held along z: the state of plane strain in space.
+/// The plane problem extruded, its ends held along z: the state of plane strain in 3-D.
 Problem<3> in_space(const Problem<2>& plane) {
   Problem<3> problem;
   for (const Body<2>& body : plane.bodies) problem.bodies.push_back({body.name, body.material, {}});

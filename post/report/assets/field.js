@@ -47,7 +47,7 @@
 
   const meshes = Object.fromEntries(view.meshes.map((mesh) => [mesh.name, decodedMesh(mesh)]));
 
-  // In space the pressure is drawn as a mountain over the contact surface, which is far longer than wide.
+  // In 3-D the pressure is drawn as a mountain over the contact surface, which is far longer than wide.
   const mountain = { widening: 1 };
   function raiseMountain() {
     const { points, displacements, fields, triangles } = meshes.contact;

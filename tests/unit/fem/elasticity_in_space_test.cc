@@ -22,7 +22,7 @@ using geneva::test::equal_steps;
 constexpr double pi = 3.14159265358979323846;
 const Material steel{2., 0.3};
 
-/// A ring sector around a centre off the origin, drawn out in uneven layers.
+/// A ring sector around a centre off the origin, extruded in uneven layers.
 mesh::MeshData<3> sector() {
   mesh::MeshData<2> plane = geneva::test::empty_mesh();
   geneva::test::add_ring(

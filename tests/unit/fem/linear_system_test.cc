@@ -133,7 +133,8 @@ TEST(LinearSystem, ForgetsWhatWasEliminatedBefore) {
   expect_same(sector.solved(untouched), sector.solved(freed));
 }
 
-/// Whose factors go over to other constraints, also of unknowns that follow those of other ranks.
+/// Whose factors go over to other constraints, also of unknowns constrained by those of other
+/// ranks.
 TEST(LinearSystem, FactorisedOneIsSolvedAtOnceAndIsTheSame) {
   const TiedSector sector;
   LinearSystem<3> system = sector.system({});

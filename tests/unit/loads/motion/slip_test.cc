@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 constexpr double centre_distance = 0.1;
 constexpr double pin_diameter = 0.012;
 
-/// Pin and carrier of a mechanism as bodies in space, drawn without the program's kinematics: the
+/// Pin and carrier of a mechanism as bodies in 3-D, drawn without the program's kinematics: the
 /// wheel's axis is the z axis through the origin.
 struct Bodies {
   std::string name;
