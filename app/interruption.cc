@@ -8,13 +8,13 @@
 #include <atomic>
 #include <ctime>
 #include <exception>
-#include <new>
 #include <string>
 #include <thread>
 
 #include "app/ending.h"
 #include "app/exit_code.h"
 #include "app/launch.h"
+#include "base/allocation.h"
 #include "base/undo.h"
 
 namespace geneva::app {
@@ -69,15 +69,10 @@ void wait_for_interruption(const bool is_first) {
 
 /// For watch_for_termination(): the process has one handler of each kind.
 std::string* task = nullptr;
-std::atomic<bool> memory_ran_out{false};
-
-[[noreturn]] void note_memory() {
-  memory_ran_out = true;
-  throw std::bad_alloc();
-}
 
 [[noreturn]] void end_at_once() {
   base::undo_all();
+  const bool memory_ran_out = base::failed_allocations() > 0;
   const std::string why = memory_ran_out ? fmt::format("memory ran out ({})", *task)
                                          : bug_report("an exception that cannot be caught", *task);
   const std::string text = "geneva: " + why + "\n";
@@ -104,7 +99,7 @@ void say_if_interrupted(const std::string& advice) { advice_now = new std::strin
 
 void watch_for_termination(const std::string& about) {
   task = new std::string(about);
-  std::set_new_handler(note_memory);
+  base::count_failed_allocations();
   std::set_terminate(end_at_once);
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -25,6 +26,7 @@
 #include "app/stop_message.h"
 #include "app/together.h"
 #include "app/version.h"
+#include "base/allocation.h"
 #include "base/output_file.h"
 #include "fem/contact_problem.h"
 #include "loads/pi.h"
@@ -323,6 +325,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
+  const unsigned long failed_allocations = base::failed_allocations();
   const post::Results<dim> results = post::analyse(solution);
   post::RunReport report = make_report(communicator, given, model, solution, results);
   report.errors = post::figure_errors(solution, figures);
@@ -338,6 +341,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   report.total_seconds = total.wall_time();
   std::vector<std::string> removed;
   together(communicator, [&] {
+    if (base::failed_allocations() != failed_allocations) throw std::bad_alloc();
     if (!is_first) return;
     removed = publish(given, solution, results, report, model, view, progress.log(), checkpoints,
                       *directory);

@@ -12,6 +12,7 @@
 #include <new>
 #include <utility>
 
+#include "base/allocation.h"
 #include "base/errors.h"
 #include "fem/active_set_iteration.h"
 #include "fem/conditioning.h"
@@ -59,7 +60,10 @@ class NestedIteration {
     solution_.scales = scales_of(problem, mesh);
     solution_.mesh = mesh;
     scaled_problem_ = scaled(problem, solution_.scales);
-    solution_.element = std::make_unique<dealii::FESystem<dim>>(dealii::FE_Q<dim>(1), dim);
+    const dealii::FE_Q<dim> of_component(1);
+    check_allocations();
+    solution_.element = std::make_unique<dealii::FESystem<dim>>(of_component, dim);
+    check_allocations();
   }
 
   Solution<dim> run(const std::optional<Checkpoint<dim>>& start) {
@@ -84,6 +88,13 @@ class NestedIteration {
       record();
       if (!make_next_mesh()) return;
     }
+  }
+
+  /// @throws std::bad_alloc if a library lost one
+  void check_allocations() {
+    const bool had_all = base::failed_allocations() == failed_allocations_;
+    failed_allocations_ = base::failed_allocations();
+    if (!had_all) throw std::bad_alloc();
   }
 
   /// @return false if the refinement ends here
@@ -125,6 +136,7 @@ class NestedIteration {
   /// @return false if the active set did not settle: the last good mesh's result then stands
   bool solve() {
     while (solve_mesh()) {
+      check_allocations();
       if (n_active_nodes() > 0) {
         keep_result();
         return true;
@@ -288,6 +300,7 @@ class NestedIteration {
     reserve_.reset();
     for (std::size_t size = least + 1000 * unknowns; !reserve_ && size >= least; size /= 2)
       reserve_.reset(new (std::nothrow) char[size]);
+    failed_allocations_ = base::failed_allocations();
   }
 
   /// From the coarse mesh.
@@ -330,6 +343,7 @@ class NestedIteration {
     solution_.dof_handler.reset();
     solution_.triangulation.reset();
     if (!last_good_) throw NotConverged(why);
+    failed_allocations_ = base::failed_allocations();
     set_up_first_mesh();
     restore(*last_good_);
     solution_.stop = why;
@@ -603,6 +617,7 @@ class NestedIteration {
   LevelState state_;
   Vector guess_;
   PressureError error_;
+  unsigned long failed_allocations_ = base::failed_allocations();  ///< that are known
   std::size_t unknowns_ = 0;                  ///< of the mesh being solved or refined
   std::optional<Checkpoint<dim>> last_good_;  ///< on one rank
   std::unique_ptr<char[]> reserve_;           ///< for that

@@ -1,0 +1,24 @@
+#include "base/allocation.h"
+
+#include <atomic>
+#include <new>
+
+namespace geneva::base {
+
+namespace {
+
+/// The process has one handler.
+std::atomic<unsigned long> failures{0};
+
+[[noreturn]] void count() {
+  ++failures;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void count_failed_allocations() { std::set_new_handler(count); }
+
+unsigned long failed_allocations() noexcept { return failures; }
+
+}  // namespace geneva::base

@@ -1,0 +1,27 @@
+#include "base/allocation.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <limits>
+#include <new>
+
+namespace geneva::base {
+namespace {
+
+TEST(Allocation, ThatFailsIsCountedAndThrows) {
+  const std::new_handler before = std::get_new_handler();
+  count_failed_allocations();
+  const unsigned long failures = failed_allocations();
+  void* got = nullptr;
+  // Half of all addresses are nobody's.
+  EXPECT_THROW(got = ::operator new(std::numeric_limits<std::size_t>::max() / 2), std::bad_alloc);
+  EXPECT_EQ(failed_allocations(), failures + 1);
+  EXPECT_EQ(::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow), nullptr);
+  EXPECT_EQ(failed_allocations(), failures + 2);
+  ::operator delete(got);
+  std::set_new_handler(before);
+}
+
+}  // namespace
+}  // namespace geneva::base
