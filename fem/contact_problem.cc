@@ -2,7 +2,6 @@
 
 #include <deal.II/base/timer.h>
 #include <deal.II/distributed/solution_transfer.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/lac/solver_control.h>
 #include <fmt/format.h>
 
@@ -19,6 +18,7 @@
 #include "fem/constraints.h"
 #include "fem/contact/result.h"
 #include "fem/distribution.h"
+#include "fem/element.h"
 #include "fem/hanging_vertices.h"
 #include "fem/lengthwise_pressure.h"
 #include "fem/numbering.h"
@@ -60,10 +60,7 @@ class NestedIteration {
     solution_.scales = scales_of(problem, mesh);
     solution_.mesh = mesh;
     scaled_problem_ = scaled(problem, solution_.scales);
-    const dealii::FE_Q<dim> of_component(1);
-    check_allocations();
-    solution_.element = std::make_unique<dealii::FESystem<dim>>(of_component, dim);
-    check_allocations();
+    solution_.element = linear_element<dim>(dim);
   }
 
   Solution<dim> run(const std::optional<Checkpoint<dim>>& start) {

@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -15,6 +14,7 @@
 #include <cmath>
 
 #include "fem/cell_element.h"
+#include "fem/element.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::post {
@@ -201,8 +201,7 @@ double in_plane_shear(const fem::PlaneStress& stress) {
 template <int dim>
 NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
   NodalStress<dim> result;
-  result.element =
-      std::make_unique<dealii::FESystem<dim>>(dealii::FE_Q<dim>(1), n_stress_components<dim>);
+  result.element = fem::linear_element<dim>(n_stress_components<dim>);
   result.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution.triangulation);
   result.dof_handler->distribute_dofs(*result.element);
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
