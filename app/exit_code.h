@@ -19,8 +19,8 @@ std::string bug_report(const std::string& what, const std::string& about);
 /// @param about what was to be done, for the report of a bug: "run CASE"
 int exit_code_of(const std::function<int()>& command, const std::string& about, Ending& ending);
 
-/// To be called where an exception is caught that was thrown before the ranks know each other: says
-/// it.
+/// Says what was thrown before the ranks know each other; to be called where it is caught.
+/// @return the exit code of it
 int exit_code_at_start();
 
 }  // namespace geneva::app

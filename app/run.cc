@@ -2,13 +2,11 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
-#include <deal.II/base/utilities.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -29,6 +27,7 @@
 #include "base/allocation.h"
 #include "base/output_file.h"
 #include "fem/contact_problem.h"
+#include "fem/resource_limits.h"
 #include "loads/pi.h"
 #include "post/comparison.h"
 #include "post/contact_output.h"
@@ -126,12 +125,6 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
   return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
 }
 
-double peak_memory(const MPI_Comm communicator) {
-  dealii::Utilities::System::MemoryStats memory{};
-  dealii::Utilities::System::get_memory_stats(memory);
-  return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
-}
-
 /// What the safety factors over the cycle leave out: impacts, which no torque balance knows.
 std::vector<std::string> impact_notices(const Case& given) {
   const bool has_limit = given.allowed.contact_pressure || given.allowed.pressure_times_slip;
@@ -195,7 +188,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
   report.geneva_version = version;
   report.gmsh_version = model.gmsh_version;
   report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  report.peak_memory = peak_memory(communicator);
+  report.peak_memory = fem::peak_memory(communicator);
   return report;
 }
 
@@ -325,7 +318,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
-  const unsigned long failed_allocations = base::failed_allocations();
+  base::AllocationWatch allocations;
   const post::Results<dim> results = post::analyse(solution);
   post::RunReport report = make_report(communicator, given, model, solution, results);
   report.errors = post::figure_errors(solution, figures);
@@ -341,7 +334,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   report.total_seconds = total.wall_time();
   std::vector<std::string> removed;
   together(communicator, [&] {
-    if (base::failed_allocations() != failed_allocations) throw std::bad_alloc();
+    allocations.require_none();
     if (!is_first) return;
     removed = publish(given, solution, results, report, model, view, progress.log(), checkpoints,
                       *directory);

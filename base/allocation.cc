@@ -21,4 +21,10 @@ void count_failed_allocations() { std::set_new_handler(count); }
 
 unsigned long failed_allocations() noexcept { return failures; }
 
+void AllocationWatch::require_none() {
+  const bool is_all_known = known_ == failed_allocations();
+  forget();
+  if (!is_all_known) throw std::bad_alloc();
+}
+
 }  // namespace geneva::base

@@ -9,4 +9,17 @@ void count_failed_allocations();
 /// tasks for somebody who never asks, and goes on with what has not been made.
 unsigned long failed_allocations() noexcept;
 
+/// Sees allocations that failed without anybody having been told.
+class AllocationWatch {
+ public:
+  /// @throws std::bad_alloc if one has failed since the watch was made or asked last
+  void require_none();
+
+  /// What has failed until now is known.
+  void forget() { known_ = failed_allocations(); }
+
+ private:
+  unsigned long known_ = failed_allocations();
+};
+
 }  // namespace geneva::base

@@ -87,13 +87,6 @@ class NestedIteration {
     }
   }
 
-  /// @throws std::bad_alloc if a library lost one
-  void check_allocations() {
-    const bool had_all = base::failed_allocations() == failed_allocations_;
-    failed_allocations_ = base::failed_allocations();
-    if (!had_all) throw std::bad_alloc();
-  }
-
   /// @return false if the refinement ends here
   bool make_next_mesh() {
     std::optional<Stop> stop = choose_refinement();
@@ -133,7 +126,7 @@ class NestedIteration {
   /// @return false if the active set did not settle: the last good mesh's result then stands
   bool solve() {
     while (solve_mesh()) {
-      check_allocations();
+      allocations_.require_none();
       if (n_active_nodes() > 0) {
         keep_result();
         return true;
@@ -297,7 +290,7 @@ class NestedIteration {
     reserve_.reset();
     for (std::size_t size = least + 1000 * unknowns; !reserve_ && size >= least; size /= 2)
       reserve_.reset(new (std::nothrow) char[size]);
-    failed_allocations_ = base::failed_allocations();
+    allocations_.forget();
   }
 
   /// From the coarse mesh.
@@ -340,7 +333,7 @@ class NestedIteration {
     solution_.dof_handler.reset();
     solution_.triangulation.reset();
     if (!last_good_) throw NotConverged(why);
-    failed_allocations_ = base::failed_allocations();
+    allocations_.forget();
     set_up_first_mesh();
     restore(*last_good_);
     solution_.stop = why;
@@ -614,7 +607,7 @@ class NestedIteration {
   LevelState state_;
   Vector guess_;
   PressureError error_;
-  unsigned long failed_allocations_ = base::failed_allocations();  ///< that are known
+  base::AllocationWatch allocations_;
   std::size_t unknowns_ = 0;                  ///< of the mesh being solved or refined
   std::optional<Checkpoint<dim>> last_good_;  ///< on one rank
   std::unique_ptr<char[]> reserve_;           ///< for that

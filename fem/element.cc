@@ -2,22 +2,17 @@
 
 #include <deal.II/fe/fe_q.h>
 
-#include <new>
-
 #include "base/allocation.h"
 
 namespace geneva::fem {
 
 template <int dim>
 std::unique_ptr<dealii::FESystem<dim>> linear_element(const unsigned int n_components) {
-  const unsigned long failures = base::failed_allocations();
-  const auto require_memory = [&] {
-    if (base::failed_allocations() != failures) throw std::bad_alloc();
-  };
+  base::AllocationWatch allocations;
   const dealii::FE_Q<dim> of_component(1);
-  require_memory();
+  allocations.require_none();
   auto element = std::make_unique<dealii::FESystem<dim>>(of_component, n_components);
-  require_memory();
+  allocations.require_none();
   return element;
 }
 

@@ -5,16 +5,11 @@
 
 namespace geneva::fem {
 
-namespace {
-
-/// Resident, of all ranks together [byte].
 double peak_memory(const MPI_Comm communicator) {
   dealii::Utilities::System::MemoryStats memory{};
   dealii::Utilities::System::get_memory_stats(memory);
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), communicator);
 }
-
-}  // namespace
 
 ResourceLimits::ResourceLimits(const MPI_Comm communicator, const Settings& settings)
     : communicator_(communicator),

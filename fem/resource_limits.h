@@ -9,6 +9,9 @@
 
 namespace geneva::fem {
 
+/// Greatest resident memory so far, of all ranks together [byte].
+double peak_memory(MPI_Comm communicator);
+
 /// Unknowns, memory and time that a case allows; what the next mesh will take is foreseen from the
 /// last ones.
 class ResourceLimits {

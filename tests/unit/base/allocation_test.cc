@@ -20,6 +20,11 @@ TEST(Allocation, ThatFailsIsCountedAndThrows) {
   EXPECT_EQ(::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow), nullptr);
   EXPECT_EQ(failed_allocations(), failures + 2);
   ::operator delete(got);
+  AllocationWatch watch;
+  EXPECT_NO_THROW(watch.require_none());
+  (void)::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow);
+  EXPECT_THROW(watch.require_none(), std::bad_alloc);
+  EXPECT_NO_THROW(watch.require_none()) << "it has been told";
   std::set_new_handler(before);
 }
 
