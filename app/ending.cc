@@ -36,6 +36,11 @@ void note(const FailureStage stage) {
   if (shared().flag != nullptr) *shared().flag = stage;
 }
 
+bool has_other_ranks() {
+  const std::lock_guard held(shared().mutex);
+  return shared().flag != nullptr;
+}
+
 void set_flag(Flag* const flag) {
   const std::lock_guard held(shared().mutex);
   shared().flag = flag;
@@ -79,6 +84,13 @@ constexpr int failure_tag = 1;
 FailureStage failure_on_this_machine() {
   const std::lock_guard held(shared().mutex);
   return shared().flag == nullptr ? shared().last : shared().flag->load();
+}
+
+bool begin_to_end_alone() {
+  if (failure_on_this_machine() != FailureStage::none || !has_other_ranks()) return false;
+  note(FailureStage::alone);
+  wait_until_undone();
+  return true;
 }
 
 void note_that_all_is_undone() { note(FailureStage::undone); }

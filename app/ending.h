@@ -39,6 +39,11 @@ enum class FailureStage {
 };
 FailureStage failure_on_this_machine();
 
+/// For a rank that cannot get to its end (Ending::fail) any more, from any thread: has rank 0 put
+/// away what is half done. The caller then ends the process, and the launcher the others.
+/// @return whether there are other ranks, and none of them has said why the run ends
+bool begin_to_end_alone();
+
 /// By rank 0, when it has put away what is half done.
 void note_that_all_is_undone();
 

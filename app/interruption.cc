@@ -6,8 +6,10 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <ctime>
 #include <exception>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -39,13 +41,38 @@ void look_at_other_ranks(const bool is_first) {
   note_that_all_is_undone();
 }
 
+/// Sees a rank that waits for ever for the others, which wait for it: an allocation has failed on
+/// it within a collective call of a library, whose guards wait for all ranks on the way out of it.
+class DeadlockWatch {
+ public:
+  void look() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!base::has_unsettled_allocation())
+      since_.reset();
+    else if (!since_)
+      since_ = now;
+    else if (now - *since_ > patience && begin_to_end_alone())
+      end_for_memory();
+  }
+
+ private:
+  /// A failed allocation is settled by the end of the mesh's solution at the latest.
+  static constexpr std::chrono::seconds patience{30};
+
+  [[noreturn]] static void end_for_memory();
+
+  std::optional<std::chrono::steady_clock::time_point> since_;
+};
+
 int next_interruption(const bool is_first) {
   const sigset_t signals = interruptions();
   const timespec patience{0, 100'000'000};
+  DeadlockWatch deadlocks;
   while (true) {
     const int signal = sigtimedwait(&signals, nullptr, &patience);
     if (signal > 0) return signal;
     look_at_other_ranks(is_first);
+    deadlocks.look();
   }
 }
 
@@ -68,16 +95,22 @@ void wait_for_interruption(const bool is_first) {
 }
 
 /// For watch_for_termination(): the process has one handler of each kind.
-std::string* task = nullptr;
+std::atomic<const std::string*> task = nullptr;
 
-[[noreturn]] void end_at_once() {
+[[noreturn]] void end_with(const std::string& why, const int code) {
   base::undo_all();
-  const bool memory_ran_out = base::failed_allocations() > 0;
-  const std::string why = memory_ran_out ? fmt::format("memory ran out ({})", *task)
-                                         : bug_report("an exception that cannot be caught", *task);
   const std::string text = "geneva: " + why + "\n";
   (void)!::write(STDERR_FILENO, text.data(), text.size());
-  _exit(memory_ran_out ? not_converged : internal_error);
+  _exit(code);
+}
+
+std::string memory_ran_out() { return fmt::format("memory ran out ({})", *task.load()); }
+
+void DeadlockWatch::end_for_memory() { end_with(memory_ran_out(), not_converged); }
+
+[[noreturn]] void end_at_once() {
+  if (base::failed_allocations() > 0) end_with(memory_ran_out(), not_converged);
+  end_with(bug_report("an exception that cannot be caught", *task.load()), internal_error);
 }
 
 }  // namespace

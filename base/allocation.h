@@ -9,6 +9,9 @@ void count_failed_allocations();
 /// tasks for somebody who never asks, and goes on with what has not been made.
 unsigned long failed_allocations() noexcept;
 
+/// Whether one has failed after the last one that an AllocationWatch of this process knows.
+bool has_unsettled_allocation() noexcept;
+
 /// Sees allocations that failed without anybody having been told.
 class AllocationWatch {
  public:
@@ -16,7 +19,7 @@ class AllocationWatch {
   void require_none();
 
   /// What has failed until now is known.
-  void forget() { known_ = failed_allocations(); }
+  void forget();
 
  private:
   unsigned long known_ = failed_allocations();

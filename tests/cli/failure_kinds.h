@@ -16,7 +16,12 @@ inline const std::map<std::string, std::function<void()>>& failure_kinds() {
   static const std::map<std::string, std::function<void()>> kinds{
       {"input", [] { throw geneva::base::InputError("a wrong input"); }},
       {"limit", [] { throw geneva::base::LimitReached("a limit"); }},
-      {"memory", [] { throw std::bad_alloc(); }},
+      {"memory",
+       [] {
+         // As operator new does.
+         if (const std::new_handler handler = std::get_new_handler()) handler();
+         throw std::bad_alloc();
+       }},
       {"system",
        [] {
          throw std::filesystem::filesystem_error("no such place",

@@ -24,6 +24,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tests/cli/call_stack.h"
+
 namespace {
 
 std::atomic<long> calls{0};
@@ -185,28 +187,12 @@ int watched_main(int argc, char** argv, char** environment) {
   return real_main(argc, argv, environment);
 }
 
-/// deal.II 9.4 loses exceptions of its tasks while it builds an element of several components, and
-/// then reads what is not there.
-bool is_in_element() {
-  constexpr int depth = 64;
-  void* calls[depth];
-  const int found = ::backtrace(calls, depth);
-  for (int i = 0; i < found; ++i) {
-    Dl_info info;
-    if (::dladdr(calls[i], &info) == 0 || info.dli_sname == nullptr) continue;
-    if (std::strstr(info.dli_sname, "FESystem") != nullptr &&
-        std::strstr(info.dli_sname, "initialize") != nullptr)
-      return true;
-  }
-  return false;
-}
-
 void note_allocation() {
   static const long at = number("GENEVA_FAULT_NEW");
   static Places places;
   const long now = ++allocations;
   if (places.are_wanted()) places.note(now);
-  if (now != at || is_in_element()) return;
+  if (now != at || is_where_nothing_may_fail()) return;
   if (const std::new_handler handler = std::get_new_handler()) handler();
   throw std::bad_alloc();
 }

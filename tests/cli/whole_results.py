@@ -33,6 +33,12 @@ class WholeResults(CliTest):
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=geneva_cli.environment(),
                                 **options)
 
+    def wait_for(self, path):
+        end = time.monotonic() + 30
+        while not path.exists():
+            self.assertLess(time.monotonic(), end, f"{path} does not come")
+            time.sleep(0.002)
+
     def assert_nothing_is_left_beside(self, results):
         self.assertEqual([path.name for path in results.parent.iterdir()
                           if path.name.startswith(f".{results.name}.")], [])
@@ -210,12 +216,6 @@ class TwoRuns(WholeResults):
         self.assertEqual(read_summary(output)["case"]["name"], "one")
         self.assert_nothing_is_left_beside(output)
 
-    def wait_for(self, path):
-        end = time.monotonic() + 30
-        while not path.exists():
-            self.assertLess(time.monotonic(), end, f"{path} does not come")
-            time.sleep(0.002)
-
 
 class Interruptions(WholeResults):
 
@@ -224,10 +224,7 @@ class Interruptions(WholeResults):
         text = (case / "case.prm").read_text()
         (case / "case.prm").write_text(geneva_cli.set_parameter(text, "Accuracy", "0.5 %"))
         started = self.start("run", case, ranks=ranks)
-        end = time.monotonic() + 30
-        while not (case / ".results.partial").exists():
-            self.assertLess(time.monotonic(), end)
-            time.sleep(0.002)
+        self.wait_for(case / ".results.partial")
         time.sleep(delay)
         started.send_signal(number)
         begin = time.monotonic()
@@ -270,7 +267,11 @@ class Interruptions(WholeResults):
         for i in range(count):
             (case / "case.prm").write_text(geneva_cli.set_parameter(text, "Title", f"run {i}"))
             started = self.start("run", case, **options)
-            time.sleep(length * (0.7 + 0.5 * i / count))
+            # The first one before anything is solved, the others around the end.
+            if i == 0:
+                self.wait_for(case / ".results.partial")
+            else:
+                time.sleep(length * (0.7 + 0.5 * i / count))
             kill(started)
             started.communicate(timeout=30)
             titles = {self.title_in_summary(case), self.title_in_copy(case)}

@@ -23,7 +23,9 @@ TEST(Allocation, ThatFailsIsCountedAndThrows) {
   AllocationWatch watch;
   EXPECT_NO_THROW(watch.require_none());
   (void)::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow);
+  EXPECT_TRUE(has_unsettled_allocation());
   EXPECT_THROW(watch.require_none(), std::bad_alloc);
+  EXPECT_FALSE(has_unsettled_allocation());
   EXPECT_NO_THROW(watch.require_none()) << "it has been told";
   std::set_new_handler(before);
 }
