@@ -176,10 +176,9 @@ LevelState state_at(const Level<dim>& level, const Vector& displacement) {
 }
 
 template <int dim>
-std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level, const Vector& guess,
-    const Settings& settings,
-    const std::function<void(unsigned int step, unsigned int iterations)>& report) {
+std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
+                                      const Vector& guess, const Settings& settings,
+                                      const StepObserver& observer) {
   const MPI_Comm communicator = dof_handler.get_communicator();
   LevelState state;
   state.displacement.reinit(level.owned, level.ghosts, communicator);
@@ -208,7 +207,7 @@ std::optional<LevelState> solve_level(
       changed = search.advance(level, state.contacts, true);
     }
     state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();
-    report(step, state.linear_iterations.back());
+    observer(step, state.linear_iterations.back());
     state.cycled = search.only_closes();
     if (!changed) return state;
   }
@@ -217,11 +216,11 @@ std::optional<LevelState> solve_level(
 
 template LevelState state_at(const Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&);
 template LevelState state_at(const Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&);
-template std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<2>&, Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&,
-    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
-template std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<3>&, Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&,
-    const Settings&, const std::function<void(unsigned int, unsigned int)>&);
+template std::optional<LevelState> solve_level(const dealii::DoFHandler<2>&, Level<2>&,
+                                               const dealii::TrilinosWrappers::MPI::Vector&,
+                                               const Settings&, const StepObserver&);
+template std::optional<LevelState> solve_level(const dealii::DoFHandler<3>&, Level<3>&,
+                                               const dealii::TrilinosWrappers::MPI::Vector&,
+                                               const Settings&, const StepObserver&);
 
 }  // namespace geneva::fem

@@ -24,14 +24,16 @@ template <int dim>
 LevelState state_at(const Level<dim>& level,
                     const dealii::TrilinosWrappers::MPI::Vector& displacement);
 
+/// Told after every active-set step.
+using StepObserver = std::function<void(unsigned int step, unsigned int linear_iterations)>;
+
 /// Primal-dual active set iteration (Hintermueller, Ito and Kunisch 2003); level.interfaces hold
 /// the first guess of the active sets and then the final ones.
 /// @param guess displacement to start from, without ghosts
 /// @return nothing if the active set did not settle within the allowed steps
 template <int dim>
-std::optional<LevelState> solve_level(
-    const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
-    const dealii::TrilinosWrappers::MPI::Vector& guess, const Settings& settings,
-    const std::function<void(unsigned int step, unsigned int iterations)>& report);
+std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
+                                      const dealii::TrilinosWrappers::MPI::Vector& guess,
+                                      const Settings& settings, const StepObserver& observer);
 
 }  // namespace geneva::fem

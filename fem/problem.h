@@ -92,6 +92,11 @@ struct ContactPair {
   std::function<double(double)> clearance = {};
 };
 
+/// "'source -> target'".
+inline std::string quoted(const ContactPair& pair) {
+  return "'" + pair.source + " -> " + pair.target + "'";
+}
+
 /// An elastic contact problem in the plane or in 3-D, all by name, SI units.
 template <int dim>
 struct Problem {

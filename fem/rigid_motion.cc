@@ -95,7 +95,8 @@ class RigidMotions {
 /// scaled to size 1.
 template <int dim>
 std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
-                                             const RigidMotions<dim>& motions) {
+                                             const RigidMotions<dim>& motions,
+                                             const TakenAsClosed closed) {
   std::vector<Eigen::VectorXd> rows;
   for (const ConstraintLine& line : level.held_lines) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
@@ -104,7 +105,9 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
     rows.push_back(row);
   }
   for (const ContactInterface<dim>& interface : level.interfaces)
-    for (const MortarRow<dim>& contact : interface.rows) {
+    for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+      if (closed == TakenAsClosed::active_nodes && !interface.active[i]) continue;
+      const MortarRow<dim>& contact = interface.rows[i];
       Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
       for (unsigned int direction = 0; direction < dim; ++direction) {
         motions.add(interface.source.nodes[contact.node].dofs[direction], contact.normal[direction],
@@ -118,21 +121,40 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
   return rows;
 }
 
+template <int dim>
+mesh::Eigenpairs gram_eigenpairs(const Level<dim>& level, const RigidMotions<dim>& motions,
+                                 const TakenAsClosed closed) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
+  for (const Eigen::VectorXd& row : constraint_rows(level, motions, closed))
+    gram += row * row.transpose();
+  return mesh::symmetric_eigenpairs(gram);
+}
+
+bool is_free(const mesh::Eigenpairs& eigen) {
+  return eigen.values(0) <= free_motion * eigen.values.maxCoeff();
+}
+
 }  // namespace
+
+template <int dim>
+bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem,
+                     const TakenAsClosed closed) {
+  return is_free(gram_eigenpairs(level, RigidMotions<dim>(level, problem), closed));
+}
 
 template <int dim>
 void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
   const RigidMotions<dim> motions(level, problem);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
-  for (const Eigen::VectorXd& row : constraint_rows(level, motions)) gram += row * row.transpose();
-  const mesh::Eigenpairs eigen = mesh::symmetric_eigenpairs(gram);
-  if (eigen.values(0) > free_motion * eigen.values.maxCoeff()) return;
+  const mesh::Eigenpairs eigen = gram_eigenpairs(level, motions, TakenAsClosed::all_nodes);
+  if (!is_free(eigen)) return;
   throw base::InputError(motions.describe(eigen.vectors.col(0), problem) +
                          ": supports, rigid loads and contact pairs do not hold it; add a "
                          "support, for example 'NAME: x' on a plane of "
                          "symmetry");
 }
 
+template bool has_free_motion(const Level<2>&, const Problem<2>&, TakenAsClosed);
+template bool has_free_motion(const Level<3>&, const Problem<3>&, TakenAsClosed);
 template void check_rigid_motions(const Level<2>&, const Problem<2>&);
 template void check_rigid_motions(const Level<3>&, const Problem<3>&);
 

@@ -5,6 +5,13 @@
 
 namespace geneva::fem {
 
+/// Which nodes of the contact pairs are taken as closed.
+enum class TakenAsClosed { all_nodes, active_nodes };
+
+/// Whether supports, ties and contact pairs leave a body free to move rigidly.
+template <int dim>
+bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
+
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.
 /// @throws base::InputError naming the body that moves most and how

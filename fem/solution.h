@@ -123,9 +123,9 @@ struct Solution {
   Problem<dim> problem;  ///< SI units
   Scales scales{};
   mesh::MeshData<dim> mesh;  ///< coarse, SI units
-  std::unique_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation;
-  std::unique_ptr<dealii::FESystem<dim>> element;
-  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
+  std::shared_ptr<const dealii::parallel::distributed::Triangulation<dim>> triangulation;
+  std::shared_ptr<const dealii::FESystem<dim>> element;
+  std::shared_ptr<const dealii::DoFHandler<dim>> dof_handler;
   dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
 
   std::vector<ContactResult<dim>> contacts;

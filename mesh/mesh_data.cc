@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <optional>
 
 #include "base/errors.h"
 #include "mesh/mesh_quality.h"
@@ -96,6 +98,31 @@ std::string between(const MeshData<dim>& mesh,
   return fmt::format("from {} to {}", shown(mesh.vertices[vertices[0]]), shown(end));
 }
 
+/// Whether two sides with the same vertices go round them the same way.
+template <std::size_t n>
+bool go_the_same_way(const std::array<unsigned int, n>& one,
+                     const std::array<unsigned int, n>& other) {
+  if constexpr (n == 2) return one == other;
+  const auto after_first = std::find(other.begin(), other.end(), one[0]) - other.begin() + 1;
+  return other[static_cast<std::size_t>(after_first) % n] == one[1];
+}
+
+/// Refuses cells that lie on the same side of the side that they share.
+template <int dim>
+void check_folds(const MeshData<dim>& mesh) {
+  using Side = std::array<unsigned int, 1U << (dim - 1)>;
+  std::map<Side, Side> first;
+  for (const Cell<dim>& cell : mesh.cells)
+    for (const Side& side : sides(cell)) {
+      Side key = side;
+      std::sort(key.begin(), key.end());
+      const auto [other, is_new] = first.emplace(key, side);
+      if (!is_new && go_the_same_way(side, other->second))
+        refuse("the two cells at the {} {} lie on the same side of it: the mesh is folded there",
+               face_word<dim>, between(mesh, side));
+    }
+}
+
 template <int dim>
 void check_boundary(const MeshData<dim>& mesh) {
   using Side = std::array<unsigned int, 1U << (dim - 1)>;
@@ -149,6 +176,57 @@ void check_slits(const MeshData<3>& mesh) {
     }
 }
 void check_slits(const MeshData<2>& /*mesh*/) {}  // two edges have one vertex in common at most
+
+/// Which corners of cells hang together (union-find).
+class HangingTogether {
+ public:
+  explicit HangingTogether(const std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  std::size_t root(std::size_t corner) {
+    while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+    return corner;
+  }
+  void join(const std::size_t one, const std::size_t other) { parent_[root(one)] = root(other); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+/// Refuses vertices whose cells do not hang together by common sides: a body would be hinged there,
+/// or its cells overlap, which the refinement does not survive.
+template <int dim>
+void check_hinges(const MeshData<dim>& mesh) {
+  using Side = std::array<unsigned int, 1U << (dim - 1)>;
+  constexpr std::size_t n_corners = 1U << dim;
+  HangingTogether corners(n_corners * mesh.cells.size());
+  const auto corner = [&](const std::size_t cell, const unsigned int vertex) {
+    const auto& vertices = mesh.cells[cell].vertices;
+    return n_corners * cell +
+           static_cast<std::size_t>(std::find(vertices.begin(), vertices.end(), vertex) -
+                                    vertices.begin());
+  };
+  std::map<Side, std::size_t> first_cell;
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+    for (Side side : sides(mesh.cells[cell])) {
+      std::sort(side.begin(), side.end());
+      const auto [other, is_new] = first_cell.emplace(side, cell);
+      if (is_new) continue;
+      for (const unsigned int vertex : side)
+        corners.join(corner(cell, vertex), corner(other->second, vertex));
+    }
+  std::vector<std::optional<std::size_t>> root_at(mesh.vertices.size());
+  for (std::size_t i = 0; i < n_corners * mesh.cells.size(); ++i) {
+    const unsigned int vertex = mesh.cells[i / n_corners].vertices[i % n_corners];
+    const std::size_t root = corners.root(i);
+    if (root_at[vertex].value_or(root) != root)
+      refuse(
+          "the cells around the vertex at {} have no common {} there: they overlap, or the body "
+          "is hinged there; let them share {}s, or give them vertices of their own",
+          shown(mesh.vertices[vertex]), face_word<dim>, face_word<dim>);
+    root_at[vertex] = root;
+  }
+}
 
 template <int dim>
 void check_circles(const MeshData<dim>& mesh) {
@@ -242,6 +320,8 @@ void check(const MeshData<dim>& mesh) {
   check_cells(mesh);
   check_boundary(mesh);
   check_slits(mesh);
+  check_folds(mesh);
+  check_hinges(mesh);
   check_circles(mesh);
 }
 

@@ -224,5 +224,39 @@ TEST(MeshCheckInSpace, RefusesASlitBetweenCellsThatShareThreeOfFourVertices) {
   expect_refused([&] { check(mesh); }, {"three vertices in common"});
 }
 
+TEST(MeshCheck, RefusesSquaresThatHangTogetherInAVertex) {
+  MeshData<2> mesh = two_bodies();
+  mesh.cells[2] = {{4, 7, 8, 9}, 0};
+  mesh.vertices[7] = {3., 2.};
+  mesh.vertices[8] = {3., 3.};
+  mesh.vertices[9] = {1., 3.};
+  mesh.vertices.erase(mesh.vertices.begin() + 6);
+  mesh.cells[2].vertices = {4, 6, 7, 8};
+  mesh.bodies.pop_back();
+  mesh.faces.resize(6);
+  for (const auto& side : sides(mesh.cells[2])) mesh.faces.push_back({side, 0, -1});
+  expect_refused([&] { check(mesh); }, {"have no common edge there"});
+}
+
+TEST(MeshCheck, RefusesCellsOnTheSameSideOfTheirEdge) {
+  MeshData<2> mesh = two_bodies();
+  mesh.vertices[4] = {1., 0.5};
+  mesh.vertices[5] = {0., 0.5};
+  mesh.cells[1] = {{3, 5, 4, 2}, 0};
+  expect_refused([&] { check(mesh); }, {"lie on the same side of it"});
+}
+
+TEST(MeshCheckInSpace, RefusesBricksThatHangTogetherInAnEdge) {
+  MeshData<3> mesh = brick();
+  const std::size_t first = mesh.vertices.size();
+  for (const double z : {mesh.vertices[2][2], mesh.vertices[6][2]})
+    for (const auto& [x, y] : {std::pair{2., 2.}, {2., 4.}, {1., 4.}})
+      mesh.vertices.push_back({x, y, z});
+  const auto at = [&](const std::size_t i) { return static_cast<unsigned int>(first + i); };
+  mesh.cells.push_back({{2, at(0), at(1), at(2), 6, at(3), at(4), at(5)}, 0});
+  for (const auto& side : sides(mesh.cells[1])) mesh.faces.push_back({side, 0, -1});
+  expect_refused([&] { check(mesh); }, {"have no common face there"});
+}
+
 }  // namespace
 }  // namespace geneva::mesh

@@ -1,0 +1,250 @@
+#include "fem/accuracy_loop.h"
+
+#include <algorithm>
+#include <new>
+#include <utility>
+
+#include "fem/error_estimate.h"
+#include "fem/mesh_result.h"
+#include "fem/stopping_rule.h"
+
+namespace geneva::fem {
+
+template <int dim>
+AccuracyLoop<dim>::AccuracyLoop(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
+                                const Problem<dim>& problem, const Settings& settings,
+                                const Progress<dim>& progress)
+    : communicator_(communicator),
+      settings_(settings),
+      progress_(progress),
+      limits_(communicator, settings),
+      refinement_(mesh, problem, settings) {
+  solution_.problem = problem;
+  solution_.scales = scales_of(problem, mesh);
+  solution_.mesh = mesh;
+}
+
+template <int dim>
+Solution<dim> AccuracyLoop<dim>::run(const std::optional<Checkpoint<dim>>& start) {
+  try {
+    iterate(start);
+  } catch (const std::bad_alloc&) {
+    go_back_to_last_mesh();
+  }
+  return finish();
+}
+
+template <int dim>
+void AccuracyLoop<dim>::iterate(const std::optional<Checkpoint<dim>>& start) {
+  start_on_coarse_mesh();
+  if (start) {
+    restore(*start);
+    if (!make_next_mesh()) return;
+  }
+  while (solve()) {
+    record();
+    if (!make_next_mesh()) return;
+  }
+}
+
+template <int dim>
+void AccuracyLoop<dim>::start_on_coarse_mesh() {
+  equilibrium_.emplace(communicator_, solution_.mesh, solution_.problem, solution_.scales);
+  solution_.triangulation = equilibrium_->mesh().triangulation;
+  solution_.element = equilibrium_->mesh().element;
+  solution_.dof_handler = equilibrium_->mesh().dof_handler;
+  state_ = equilibrium_->at_rest();
+}
+
+/// @return false if no state was found: that of the last mesh then stands
+template <int dim>
+bool AccuracyLoop<dim>::solve() {
+  while (advance()) {
+    allocations_.require_none();
+    if (n_active_nodes(equilibrium_->level()) > 0) {
+      take_result();
+      return true;
+    }
+    state_ = refinement_.refine_open_contact(*equilibrium_, found_, std::move(state_),
+                                             solution_.history, solution_.scales.length);
+  }
+  return false;
+}
+
+template <int dim>
+bool AccuracyLoop<dim>::advance() {
+  auto result = equilibrium_->advance(
+      state_, settings_, [&](const unsigned int step, const unsigned int iterations) {
+        if (progress_.step)
+          progress_.step({static_cast<unsigned int>(solution_.history.size()),
+                          solution_.dof_handler->n_dofs(), step, iterations});
+      });
+  if (auto* const found = std::get_if<LevelState>(&result)) {
+    found_ = std::move(*found);
+    return true;
+  }
+  solution_.stop = std::get<Stop>(result);
+  if (solution_.history.empty()) throw NotConverged(solution_.stop);
+  return false;
+}
+
+template <int dim>
+void AccuracyLoop<dim>::take_result() {
+  put_result(solution_, equilibrium_->level(), found_);
+  state_.contacts = solution_.contacts;
+  is_ahead_ = false;
+}
+
+template <int dim>
+void AccuracyLoop<dim>::find_smooth_parts() {
+  if constexpr (dim == 2) {
+    constexpr double share_of_accuracy = 0.1;
+    state_.smooth.clear();
+    for (std::size_t i = 0; i < found_.contacts.size(); ++i)
+      state_.smooth.push_back(smooth_intervals(equilibrium_->level().interfaces[i],
+                                               found_.contacts[i],
+                                               share_of_accuracy * settings_.accuracy));
+    equilibrium_->set_smooth(state_.smooth);
+  }
+}
+
+template <int dim>
+void AccuracyLoop<dim>::record() {
+  find_smooth_parts();
+  LevelRecord record = record_of(solution_, *equilibrium_, found_, refinement_.surface_ids());
+  refinement_.record(record);
+  record.seconds = seconds_before_ + timer_.wall_time();
+  solution_.history.push_back(record);
+  estimate();
+  if (progress_.level) progress_.level(solution_.history.back());
+  if (progress_.solution) progress_.solution(solution_);
+  save();
+}
+
+template <int dim>
+void AccuracyLoop<dim>::estimate() {
+  const auto& interfaces = equilibrium_->level().interfaces;
+  const bool is_on_axis = reaches_axis(solution_.problem, equilibrium_->level());
+  const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
+  solution_.has_free_ends = has_free_ends(interfaces);
+  error_ = pressure_error<dim>(
+      solution_.history,
+      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_.contacts)},
+       refinement_.grading(),
+       end_error(interfaces, found_.contacts, is_on_axis),
+       solution_.has_free_ends,
+       refinement_.has_spread(equilibrium_->level()),
+       refinement_.state().surroundings_are_fine});
+  solution_.edge = error_.edge;
+  solution_.correction = error_.correction;
+  solution_.error_estimate = error_.total();
+  solution_.history.back().error_estimate =
+      error_.is_of_peak() ? error_.total() : std::min(1., 2. * error_.total());
+  for (ContactResult<dim>& contact : solution_.contacts)
+    contact.peak_pressure *= 1. + solution_.correction;
+}
+
+/// @return false if the refinement ends here
+template <int dim>
+bool AccuracyLoop<dim>::make_next_mesh() {
+  std::optional<Stop> stop = choose_refinement();
+  if (!stop) {
+    state_ = refinement_.refine(*equilibrium_, found_, std::move(state_), solution_.history);
+    is_ahead_ = true;
+    stop = limits_.exceeded_by(solution_.dof_handler->n_dofs());
+  }
+  if (stop) solution_.stop = *stop;
+  return !stop;
+}
+
+/// Flags the cells that are worth refining.
+/// @return why there is no next mesh, if there is none
+template <int dim>
+std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
+  const auto why = [&] {
+    return why_to_stop(solution_.history,
+                       {solution_.error_estimate, solution_.edge,
+                        peaks_at_corner(solution_, equilibrium_->level(), found_),
+                        refinement_.state().n_refinements},
+                       settings_);
+  };
+  if (const auto stop = why()) return stop;
+  std::optional<double> growth = worth_refining();
+  if (!growth) {  // only the zone's part of the error is left
+    error_.surroundings = 0.;
+    solution_.error_estimate = error_.zone;
+    solution_.history.back().error_estimate = error_.zone;
+    if (const auto stop = why()) return stop;
+    growth = worth_refining();
+  }
+  return limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
+}
+
+template <int dim>
+std::optional<double> AccuracyLoop<dim>::worth_refining() {
+  return refinement_.choose(*equilibrium_, found_, solution_.history, error_);
+}
+
+/// Of one rank's memory the last mesh's state is kept, too, for when it runs out.
+template <int dim>
+void AccuracyLoop<dim>::save() {
+  const bool is_alone = dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1;
+  if (!is_alone && !progress_.checkpoint) return;
+  Checkpoint<dim> checkpoint{saved_field(*solution_.dof_handler, found_.displacement),
+                             equilibrium_->origins(),
+                             {},
+                             solution_.history,
+                             refinement_.state()};
+  for (const ContactInterface<dim>& interface : equilibrium_->level().interfaces)
+    checkpoint.active.push_back(active_places(interface));
+  if (progress_.checkpoint) progress_.checkpoint(checkpoint);
+  if (is_alone) last_mesh_.keep(std::move(checkpoint));
+  allocations_.forget();
+}
+
+/// From the coarse mesh.
+template <int dim>
+void AccuracyLoop<dim>::restore(const Checkpoint<dim>& start) {
+  state_ = equilibrium_->refine_as(start);
+  found_ = state_at(equilibrium_->level(), state_.displacement);
+  refinement_.restore(start);
+  solution_.history = start.history;
+  seconds_before_ = start.history.back().seconds;
+  take_result();
+  find_smooth_parts();
+  estimate();
+}
+
+/// Memory ran out: the last mesh's result is made again, on a mesh of its own.
+/// @throws NotConverged if there is none
+template <int dim>
+void AccuracyLoop<dim>::go_back_to_last_mesh() {
+  const Stop why{Outcome::out_of_memory, 0., 0., equilibrium_ ? equilibrium_->n_unknowns() : 0};
+  const auto last = last_mesh_.take();
+  state_ = {};
+  found_ = {};
+  solution_.contacts.clear();
+  solution_.displacement.clear();
+  solution_.dof_handler.reset();
+  solution_.element.reset();
+  solution_.triangulation.reset();
+  equilibrium_.reset();
+  if (!last) throw NotConverged(why);
+  allocations_.forget();
+  start_on_coarse_mesh();
+  restore(*last);
+  solution_.stop = why;
+}
+
+/// The mesh may already be finer than the last one that was solved, whose displacement the guess
+/// represents exactly.
+template <int dim>
+Solution<dim> AccuracyLoop<dim>::finish() {
+  if (is_ahead_) solution_.displacement = equilibrium_->ghosted(state_.displacement);
+  return std::move(solution_);
+}
+
+template class AccuracyLoop<2>;
+template class AccuracyLoop<3>;
+
+}  // namespace geneva::fem

@@ -1,0 +1,130 @@
+#include "fem/equilibrium.h"
+
+#include <deal.II/lac/solver_control.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/errors.h"
+#include "fem/conditioning.h"
+#include "fem/rigid_motion.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+template <int dim>
+std::vector<bool> inherited_set(const ContactInterface<dim>& interface,
+                                const ContactResult<dim>& contact, const double length) {
+  if constexpr (dim == 2)
+    return inherited(interface, contact.intervals, length);
+  else
+    return inherited(interface, contact.nodes, length);
+}
+
+/// The first contact pair without an active node.
+template <int dim>
+std::optional<std::size_t> open_pair(const Level<dim>& level) {
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    const auto& active = level.interfaces[i].active;
+    if (std::find(active.begin(), active.end(), true) == active.end()) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+template <int dim>
+Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
+                              const Problem<dim>& problem, const Scales& scales)
+    : communicator_(communicator),
+      coarse_(mesh),
+      problem_(problem),
+      scaled_problem_(scaled(problem, scales)),
+      scales_(scales),
+      mesh_(communicator, mesh, scales.length) {
+  make_level({});
+  check_rigid_motions(level_, problem_);
+  check_approach(level_, scaled_problem_, scales_, communicator_);
+}
+
+template <int dim>
+void Equilibrium<dim>::make_level(const State<dim>& state) {
+  n_unknowns_ = mesh_.dof_handler->n_dofs();
+  level_ = fem::make_level(*mesh_.dof_handler, coarse_, scaled_problem_, scales_, origins_);
+  for (std::size_t i = 0; i < state.contacts.size(); ++i)
+    level_.interfaces[i].active =
+        inherited_set(level_.interfaces[i], state.contacts[i], scales_.length);
+  set_smooth(state.smooth);
+}
+
+template <int dim>
+void Equilibrium<dim>::set_smooth(const std::vector<ArcIntervals>& smooth) {
+  for (std::size_t i = 0; i < smooth.size(); ++i) level_.interfaces[i].smooth = smooth[i];
+}
+
+template <int dim>
+void Equilibrium<dim>::touch_first() {
+  for (ContactInterface<dim>& interface : level_.interfaces)
+    interface.active = first_touch(interface);
+}
+
+template <int dim>
+State<dim> Equilibrium<dim>::at_rest() const {
+  return {Vector(level_.owned, communicator_), {}, {}};
+}
+
+template <int dim>
+std::variant<LevelState, Stop> Equilibrium<dim>::advance(const State<dim>& from,
+                                                         const Settings& settings,
+                                                         const StepObserver& observer) {
+  try {
+    auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
+    if (state) return std::move(*state);
+    return Stop{Outcome::active_set_limit, 0., static_cast<double>(settings.max_active_set_steps),
+                n_unknowns_};
+  } catch (const dealii::SolverControl::NoConvergence& failure) {
+    if (const auto open = open_pair(level_);
+        open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
+      throw base::InputError(
+          fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
+                      "check the direction of the load",
+                      quoted(problem_.pairs[*open])));
+    return Stop{Outcome::linear_solver, static_cast<double>(failure.last_step), 0., n_unknowns_,
+                failure.last_residual};
+  }
+}
+
+template <int dim>
+State<dim> Equilibrium<dim>::refine(const Vector& displacement, State<dim> now) {
+  now.displacement = mesh_.refine(displacement);
+  make_level(now);
+  return now;
+}
+
+template <int dim>
+State<dim> Equilibrium<dim>::refine_as(const Checkpoint<dim>& checkpoint) {
+  if (checkpoint.active.size() != problem_.pairs.size())
+    throw base::InputError("the checkpoint does not fit this case: it has other contact pairs");
+  State<dim> state{mesh_.refine_as(checkpoint.field), {}, {}};
+  origins_ = checkpoint.origins;
+  make_level(state);
+  for (std::size_t i = 0; i < checkpoint.active.size(); ++i)
+    level_.interfaces[i].active = active_at(level_.interfaces[i], checkpoint.active[i]);
+  return state;
+}
+
+template <int dim>
+Vector Equilibrium<dim>::ghosted(const Vector& displacement) const {
+  Vector result(level_.owned, level_.ghosts, communicator_);
+  result = displacement;
+  return result;
+}
+
+template class Equilibrium<2>;
+template class Equilibrium<3>;
+
+}  // namespace geneva::fem

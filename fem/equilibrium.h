@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "fem/active_set_iteration.h"
+#include "fem/checkpoint.h"
+#include "fem/level.h"
+#include "fem/refined_mesh.h"
+#include "fem/stop.h"
+
+namespace geneva::fem {
+
+/// Where the search for an equilibrium starts: a displacement of the mesh as it is, and what is
+/// known of the contacts by place, whatever the mesh.
+template <int dim>
+struct State {
+  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< without ghosts
+  std::vector<ContactResult<dim>> contacts;  ///< of the last mesh that was solved; empty before
+  std::vector<ArcIntervals> smooth;          ///< by pair, see ContactInterface
+};
+
+/// The bodies at one instant on a mesh: finds the state in which they are in equilibrium with their
+/// loads and each other, and takes states over to finer meshes.
+template <int dim>
+class Equilibrium {
+ public:
+  /// On the coarse mesh.
+  /// @param mesh SI units, the same on all ranks
+  /// @throws base::InputError where check_rigid_motions() and check_approach() do
+  Equilibrium(MPI_Comm communicator, const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+              const Scales& scales);
+
+  /// Without a displacement, in contact where the bodies are nearest.
+  [[nodiscard]] State<dim> at_rest() const;
+
+  /// One solve, from a state on.
+  /// @return the state that is in equilibrium, or why none was found
+  /// @throws base::InputError if the load pulls a body away that only an open contact could hold
+  std::variant<LevelState, Stop> advance(const State<dim>& from, const Settings& settings,
+                                         const StepObserver& observer);
+
+  /// Refines the flagged cells.
+  /// @param displacement with ghosts; what else is known of the contacts is `now`'s
+  State<dim> refine(const dealii::TrilinosWrappers::MPI::Vector& displacement, State<dim> now);
+
+  /// Goes over from the coarse mesh to that of a checkpoint.
+  /// @return the checkpoint's displacement
+  /// @throws base::InputError if it does not fit
+  State<dim> refine_as(const Checkpoint<dim>& checkpoint);
+
+  /// In contact where the bodies are nearest, whatever has been found.
+  void touch_first();
+
+  /// Where the pressure is smooth, so that the zones there need no finer edges.
+  void set_smooth(const std::vector<ArcIntervals>& smooth);
+
+  /// A vector with ghosts.
+  [[nodiscard]] dealii::TrilinosWrappers::MPI::Vector ghosted(
+      const dealii::TrilinosWrappers::MPI::Vector& displacement) const;
+
+  /// Of the mesh being solved or refined, also where memory ran out half-way.
+  [[nodiscard]] std::size_t n_unknowns() const { return n_unknowns_; }
+
+  [[nodiscard]] const Level<dim>& level() const { return level_; }
+  [[nodiscard]] const RefinedMesh<dim>& mesh() const { return mesh_; }
+  /// Where contact surfaces that are closed are cut open.
+  [[nodiscard]] const SurfaceOrigins<dim>& origins() const { return *origins_; }
+
+ private:
+  void make_level(const State<dim>& state);
+
+  MPI_Comm communicator_;
+  mesh::MeshData<dim> coarse_;
+  Problem<dim> problem_;
+  Problem<dim> scaled_problem_;
+  Scales scales_;
+  RefinedMesh<dim> mesh_;
+  std::optional<SurfaceOrigins<dim>> origins_;
+  std::size_t n_unknowns_ = 0;
+  Level<dim> level_;
+};
+
+}  // namespace geneva::fem

@@ -1,0 +1,116 @@
+#include "fem/mesh_result.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "fem/contact/result.h"
+#include "fem/lengthwise_pressure.h"
+#include "fem/refinement.h"
+#include "fem/resultants.h"
+#include "fem/symmetry.h"
+
+namespace geneva::fem {
+
+unsigned int n_active_nodes(const std::vector<bool>& active) {
+  return static_cast<unsigned int>(std::count(active.begin(), active.end(), true));
+}
+
+template <int dim>
+std::vector<ContactResult<dim>> contact_results(const Solution<dim>& solution,
+                                                const Level<dim>& level, const LevelState& found) {
+  std::vector<ContactResult<dim>> contacts;
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    ContactResult<dim> contact = contact_result(solution.problem.pairs[i], level.interfaces[i],
+                                                found.contacts[i], solution.scales);
+    const auto places = mirrors(solution.mesh, solution.problem, contact);
+    for (unsigned int k = 0; k < dim; ++k)
+      if (places[k]) std::swap(contact.force[k], contact.lateral_force[k]);
+    if constexpr (dim == 2) count_from_mirrors(contact, places, solution.scales.length);
+    contacts.push_back(std::move(contact));
+  }
+  return contacts;
+}
+
+template <int dim>
+void put_result(Solution<dim>& solution, const Level<dim>& level, const LevelState& found) {
+  solution.contacts = contact_results(solution, level, found);
+  solution.reactions = reactions(solution, level, found);
+  const AppliedLoad<dim> load = applied_load(solution, level);
+  solution.applied_force = load.force;
+  solution.applied_moment = load.moment;
+  solution.displacement = found.displacement;
+}
+
+namespace {
+
+void record_lengthwise(LevelRecord& record, const Solution<3>& solution) {
+  for (const ContactResult<3>& contact : solution.contacts) {
+    const LengthwisePressure greatest =
+        lengthwise_pressure(contact, symmetry_plane(solution.mesh, solution.problem, contact, 2));
+    record.mid_length_pressure = std::max(record.mid_length_pressure, greatest.middle);
+    record.end_pressure = std::max(record.end_pressure, greatest.end);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+LevelRecord record_of(const Solution<dim>& solution, const Equilibrium<dim>& equilibrium,
+                      const LevelState& found, const SurfaceIds& surface_ids) {
+  const Level<dim>& level = equilibrium.level();
+  LevelRecord record{};
+  record.cells = solution.triangulation->n_global_active_cells();
+  record.dofs = solution.dof_handler->n_dofs();
+  record.linear_iterations = found.linear_iterations;
+  for (const ContactResult<dim>& contact : solution.contacts)
+    record.peak_pressure = std::max(record.peak_pressure, contact.peak_pressure);
+  if constexpr (dim == 3) record_lengthwise(record, solution);
+  record.size_measure = size_measure(*equilibrium.mesh().dof_handler, level.interfaces, surface_ids,
+                                     size_decay(solution.problem));
+  record.active_nodes = n_active_nodes(level);
+  for (const ContactInterface<dim>& interface : level.interfaces)
+    record.nodes_across += nodes_across(interface);
+  record.cycled = found.cycled;
+  record.one_solve_seconds = found.assemble_and_solve_seconds;
+  return record;
+}
+
+template <int dim>
+bool peaks_at_corner([[maybe_unused]] const Solution<dim>& solution,
+                     [[maybe_unused]] const Level<dim>& level,
+                     [[maybe_unused]] const LevelState& found) {
+  if constexpr (dim == 2) {
+    const auto& contacts = solution.contacts;
+    const auto pair =
+        static_cast<std::size_t>(std::max_element(contacts.begin(), contacts.end(),
+                                                  [](const auto& a, const auto& b) {
+                                                    return a.peak_pressure < b.peak_pressure;
+                                                  }) -
+                                 contacts.begin());
+    return peaks_at_corner(level.interfaces[pair], found.contacts[pair]);
+  }
+  return true;
+}
+
+template <int dim>
+bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level) {
+  return problem.plane == PlaneKind::axisymmetric &&
+         std::any_of(level.interfaces.begin(), level.interfaces.end(), [](const auto& interface) {
+           const auto& active = interface.active;
+           return !active.empty() && active.front() != active.back();
+         });
+}
+
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<ContactResult<dim>> contact_results(const Solution<dim>&,                   \
+                                                           const Level<dim>&, const LevelState&);  \
+  template void put_result(Solution<dim>&, const Level<dim>&, const LevelState&);                  \
+  template LevelRecord record_of(const Solution<dim>&, const Equilibrium<dim>&, const LevelState&, \
+                                 const SurfaceIds&);                                               \
+  template bool peaks_at_corner(const Solution<dim>&, const Level<dim>&, const LevelState&);       \
+  template bool reaches_axis(const Problem<dim>&, const Level<dim>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
+
+}  // namespace geneva::fem
