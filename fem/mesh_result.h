@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fem/equilibrium.h"
+#include "fem/refinement_zone.h"
 #include "fem/solution.h"
 
 namespace geneva::fem {
