@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "fem/active_set_iteration.h"
 #include "fem/contact/result.h"
 #include "fem/contact_problem.h"
+#include "fem/equilibrium.h"
 #include "tests/support/line_contact.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"
@@ -58,6 +62,52 @@ Tensor<1, 2> force_on(const CoarseSolution& solution, const Surface<2>& surface)
 
 /// Conjugate gradients stop at 1e-10 of the load: forces agree to a small multiple of it.
 constexpr double solver_tolerance = 1e-9;
+
+void ignore_steps(unsigned int /*step*/, unsigned int /*iterations*/) {}
+
+Equilibrium<2> equilibrium_of(const LineContact& contact) {
+  const mesh::MeshData<2> mesh = mesh_of(contact);
+  const Problem<2> problem = problem_of(contact);
+  return {MPI_COMM_WORLD, mesh, problem, scales_of(problem, mesh)};
+}
+
+TEST(Equilibrium, IsWhereASolveThatStartsFromItEnds) {
+  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
+  State<2> state = equilibrium.at_rest();
+  const auto first = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
+  state.displacement = first.displacement;
+  const auto second = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
+  EXPECT_EQ(second.linear_iterations.size(), 1U);
+  const auto& pressure = first.contacts.front().pressure;
+  const double peak = *std::max_element(pressure.begin(), pressure.end());
+  ASSERT_GT(peak, 0.);
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    EXPECT_NEAR(second.contacts.front().pressure[i], pressure[i], solver_tolerance * peak);
+}
+
+/// Linear functions on the coarse cells are linear on their children.
+TEST(Equilibrium, TakesADisplacementOverToAFinerMesh) {
+  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
+  State<2> state = equilibrium.at_rest();
+  const auto found = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
+  const double greatest = found.displacement.linfty_norm();
+  const auto unknowns = equilibrium.n_unknowns();
+  equilibrium.mesh().triangulation->set_all_refine_flags();
+  state = equilibrium.refine(found.displacement, std::move(state));
+  EXPECT_GT(equilibrium.n_unknowns(), 3 * unknowns);
+  EXPECT_DOUBLE_EQ(state.displacement.linfty_norm(), greatest);
+  EXPECT_TRUE(std::holds_alternative<LevelState>(equilibrium.advance(state, {}, ignore_steps)));
+}
+
+TEST(Equilibrium, SaysWhyItWasNotFound) {
+  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
+  Settings settings;
+  settings.max_active_set_steps = 1;
+  const auto result = equilibrium.advance(equilibrium.at_rest(), settings, ignore_steps);
+  ASSERT_TRUE(std::holds_alternative<Stop>(result));
+  EXPECT_EQ(std::get<Stop>(result).outcome, Outcome::active_set_limit);
+  EXPECT_EQ(std::get<Stop>(result).unknowns, equilibrium.n_unknowns());
+}
 
 TEST(ContactForces, OfBothSidesCancelAndCarryTheLoad) {
   for (const bool block_is_source : {false, true}) {
