@@ -198,8 +198,9 @@ void AccuracyLoop<dim>::save() {
   for (const ContactInterface<dim>& interface : equilibrium_->level().interfaces)
     checkpoint.active.push_back(active_places(interface));
   if (progress_.checkpoint) progress_.checkpoint(checkpoint);
-  if (is_alone) last_mesh_.keep(std::move(checkpoint));
-  allocations_.forget();
+  if (!is_alone) return;
+  last_mesh_.keep(std::move(checkpoint));
+  allocations_.forget();  // of a reserve that was too large
 }
 
 /// From the coarse mesh.
