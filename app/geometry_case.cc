@@ -113,11 +113,9 @@ fem::Body<dim> read_body(const CaseValues& values, const std::string& name) {
   fem::Body<dim> body;
   body.name = name;
   body.material = {section.value("Young's modulus"), section.value("Poisson's ratio")};
-  const fem::Components<dim> force = *read_vector<dim>(section, "Body force");
-  const fem::Components<dim> gravity = *read_vector<dim>(section, "Gravity");
-  const double density = section.value("Density");
-  for (std::size_t i = 0; i < force.size(); ++i)
-    body.force.uniform[i] = force[i] + density * gravity[i];
+  body.density = section.value("Density");
+  body.force.uniform = *read_vector<dim>(section, "Body force");
+  body.force.acceleration = *read_vector<dim>(section, "Gravity");
   return body;
 }
 

@@ -46,7 +46,8 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   for (const std::string& body : mesh.bodies) {
     const bool is_wheel = body == "wheel";
     const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
-    problem.bodies.push_back({body, {material.youngs_modulus, material.poissons_ratio}, {}});
+    problem.bodies.push_back(
+        {body, {material.youngs_modulus, material.poissons_ratio}, {}, material.density});
     if (is_wheel && !mechanism.is_local) problem.bodies.back().force.rotation = rotation;
   }
   fem::Support<dim> support{held_surface, {}};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deal.II/base/quadrature.h>
-#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
@@ -10,16 +9,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/material_law.h"
 
 namespace geneva::fem {
-
-/// Strain at a point, and the hoop strain u_r/r (0 unless axisymmetric).
-template <int dim>
-struct Strain {
-  dealii::SymmetricTensor<2, dim> tensor;
-  double hoop;
-};
 
 /// The elastic cell: bilinear or trilinear displacements with the incompatible modes of Taylor,
 /// Beresford and Wilson (1976), condensed in the cell.
@@ -42,36 +34,42 @@ class CellElement {
   /// whole thickness or turn.
   dealii::FullMatrix<double> stiffness(const Cell& cell);
 
-  /// Strains of the modes that make the cell's energy least under displacements of its vertices.
-  /// @param values at the points asked for, of the cell, with its Jacobians
-  std::vector<Strain<dim>> mode_strains(const Cell& cell,
-                                        const dealii::Vector<double>& displacement,
-                                        const dealii::FEValues<dim>& values);
+  /// Strains, with those of the modes that make the cell's energy least under displacements of its
+  /// vertices.
+  /// @param values at the points asked for, of the cell
+  std::vector<StressVector<dim>> strains(const Cell& cell,
+                                         const dealii::Vector<double>& displacement,
+                                         const dealii::FEValues<dim>& values);
+
+  /// What `values` of strains() must give.
+  static dealii::UpdateFlags update_flags();
 
  private:
   static constexpr int n_nodes = 1 << dim;
   static constexpr int n_points = 1 << dim;  // Gauss
-  static constexpr int n_functions = n_nodes + dim;
-  /// Displacements of the modes of xi_1, then of xi_2, ...; in the plane the hoop strain last.
-  static constexpr int most_modes = dim * dim + (dim == 2 ? 1 : 0);
-  static constexpr int n_all = n_own + most_modes;
-  using Weights = Eigen::Matrix<double, n_points, 1>;
-  /// Gradients of scalar functions at the points, those of a function after each other.
-  template <int n>
-  using Gradients = Eigen::Matrix<double, dim * n, n_points>;
+  /// Scalar functions: of the vertices, of the modes of xi_1, xi_2, ..., and in the plane that of
+  /// the hoop strain.
+  static constexpr int n_functions = n_nodes + dim + (dim == 2 ? 1 : 0);
+  /// Displacements by each function along x, then y, ...; the last function has only a hoop strain,
+  /// which counts as displacement along x.
+  static constexpr int n_all = dim * n_functions;
+  /// By x, y, z of every function; in the plane by x and y, and what the function along x gives to
+  /// the hoop strain, f/r.
+  using Derivatives = Eigen::Matrix<double, 3, n_functions>;
   using Stiffness = Eigen::Matrix<double, n_all, n_all>;
   using ModeShapes = Eigen::Matrix<double, 3, 1>;
 
   [[nodiscard]] bool is_axisymmetric() const;
-  /// Modes that this kind of model has.
+  /// Displacements of the modes that this kind of model has.
   [[nodiscard]] int n_modes() const { return dim * dim + (is_axisymmetric() ? 1 : 0); }
-  [[nodiscard]] Weights weights() const;
-  [[nodiscard]] Gradients<n_functions> gradients() const;
+  /// @return its lower triangle; what stands above is not set
   [[nodiscard]] Stiffness whole_stiffness(const Cell& cell);
+  [[nodiscard]] Derivatives derivatives(const dealii::FEValues<dim>& values,
+                                        unsigned int point) const;
+  void add_hoop_strains(const dealii::FEValues<dim>& values, unsigned int point,
+                        Derivatives& derivatives) const;
   /// Means of the reference shapes over the current cell, weighted with r; 0 unless axisymmetric.
   [[nodiscard]] ModeShapes means() const;
-  void add_hoop_stiffness(const Lame& constants, const Gradients<n_functions>& gradients,
-                          const Weights& weights, Stiffness& stiffness) const;
   /// Shapes at a reference point: 1 - 2 xi_k for all k, in the plane then their product.
   static ModeShapes reference_shapes(const dealii::Point<dim>& xi);
   /// Those less their means over the cell, times J0/J.
@@ -79,34 +77,35 @@ class CellElement {
                                        unsigned int point) const;
 
   Problem<dim> problem_;
-  std::vector<Lame> lame_;
+  MaterialLaws<dim> laws_;
   dealii::FEValues<dim> values_;
   dealii::FEValues<dim> centre_;
   ModeShapes means_ = ModeShapes::Zero();  ///< of the current cell
 };
 
-/// Strains of a displacement field, with the modes of the cells, at the points of a quadrature.
+/// Stresses of a displacement field, from the strains and the law with which the cells resist it,
+/// at the points of a quadrature.
 template <int dim>
-class CellStrains {
+class CellStresses {
  public:
-  CellStrains(const dealii::FiniteElement<dim>& element, const Problem<dim>& problem,
-              const dealii::Quadrature<dim>& points);
+  CellStresses(const dealii::FiniteElement<dim>& element, const Problem<dim>& problem,
+               const dealii::Quadrature<dim>& points);
 
   /// @param displacement ghosted
   template <typename Vector>
-  std::vector<Strain<dim>> operator()(const typename CellElement<dim>::Cell& cell,
+  std::vector<Stress<dim>> operator()(const typename CellElement<dim>::Cell& cell,
                                       const Vector& displacement) {
     cell->get_dof_values(displacement, cell_displacement_);
-    return strains(cell);
+    return stresses(cell);
   }
 
   [[nodiscard]] const dealii::FEValues<dim>& values() const { return values_; }
 
  private:
-  std::vector<Strain<dim>> strains(const typename CellElement<dim>::Cell& cell);
+  std::vector<Stress<dim>> stresses(const typename CellElement<dim>::Cell& cell);
 
   CellElement<dim> element_;
-  bool is_axisymmetric_;
+  MaterialLaws<dim> laws_;
   dealii::FEValues<dim> values_;
   dealii::Vector<double> cell_displacement_;
 };

@@ -28,25 +28,35 @@ Tensor<1, dim> radius_vector(const Point<dim>& x) {
   return radius;
 }
 
-/// Force per volume at x of a body with the given density.
+/// Force per volume that is the same throughout a body.
 template <int dim>
-Tensor<1, dim> body_force_at(const BodyForce<dim>& force, const double density,
+Tensor<1, dim> uniform_force(const Body<dim>& body) {
+  Tensor<1, dim> result;
+  for (unsigned int component = 0; component < dim; ++component)
+    result[component] =
+        body.force.uniform[component] + body.density * body.force.acceleration[component];
+  return result;
+}
+
+/// Force per volume at x.
+/// @param turning_density rho of the body's rotation, see there
+template <int dim>
+Tensor<1, dim> body_force_at(const Body<dim>& body, const double turning_density,
                              const Point<dim>& x) {
+  const Rotation& rotation = body.force.rotation;
   const Tensor<1, dim> radius = radius_vector(x);
-  Tensor<1, dim> result = density * force.rotation.speed * force.rotation.speed * radius;
-  const double euler = density * force.rotation.acceleration;
+  Tensor<1, dim> result = turning_density * rotation.speed * rotation.speed * radius;
+  const double euler = turning_density * rotation.acceleration;
   result[0] += euler * radius[1];
   result[1] -= euler * radius[0];
-  for (unsigned int component = 0; component < dim; ++component)
-    result[component] += force.uniform[component];
-  return result;
+  return result + uniform_force(body);
 }
 
 /// Densities that give every rotating body its moment of inertia on this mesh: J divided by the
 /// integral of r^2.
 template <int dim>
-std::vector<double> densities(const dealii::DoFHandler<dim>& dof_handler,
-                              const Problem<dim>& problem) {
+std::vector<double> turning_densities(const dealii::DoFHandler<dim>& dof_handler,
+                                      const Problem<dim>& problem) {
   std::vector<double> densities(problem.bodies.size(), 0.);
   const bool has_rotation =
       std::any_of(problem.bodies.begin(), problem.bodies.end(),
@@ -78,7 +88,7 @@ class CellIntegrator {
   CellIntegrator(const dealii::DoFHandler<dim>& dof_handler, const Problem<dim>& problem,
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
-        densities_(densities(dof_handler, problem)),
+        turning_densities_(turning_densities(dof_handler, problem)),
         element_(dof_handler.get_fe(), problem),
         force_values_(
             dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
@@ -106,7 +116,7 @@ class CellIntegrator {
   static constexpr int n_nodes = dealii::GeometryInfo<dim>::vertices_per_cell;
 
   [[nodiscard]] bool has_force(const unsigned int body) const {
-    return densities_[body] != 0. || problem_.bodies[body].force.uniform != Components<dim>{};
+    return turning_densities_[body] != 0. || uniform_force(problem_.bodies[body]).norm() > 0.;
   }
 
   void add_body_force(const Cell& cell, dealii::Vector<double>& load) {
@@ -115,7 +125,7 @@ class CellIntegrator {
     for (const unsigned int q : force_values_.quadrature_point_indices()) {
       const Point<dim>& x = force_values_.quadrature_point(q);
       const Tensor<1, dim> density =
-          body_force_at(problem_.bodies[body].force, densities_[body], x);
+          body_force_at(problem_.bodies[body], turning_densities_[body], x);
       const double weight = force_values_.JxW(q) * out_of_plane_measure(problem_, x);
       for (const unsigned int i : force_values_.dof_indices())
         load[i] += weight * density[force_values_.get_fe().system_to_component_index(i).first] *
@@ -144,7 +154,7 @@ class CellIntegrator {
   }
 
   Problem<dim> problem_;
-  std::vector<double> densities_;  ///< by body
+  std::vector<double> turning_densities_;  ///< by body
   CellElement<dim> element_;
   dealii::FEValues<dim> force_values_;
   dealii::FEFaceValues<dim> face_values_;

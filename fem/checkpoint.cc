@@ -15,44 +15,46 @@ namespace {
 
 using nlohmann::json;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_record(const std::string& what) {
   throw base::InputError("the checkpoint is damaged: " + what);
 }
 
 const json& member(const json& given, const char* const name) {
   const auto found = given.is_object() ? given.find(name) : given.end();
-  if (found == given.end()) refuse(fmt::format("it has no '{}'", name));
+  if (found == given.end()) refuse_record(fmt::format("it has no '{}'", name));
   return *found;
 }
 
 void read(const json& given, double& value) {
-  if (!given.is_number() || !std::isfinite(given.get<double>())) refuse("a number is none");
+  if (!given.is_number() || !std::isfinite(given.get<double>())) refuse_record("a number is none");
   value = given.get<double>();
 }
 void read(const json& given, unsigned int& value) {
   constexpr auto most = std::numeric_limits<unsigned int>::max();
-  if (!given.is_number_unsigned() || given.get<std::uint64_t>() > most) refuse("a count is none");
+  if (!given.is_number_unsigned() || given.get<std::uint64_t>() > most)
+    refuse_record("a count is none");
   value = given.get<unsigned int>();
 }
 void read(const json& given, bool& value) {
-  if (!given.is_boolean()) refuse("a yes or no is neither");
+  if (!given.is_boolean()) refuse_record("a yes or no is neither");
   value = given.get<bool>();
 }
 void read(const json& given, Refined& value) {
   unsigned int number = 0;
   read(given, number);
-  if (number > static_cast<unsigned int>(Refined::surroundings)) refuse("a refinement is unknown");
+  if (number > static_cast<unsigned int>(Refined::surroundings))
+    refuse_record("a refinement is unknown");
   value = static_cast<Refined>(number);
 }
 template <int dim>
 void read(const json& given, dealii::Point<dim>& point) {
-  if (!given.is_array() || given.size() != dim) refuse("a place is none");
+  if (!given.is_array() || given.size() != dim) refuse_record("a place is none");
   for (unsigned int i = 0; i < dim; ++i) read(given[i], point[i]);
 }
 void read(const json& given, LevelRecord& record);
 template <typename Value>
 void read(const json& given, std::vector<Value>& values) {
-  if (!given.is_array()) refuse("a list is none");
+  if (!given.is_array()) refuse_record("a list is none");
   for (const json& entry : given) read(entry, values.emplace_back());
 }
 
@@ -141,9 +143,9 @@ Checkpoint<dim> checkpoint_of(const json& given, SavedField<dim> field) {
   });
   const std::size_t pairs = result.active.size();
   if (result.origins.source.size() != pairs || result.origins.target.size() != pairs)
-    refuse("its contact pairs differ in number");
+    refuse_record("its contact pairs differ in number");
   if (result.history.empty() || result.history.back().cells != result.field.cells.size())
-    refuse("its last mesh is not in its history");
+    refuse_record("its last mesh is not in its history");
   return result;
 }
 

@@ -12,24 +12,6 @@ Lame lame(const Material& material, const PlaneKind plane) {
   return {lambda, mu, lambda_plane};
 }
 
-dealii::SymmetricTensor<2, 3> stress(const Lame& lame,
-                                     const dealii::SymmetricTensor<2, 3>& strain) {
-  return lame.lambda * dealii::trace(strain) * dealii::unit_symmetric_tensor<3>() +
-         2. * lame.mu * strain;
-}
-
-PlaneStress stress(const Lame& lame, const PlaneKind plane,
-                   const dealii::SymmetricTensor<2, 2>& strain, const double hoop_strain) {
-  const double dilatation = dealii::trace(strain) + hoop_strain;
-  PlaneStress result;
-  result.in_plane =
-      lame.lambda_plane * dilatation * dealii::unit_symmetric_tensor<2>() + 2. * lame.mu * strain;
-  result.out_of_plane = plane == PlaneKind::plane_stress
-                            ? 0.
-                            : lame.lambda_plane * dilatation + 2. * lame.mu * hoop_strain;
-  return result;
-}
-
 template <int dim>
 double out_of_plane_measure(const Problem<dim>& problem, const dealii::Point<dim>& point) {
   if (dim == 3) return 1.;

@@ -39,8 +39,8 @@ struct Material {
 /// Rotation of a body about the origin, in 3-D about the z axis, whose inertia loads it:
 /// rho (omega^2 r - alpha x r).
 ///
-/// The density is not given: on every mesh it is set so that the body's moment of inertia is the
-/// given one.
+/// rho is not the body's density: on every mesh it is set so that the moment of inertia is the
+/// given one, which may be that of all that turns with the body.
 struct Rotation {
   double inertia = 0.;       ///< J about the origin [kg m^2], >= 0; 0: no inertia load
   double speed = 0.;         ///< omega [rad/s], counter-clockwise
@@ -49,7 +49,8 @@ struct Rotation {
 
 template <int dim>
 struct BodyForce {
-  Components<dim> uniform{};  ///< force per volume [N/m^3]
+  Components<dim> uniform{};       ///< force per volume [N/m^3]
+  Components<dim> acceleration{};  ///< force per mass, such as gravity [m/s^2]
   Rotation rotation;
 };
 
@@ -58,6 +59,7 @@ struct Body {
   std::string name;
   Material material;
   BodyForce<dim> force;
+  double density = 0.;  ///< [kg/m^3], >= 0
 };
 
 /// Prescribed displacement [m] of a surface, by component; a component without a value is free.

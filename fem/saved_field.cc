@@ -30,7 +30,7 @@ struct TravellingNode {
   std::array<double, static_cast<std::size_t>(dim)> displacement;
 };
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_field(const std::string& what) {
   throw base::InputError("the checkpoint does not fit this case or is damaged: " + what);
 }
 
@@ -144,7 +144,7 @@ void refine_as(dealii::parallel::distributed::Triangulation<dim>& triangulation,
     triangulation.repartition();
   }
   if (triangulation.n_global_active_cells() != saved.cells.size())
-    refuse("its cells are not those of the coarse mesh");
+    refuse_field("its cells are not those of the coarse mesh");
 }
 
 template <int dim>
@@ -171,14 +171,14 @@ void check(const SavedField<dim>& saved) {
   const auto& [cells, nodes, displacement] = saved;
   if (cells.empty() ||
       std::adjacent_find(cells.begin(), cells.end(), std::greater_equal<>()) != cells.end())
-    refuse("its cells are not in order");
+    refuse_field("its cells are not in order");
   if (nodes.size() != cells.size() * SavedField<dim>::corners || displacement.size() % dim != 0 ||
       std::any_of(nodes.begin(), nodes.end(),
                   [&](const unsigned int node) { return node >= saved.n_nodes(); }))
-    refuse("its cells have no such nodes");
+    refuse_field("its cells have no such nodes");
   if (!std::all_of(displacement.begin(), displacement.end(),
                    [](const double value) { return std::isfinite(value); }))
-    refuse("a displacement is not finite");
+    refuse_field("a displacement is not finite");
 }
 
 template SavedField<2> saved_field(const dealii::DoFHandler<2>&, const Vector&);

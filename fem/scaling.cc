@@ -27,7 +27,9 @@ template <int dim>
 Problem<dim> scaled(const Problem<dim>& problem, const Scales& scales) {
   Problem<dim> result = problem;
   result.thickness /= scales.length;
-  for (Body<dim>& body : result.bodies) {
+  for (Body<dim>& body : result.bodies) {  // the unit of time stays
+    body.density *= scales.length * scales.length / scales.stress;
+    for (double& component : body.force.acceleration) component /= scales.length;
     body.material.youngs_modulus /= scales.stress;
     for (double& component : body.force.uniform) component *= scales.length / scales.stress;
     body.force.rotation.inertia /= scales.force() * scales.length;

@@ -24,37 +24,6 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 namespace {
 
-/// Evaluates the stress of one cell at the points of a quadrature; strains need no scaling.
-template <int dim>
-class StressEvaluator {
- public:
-  StressEvaluator(const fem::Solution<dim>& solution, const dealii::Quadrature<dim>& points)
-      : solution_(solution), strains_(*solution.element, solution.problem, points) {
-    for (const fem::Body<dim>& body : solution.problem.bodies)
-      lame_.push_back(fem::lame(body.material, solution.problem.plane));
-  }
-
-  std::vector<Stress<dim>> operator()(
-      const typename dealii::DoFHandler<dim>::active_cell_iterator& cell) {
-    const fem::Lame& constants = lame_[cell->material_id()];
-    std::vector<Stress<dim>> stresses;
-    for (const fem::Strain<dim>& strain : strains_(cell, solution_.displacement))
-      if constexpr (dim == 2)
-        stresses.push_back(
-            fem::stress(constants, solution_.problem.plane, strain.tensor, strain.hoop));
-      else
-        stresses.push_back(fem::stress(constants, strain.tensor));
-    return stresses;
-  }
-
-  [[nodiscard]] const dealii::FEValues<dim>& values() const { return strains_.values(); }
-
- private:
-  const fem::Solution<dim>& solution_;
-  fem::CellStrains<dim> strains_;
-  std::vector<fem::Lame> lame_;
-};
-
 std::array<double, 4> components(const fem::PlaneStress& stress) {
   return {stress.in_plane[0][0], stress.in_plane[1][1], stress.out_of_plane, stress.in_plane[0][1]};
 }
@@ -159,12 +128,12 @@ StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>
 
 template <int dim>
 std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution) {
-  StressEvaluator<dim> evaluate(solution, dealii::QMidpoint<dim>());
+  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QMidpoint<dim>());
   const double length = solution.scales.length;
   std::vector<CellStress<dim>> stresses;
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const Stress<dim> stress = evaluate(cell).front();
+    const Stress<dim> stress = evaluate(cell, solution.displacement).front();
     stresses.push_back({Point<dim>(length * evaluate.values().quadrature_point(0)),
                         std::pow(length, dim) * evaluate.values().JxW(0),
                         length * cell->extent_in_direction(dim - 1), cell->material_id(), stress});
@@ -213,14 +182,14 @@ NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
   sum.reinit(owned, relevant, communicator, true);
   weight.reinit(owned, relevant, communicator, true);
 
-  StressEvaluator<dim> evaluate(solution, dealii::QTrapezoid<dim>());
+  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QTrapezoid<dim>());
   std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
   dealii::Vector<double> values(result.element->n_dofs_per_cell());
   dealii::Vector<double> weights(result.element->n_dofs_per_cell());
   auto stress_cell = result.dof_handler->begin_active();
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (cell->is_locally_owned()) {
-      const auto stresses = evaluate(cell);
+      const auto stresses = evaluate(cell, solution.displacement);
       const double measure = cell->measure();
       stress_cell->get_dof_indices(dofs);
       for (unsigned int i = 0; i < dofs.size(); ++i) {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "fem/elasticity.h"
@@ -14,9 +13,9 @@
 
 namespace geneva::post {
 
-/// Stress at a point, tension positive.
-template <int dim>
-using Stress = std::conditional_t<dim == 2, fem::PlaneStress, dealii::SymmetricTensor<2, 3>>;
+using fem::assembled_stress;
+using fem::n_stress_components;
+using fem::Stress;
 
 /// Stress in the middle of a cell, where that of a bilinear element is most accurate; SI units.
 template <int dim>
@@ -42,12 +41,8 @@ double max_shear(const std::array<double, 3>& principal);
 /// Greatest shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
 double in_plane_shear(const fem::PlaneStress& stress);
 
-/// Independent components of a stress: xx, yy, out of plane, xy; in 3-D xx, yy, zz, xy, xz, yz.
-template <int dim>
-constexpr unsigned int n_stress_components = dim == 2 ? 4 : 6;
-
 /// Stress at the nodes [Pa], continuous within each body: the average of the cells' stresses at the
-/// node, weighted with their measure.
+/// node, weighted with their measure. Its components are in the order of fem::StressVector.
 template <int dim>
 struct NodalStress {
   std::unique_ptr<dealii::FESystem<dim>> element;
@@ -57,24 +52,6 @@ struct NodalStress {
 
 template <int dim>
 NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution);
-
-/// The stress whose components, in the order of NodalStress, component(i) gives.
-template <int dim, typename Component>
-Stress<dim> assembled_stress(const Component& component) {
-  Stress<dim> stress;
-  if constexpr (dim == 2) {
-    stress.in_plane[0][0] = component(0);
-    stress.in_plane[1][1] = component(1);
-    stress.out_of_plane = component(2);
-    stress.in_plane[0][1] = component(3);
-  } else {
-    for (unsigned int i = 0; i < 3; ++i) stress[i][i] = component(i);
-    stress[0][1] = component(3);
-    stress[0][2] = component(4);
-    stress[1][2] = component(5);
-  }
-  return stress;
-}
 
 /// A stress maximum and where it is; SI units.
 template <int dim>

@@ -1,13 +1,14 @@
-#include "fem/elasticity.h"
-
-#include <gtest/gtest.h>
-
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <numeric>
 
+#include "fem/cell_element.h"
+#include "fem/material_law.h"
 #include "mesh/dense_algebra.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"
@@ -16,7 +17,6 @@ namespace geneva::fem::test {
 namespace {
 
 using dealii::Point;
-using dealii::SymmetricTensor;
 using dealii::Tensor;
 using geneva::test::equal_steps;
 
@@ -141,37 +141,51 @@ TEST(Lame, OfPlaneStressActOnTheStrainsInThePlane) {
   EXPECT_DOUBLE_EQ(constants.lambda_plane, 2.6 * 0.3 / (1. - 0.09)) << "E nu/(1 - nu^2)";
 }
 
-SymmetricTensor<2, 2> strain(const double xx, const double yy, const double xy) {
-  SymmetricTensor<2, 2> result;
-  result[0][0] = xx;
-  result[1][1] = yy;
-  result[0][1] = xy;
-  return result;
+/// Of strains xx, yy, zz and 2 xy.
+StressVector<2> hooke(const PlaneKind plane, const StressVector<2>& strain) {
+  return LinearElastic<2>(steel, plane).respond(strain, {}).stress;
 }
 
-TEST(Stress, OfUniaxialTensionIsEStrainInPlaneStress) {
-  const PlaneStress s = stress(lame(steel, PlaneKind::plane_stress), PlaneKind::plane_stress,
-                               strain(1., -0.3, 0.), 0.);
-  EXPECT_NEAR(s.in_plane[0][0], 2., 1e-15);
-  EXPECT_NEAR(s.in_plane[1][1], 0., 1e-15);
-  EXPECT_EQ(s.out_of_plane, 0.);
+TEST(LinearElastic, OfUniaxialTensionIsEStrainInPlaneStress) {
+  const StressVector<2> s = hooke(PlaneKind::plane_stress, {1., -0.3, 0., 0.});
+  EXPECT_NEAR(s[0], 2., 1e-15);
+  EXPECT_NEAR(s[1], 0., 1e-15);
+  EXPECT_EQ(s[2], 0.);
 }
 
-TEST(Stress, OutOfPlaneIsNuTimesTheOthersInPlaneStrain) {
-  const PlaneStress s = stress(lame(steel, PlaneKind::plane_strain), PlaneKind::plane_strain,
-                               strain(1., 0.4, 0.2), 0.);
-  EXPECT_NEAR(s.out_of_plane, 0.3 * dealii::trace(s.in_plane), 1e-15);
-  EXPECT_NEAR(s.in_plane[0][1], 2. / 1.3 * 0.2, 1e-15) << "2 mu epsilon_xy";
+TEST(LinearElastic, StressOutOfPlaneIsNuTimesTheOthersInPlaneStrain) {
+  const StressVector<2> s = hooke(PlaneKind::plane_strain, {1., 0.4, 0., 0.4});
+  EXPECT_NEAR(s[2], 0.3 * (s[0] + s[1]), 1e-15);
+  EXPECT_NEAR(s[3], 2. / 1.3 * 0.2, 1e-15) << "2 mu epsilon_xy";
 }
 
-TEST(Stress, OfABodyOfRevolutionFollowsHookesLawInSpace) {
+TEST(LinearElastic, StressOfABodyOfRevolutionFollowsHookesLawInSpace) {
   // Stresses (r, z, hoop) = (1, 2, 3) by E epsilon_i = sigma_i - nu (sigma_j + sigma_k).
-  const PlaneStress s =
-      stress(lame(steel, PlaneKind::axisymmetric), PlaneKind::axisymmetric,
-             strain((1. - 0.3 * 5.) / 2., (2. - 0.3 * 4.) / 2., 0.), (3. - 0.3 * 3.) / 2.);
-  EXPECT_NEAR(s.in_plane[0][0], 1., 1e-14);
-  EXPECT_NEAR(s.in_plane[1][1], 2., 1e-14);
-  EXPECT_NEAR(s.out_of_plane, 3., 1e-14);
+  const StressVector<2> s =
+      hooke(PlaneKind::axisymmetric,
+            {(1. - 0.3 * 5.) / 2., (2. - 0.3 * 4.) / 2., (3. - 0.3 * 3.) / 2., 0.});
+  EXPECT_NEAR(s[0], 1., 1e-14);
+  EXPECT_NEAR(s[1], 2., 1e-14);
+  EXPECT_NEAR(s[2], 3., 1e-14);
+}
+
+TEST(LinearElastic, TangentIsSymmetricAndMapsStrainsToStresses) {
+  for (const PlaneKind plane : all_kinds) {
+    const LinearElastic<2> law(steel, plane);
+    const StressVector<2> strain(0.3, -0.7, 0., 0.2);
+    const MaterialResponse<2> response = law.respond(strain, {});
+    EXPECT_EQ(response.tangent, response.tangent.transpose());
+    EXPECT_EQ(response.stress, response.tangent * strain);
+    EXPECT_TRUE(response.history.empty());
+  }
+}
+
+TEST(LinearElastic, LawsKeepTheOrderOfTheBodies) {
+  Problem<2> problem;
+  problem.bodies = {{"soft", {1., 0.}, {}}, {"stiff", {4., 0.}, {}}};
+  const MaterialLaws<2> laws = material_laws(problem);
+  EXPECT_DOUBLE_EQ(laws[0]->respond({1., 0., 0., 0.}, {}).stress[0], 1.);
+  EXPECT_DOUBLE_EQ(laws[1]->respond({1., 0., 0., 0.}, {}).stress[0], 4.);
 }
 
 /// A cell's matrix holds a few hundred products of about its own size.
@@ -222,8 +236,11 @@ void expect_patch_passes(const PlaneKind plane, const Tensor<2, 2>& gradient, co
   const mesh::MeshData<2> mesh = patch(x0);
   Problem<2> problem = problem_on(mesh, plane);
   const bool axisymmetric = plane == PlaneKind::axisymmetric;
-  const PlaneStress constant = stress(lame(steel, plane), plane, dealii::symmetrize(gradient),
-                                      axisymmetric ? gradient[0][0] : 0.);
+  const StressVector<2> stress =
+      hooke(plane, {gradient[0][0], gradient[1][1], axisymmetric ? gradient[0][0] : 0.,
+                    gradient[0][1] + gradient[1][0]});
+  const auto constant =
+      assembled_stress<2>([&](const unsigned int component) { return stress[component]; });
   const std::array<Tensor<1, 2>, 4> normals{Tensor<1, 2>({0., -1.}), Tensor<1, 2>({1., 0.}),
                                             Tensor<1, 2>({0., 1.}), Tensor<1, 2>({-1., 0.})};
   for (unsigned int side = 0; side < 4; ++side) {
@@ -300,6 +317,33 @@ TEST(IncompatibleModes, MakePureBendingOfARectangleExact) {
   }
 }
 
+/// Its stress is E y along x, and nothing else.
+TEST(IncompatibleModes, MakeTheStressOfPureBendingExact) {
+  mesh::MeshData<2> beam = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(beam, "beam", {-1., 1.}, {-0.5, 0.5}, {"", "", "", ""});
+  const Discretisation<2> grid(beam);
+  dealii::TrilinosWrappers::MPI::Vector bent(grid.dof_handler->locally_owned_dofs(),
+                                             MPI_COMM_WORLD);
+  const Field<2> field = [](const Point<2>& x) {
+    return Tensor<1, 2>({x[0] * x[1], -0.5 * (x[0] * x[0] + 0.3 * x[1] * x[1])});
+  };
+  CellStresses<2> stresses(grid.element, problem_on(beam, PlaneKind::plane_stress),
+                           dealii::QGauss<2>(3));
+  for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const dealii::Vector<double> values = values_on(cell, field);
+    for (const unsigned int i : cell->vertex_indices())
+      for (unsigned int c = 0; c < 2; ++c) bent(cell->vertex_dof_index(i, c)) = values[2 * i + c];
+    const std::vector<PlaneStress> found = stresses(cell, bent);
+    for (std::size_t q = 0; q < found.size(); ++q) {
+      const double y = stresses.values().quadrature_point(static_cast<unsigned int>(q))[1];
+      EXPECT_NEAR(found[q].in_plane[0][0], 2. * y, 1e-14);
+      EXPECT_NEAR(found[q].in_plane[1][1], 0., 1e-14);
+      EXPECT_NEAR(found[q].in_plane[0][1], 0., 1e-14);
+    }
+  }
+}
+
 TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
   const mesh::MeshData<2> mesh = ring_and_rectangle();
   Problem<2> problem = problem_on(mesh);
@@ -309,6 +353,16 @@ TEST(BodyForce, UniformOneAddsUpToForceTimesVolume) {
   EXPECT_NEAR(sum.force[0], 3. * volume, round_off);
   EXPECT_NEAR(sum.force[1], -2. * volume, round_off);
   EXPECT_NEAR(sum.moment, volume * (2.75 * -2. - -0.25 * 3.), 10. * round_off);
+}
+
+TEST(BodyForce, OfAnAccelerationIsMassTimesIt) {
+  const mesh::MeshData<2> mesh = ring_and_rectangle();
+  Problem<2> problem = problem_on(mesh);
+  problem.bodies[1].force.acceleration = {3., -2.};
+  problem.bodies[1].density = 5.;
+  const double mass = 5. * 1.5 * 1.5 * 0.7;
+  EXPECT_NEAR(resultant(mesh, problem).force[0], 3. * mass, 5. * round_off);
+  EXPECT_NEAR(resultant(mesh, problem).force[1], -2. * mass, 5. * round_off);
 }
 
 TEST(BodyForce, UniformOneOfABodyOfRevolutionAddsUpToForceTimesVolume) {
