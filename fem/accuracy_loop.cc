@@ -74,7 +74,7 @@ bool AccuracyLoop<dim>::solve() {
 template <int dim>
 bool AccuracyLoop<dim>::advance() {
   auto result = equilibrium_->advance(
-      state_, settings_, [&](const unsigned int step, const unsigned int iterations) {
+      state_, {}, settings_, [&](const unsigned int step, const unsigned int iterations) {
         if (progress_.step)
           progress_.step({static_cast<unsigned int>(solution_.history.size()),
                           solution_.dof_handler->n_dofs(), step, iterations});

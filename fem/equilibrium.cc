@@ -54,11 +54,19 @@ Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<
 template <int dim>
 void Equilibrium<dim>::make_level(const State<dim>& state) {
   n_unknowns_ = mesh_.dof_handler->n_dofs();
+  load_ = {};
   level_ = fem::make_level(*mesh_.dof_handler, coarse_, scaled_problem_, scales_, origins_);
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
     level_.interfaces[i].active =
         inherited_set(level_.interfaces[i], state.contacts[i], scales_.length);
   set_smooth(state.smooth);
+}
+
+template <int dim>
+void Equilibrium<dim>::set_load(const Load& load) {
+  if (load == load_) return;
+  fem::set_load(level_, *mesh_.dof_handler, coarse_, at_instant(scaled_problem_, load));
+  load_ = load;
 }
 
 template <int dim>
@@ -78,9 +86,10 @@ State<dim> Equilibrium<dim>::at_rest() const {
 }
 
 template <int dim>
-std::variant<LevelState, Stop> Equilibrium<dim>::advance(const State<dim>& from,
+std::variant<LevelState, Stop> Equilibrium<dim>::advance(const State<dim>& from, const Load& load,
                                                          const Settings& settings,
                                                          const StepObserver& observer) {
+  set_load(load);
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
     if (state) return std::move(*state);

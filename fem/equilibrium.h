@@ -8,6 +8,7 @@
 #include "fem/active_set_iteration.h"
 #include "fem/checkpoint.h"
 #include "fem/level.h"
+#include "fem/load.h"
 #include "fem/refined_mesh.h"
 #include "fem/stop.h"
 
@@ -37,10 +38,11 @@ class Equilibrium {
   [[nodiscard]] State<dim> at_rest() const;
 
   /// One solve, from a state on.
+  /// @param load what acts at the instant
   /// @return the state that is in equilibrium, or why none was found
   /// @throws base::InputError if the load pulls a body away that only an open contact could hold
-  std::variant<LevelState, Stop> advance(const State<dim>& from, const Settings& settings,
-                                         const StepObserver& observer);
+  std::variant<LevelState, Stop> advance(const State<dim>& from, const Load& load,
+                                         const Settings& settings, const StepObserver& observer);
 
   /// Refines the flagged cells.
   /// @param displacement with ghosts; what else is known of the contacts is `now`'s
@@ -71,6 +73,7 @@ class Equilibrium {
 
  private:
   void make_level(const State<dim>& state);
+  void set_load(const Load& load);
 
   MPI_Comm communicator_;
   mesh::MeshData<dim> coarse_;
@@ -80,6 +83,7 @@ class Equilibrium {
   RefinedMesh<dim> mesh_;
   std::optional<SurfaceOrigins<dim>> origins_;
   std::size_t n_unknowns_ = 0;
+  Load load_;  ///< of the level
   Level<dim> level_;
 };
 

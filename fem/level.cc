@@ -148,6 +148,7 @@ std::set<global_dof_index> forced_dofs(const Level<dim>& level) {
 template <int dim>
 void add_held_lines(Level<dim>& level, const mesh::MeshData<dim>& mesh,
                     const Problem<dim>& problem) {
+  level.tie_forces.clear();
   level.held_lines = support_lines(level.boundary, problem.supports, mesh.surfaces);
   for (const RigidTie<dim>& tie : problem.ties) {
     const TieLines lines = tie_lines(level.boundary, tie, mesh.surfaces);
@@ -178,14 +179,20 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   if (!origins) origins = choose_origins(level.boundary, mesh, scaled_problem);
   level.interfaces = make_interfaces(level.boundary, mesh, scaled_problem, *origins,
                                      dof_handler.get_communicator());
-  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
   level.is_factorised = is_factorised(scaled_problem);
   level.hanging_nodes = hanging_nodes(dof_handler, level.ghosts);
   level.hanging_lines = hanging_lines(dof_handler, level.hanging_nodes, level.boundary);
   level.hanging = make_constraints(level.hanging_nodes, level.hanging_lines);
+  set_load(level, dof_handler, mesh, scaled_problem);
+  return level;
+}
+
+template <int dim>
+void set_load(Level<dim>& level, const dealii::DoFHandler<dim>& dof_handler,
+              const mesh::MeshData<dim>& mesh, const Problem<dim>& scaled_problem) {
+  level.cells = cell_systems(dof_handler, scaled_problem, mesh.surfaces);
   add_held_lines(level, mesh, scaled_problem);
   level.forced = forced_unknowns(forced_dofs(level), level.cells, level.hanging);
-  return level;
 }
 
 template <int dim>
@@ -208,6 +215,10 @@ template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<
                              const Problem<2>&, const Scales&, std::optional<SurfaceOrigins<2>>&);
 template Level<3> make_level(const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
                              const Problem<3>&, const Scales&, std::optional<SurfaceOrigins<3>>&);
+template void set_load(Level<2>&, const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
+                       const Problem<2>&);
+template void set_load(Level<3>&, const dealii::DoFHandler<3>&, const mesh::MeshData<3>&,
+                       const Problem<3>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<2>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<3>&);
 template dealii::AffineConstraints<double> constraints(const Level<2>&);

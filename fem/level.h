@@ -37,6 +37,12 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
                       const Problem<dim>& scaled_problem, const Scales& scales,
                       std::optional<SurfaceOrigins<dim>>& origins);
 
+/// Sets what depends on the loads and prescribed displacements of a problem that is otherwise the
+/// level's.
+template <int dim>
+void set_load(Level<dim>& level, const dealii::DoFHandler<dim>& dof_handler,
+              const mesh::MeshData<dim>& mesh, const Problem<dim>& scaled_problem);
+
 /// The constraints that hold for all active sets: hanging nodes, supports, ties.
 template <int dim>
 dealii::AffineConstraints<double> lasting_constraints(const Level<dim>& level);

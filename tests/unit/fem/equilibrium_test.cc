@@ -71,39 +71,63 @@ Equilibrium<2> equilibrium_of(const LineContact& contact) {
   return {MPI_COMM_WORLD, mesh, problem, scales_of(problem, mesh)};
 }
 
-TEST(Equilibrium, IsWhereASolveThatStartsFromItEnds) {
-  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
-  State<2> state = equilibrium.at_rest();
-  const auto first = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
-  state.displacement = first.displacement;
-  const auto second = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
-  EXPECT_EQ(second.linear_iterations.size(), 1U);
-  const auto& pressure = first.contacts.front().pressure;
+void expect_same_pressures(const LevelState& one, const LevelState& other) {
+  const auto& pressure = one.contacts.front().pressure;
   const double peak = *std::max_element(pressure.begin(), pressure.end());
   ASSERT_GT(peak, 0.);
   for (std::size_t i = 0; i < pressure.size(); ++i)
-    EXPECT_NEAR(second.contacts.front().pressure[i], pressure[i], solver_tolerance * peak);
+    EXPECT_NEAR(other.contacts.front().pressure[i], pressure[i], solver_tolerance * peak);
+}
+
+TEST(Equilibrium, IsWhereASolveThatStartsFromItEnds) {
+  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
+  State<2> state = equilibrium.at_rest();
+  const auto first = std::get<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps));
+  state.displacement = first.displacement;
+  const auto second = std::get<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps));
+  EXPECT_EQ(second.linear_iterations.size(), 1U);
+  expect_same_pressures(first, second);
+}
+
+/// Without friction the way there does not matter.
+TEST(Equilibrium, DependsOnTheLoadOfItsInstantAlone) {
+  const LineContact contact = heavy(false);
+  Equilibrium<2> equilibrium = equilibrium_of(contact);
+  State<2> state = equilibrium.at_rest();
+  const Load half{{}, {}, {0.5}, {}};
+  const auto at_half = std::get<LevelState>(equilibrium.advance(state, half, {}, ignore_steps));
+  state.displacement = at_half.displacement;
+  const auto at_full = std::get<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps));
+
+  LineContact halved = contact;
+  halved.force *= 0.5;
+  Equilibrium<2> light = equilibrium_of(halved);
+  expect_same_pressures(at_half,
+                        std::get<LevelState>(light.advance(light.at_rest(), {}, {}, ignore_steps)));
+  Equilibrium<2> anew = equilibrium_of(contact);
+  expect_same_pressures(at_full,
+                        std::get<LevelState>(anew.advance(anew.at_rest(), {}, {}, ignore_steps)));
 }
 
 /// Linear functions on the coarse cells are linear on their children.
 TEST(Equilibrium, TakesADisplacementOverToAFinerMesh) {
   Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
   State<2> state = equilibrium.at_rest();
-  const auto found = std::get<LevelState>(equilibrium.advance(state, {}, ignore_steps));
+  const auto found = std::get<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps));
   const double greatest = found.displacement.linfty_norm();
   const auto unknowns = equilibrium.n_unknowns();
   equilibrium.mesh().triangulation->set_all_refine_flags();
   state = equilibrium.refine(found.displacement, std::move(state));
   EXPECT_GT(equilibrium.n_unknowns(), 3 * unknowns);
   EXPECT_DOUBLE_EQ(state.displacement.linfty_norm(), greatest);
-  EXPECT_TRUE(std::holds_alternative<LevelState>(equilibrium.advance(state, {}, ignore_steps)));
+  EXPECT_TRUE(std::holds_alternative<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps)));
 }
 
 TEST(Equilibrium, SaysWhyItWasNotFound) {
   Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
   Settings settings;
   settings.max_active_set_steps = 1;
-  const auto result = equilibrium.advance(equilibrium.at_rest(), settings, ignore_steps);
+  const auto result = equilibrium.advance(equilibrium.at_rest(), {}, settings, ignore_steps);
   ASSERT_TRUE(std::holds_alternative<Stop>(result));
   EXPECT_EQ(std::get<Stop>(result).outcome, Outcome::active_set_limit);
   EXPECT_EQ(std::get<Stop>(result).unknowns, equilibrium.n_unknowns());

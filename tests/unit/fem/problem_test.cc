@@ -4,6 +4,7 @@
 
 #include "fem/conditioning.h"
 #include "fem/contact_problem.h"
+#include "fem/load.h"
 #include "fem/problem_check.h"
 #include "fem/scaling.h"
 #include "mesh/extrusion.h"
@@ -29,7 +30,9 @@ Problem<2> full_problem() {
   Problem<2> full = problem();
   full.thickness = 0.02;
   full.bodies[0].force.uniform = {3e4, -7e4};
+  full.bodies[0].force.acceleration = {0.7, -9.81};
   full.bodies[0].force.rotation = {2e-3, 10., 300.};
+  full.bodies[0].density = 7850.;
   full.supports = {{"bottom", {1e-6, std::nullopt}}, {"core", {std::nullopt, -2e-6}}};
   full.loads = {{"top", 1e6, {2e5, -3e5}}};
   full.ties = {{"core", {0.6, -0.8}, 500.}};
@@ -43,6 +46,9 @@ void expect_same(const Problem<2>& a, const Problem<2>& b) {
   for (std::size_t i = 0; i < b.bodies.size(); ++i) {
     same(a.bodies[i].material.youngs_modulus, b.bodies[i].material.youngs_modulus);
     EXPECT_EQ(a.bodies[i].material.poissons_ratio, b.bodies[i].material.poissons_ratio);
+    same(a.bodies[i].density, b.bodies[i].density);
+    same(a.bodies[i].force.acceleration[0], b.bodies[i].force.acceleration[0]);
+    same(a.bodies[i].force.acceleration[1], b.bodies[i].force.acceleration[1]);
     same(a.bodies[i].force.rotation.inertia, b.bodies[i].force.rotation.inertia);
     EXPECT_EQ(a.bodies[i].force.rotation.speed, b.bodies[i].force.rotation.speed);
     EXPECT_EQ(a.bodies[i].force.rotation.acceleration, b.bodies[i].force.rotation.acceleration);
@@ -62,6 +68,26 @@ void expect_same(const Problem<2>& a, const Problem<2>& b) {
     EXPECT_EQ(a.ties[0].direction[c], b.ties[0].direction[c]);
   }
   same(a.ties[0].force, b.ties[0].force);
+}
+
+TEST(Load, OfNoSharesIsTheWholeLoad) {
+  expect_same(at_instant(full_problem(), {}), full_problem());
+}
+
+TEST(Load, TakesItsShareOfEveryPart) {
+  const std::size_t n_bodies = full_problem().bodies.size();
+  const Problem<2> part =
+      at_instant(full_problem(), {std::vector<double>(n_bodies, 0.5), {-1.}, {0.25}, {2., 0.}});
+  Problem<2> expected = full_problem();
+  expected.bodies[0].force = {{1.5e4, -3.5e4}, {0.35, -4.905}, {1e-3, 10., 300.}};
+  expected.loads = {{"top", -1e6, {-2e5, 3e5}}};
+  expected.ties[0].force = 125.;
+  expected.supports = {{"bottom", {2e-6, std::nullopt}}, {"core", {std::nullopt, 0.}}};
+  expect_same(part, expected);
+}
+
+TEST(Load, RefusesAListOfAnotherLength) {
+  EXPECT_THROW(at_instant(full_problem(), {{}, {}, {1., 1.}, {}}), std::invalid_argument);
 }
 
 TEST(Scaling, UnitsAreTheGreatestExtentAndModulus) {
@@ -86,6 +112,9 @@ TEST(Scaling, DividesByTheUnitOfEveryQuantity) {
   EXPECT_DOUBLE_EQ(small.thickness, full.thickness / 2.);
   EXPECT_DOUBLE_EQ(small.bodies[0].material.youngs_modulus, 2e10);
   EXPECT_DOUBLE_EQ(small.bodies[0].force.uniform[0], 3e4 * 2. / 10.) << "force per volume";
+  EXPECT_DOUBLE_EQ(small.bodies[0].density * small.bodies[0].force.acceleration[1],
+                   7850. * -9.81 * 2. / 10.)
+      << "force per volume";
   EXPECT_DOUBLE_EQ(small.bodies[0].force.rotation.inertia, 2e-3 / 80.) << "J alpha is a moment";
   EXPECT_DOUBLE_EQ(*small.supports[0].displacement[0], 0.5e-6);
   EXPECT_DOUBLE_EQ(small.loads[0].pressure, 1e5);
