@@ -53,14 +53,15 @@ std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
     const ContactInterface<dim>& interface = level.interfaces[i];
     for (std::size_t j = 0; j < interface.rows.size(); ++j) {
-      const MortarRow<dim>& row = interface.rows[j];
+      const ContactRow<dim>& row = interface.rows[j];
       const double pressure = state.contacts[i].pressure[j];
       if (pressure == 0.) continue;
       for (unsigned int component = 0; component < dim; ++component) {
         forces[interface.source.nodes[row.node].dofs[component]] +=
-            pressure * row.weight * row.normal[component];
+            pressure * row.weight * row.frame.normal[component];
         for (const auto& [node, coupling] : row.coupling)
-          forces[interface.target.nodes[node].dofs[component]] -= pressure * coupling[component];
+          forces[interface.target.nodes[node].dofs[component]] -=
+              pressure * coupling * row.frame.normal[component];
       }
     }
   }

@@ -107,14 +107,14 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
   for (const ContactInterface<dim>& interface : level.interfaces)
     for (std::size_t i = 0; i < interface.rows.size(); ++i) {
       if (closed == TakenAsClosed::active_nodes && !interface.active[i]) continue;
-      const MortarRow<dim>& contact = interface.rows[i];
+      const ContactRow<dim>& contact = interface.rows[i];
       Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
       for (unsigned int direction = 0; direction < dim; ++direction) {
-        motions.add(interface.source.nodes[contact.node].dofs[direction], contact.normal[direction],
-                    row);
+        motions.add(interface.source.nodes[contact.node].dofs[direction],
+                    contact.frame.normal[direction], row);
         for (const auto& [node, coupling] : contact.coupling)
           motions.add(interface.target.nodes[node].dofs[direction],
-                      -coupling[direction] / contact.weight, row);
+                      -coupling * contact.frame.normal[direction] / contact.weight, row);
       }
       rows.push_back(row);
     }

@@ -21,7 +21,7 @@ constexpr double round_off = 1e-9;
 constexpr unsigned int equally_near = 4;
 
 template <int dim>
-double initial_gap(const MortarRow<dim>& row) {
+double initial_gap(const ContactRow<dim>& row) {
   return row.initial_gap / row.weight;
 }
 
@@ -29,14 +29,14 @@ double initial_gap(const MortarRow<dim>& row) {
 constexpr double least_closing_rate = 0.2;
 
 template <int dim>
-double closing_rate(const MortarRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
-  return -(row.normal * approach);
+double closing_rate(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
+  return -(row.frame.normal * approach);
 }
 
 /// How far the source has to move along the approach until a row touches, without end where it
 /// leads past; the gap itself where the approach is not known or the bodies overlap.
 template <int dim>
-double way_to_touch(const MortarRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
+double way_to_touch(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
   const double gap = initial_gap(row);
   if (approach.norm() == 0.) return gap;
   const double rate = closing_rate(row, approach);
@@ -46,32 +46,33 @@ double way_to_touch(const MortarRow<dim>& row, const dealii::Tensor<1, dim>& app
 
 /// The component to solve a row for; none if all are held.
 template <int dim>
-int pivot_component(const MortarRow<dim>& row, const SurfaceNode<dim>& node,
+int pivot_component(const ContactRow<dim>& row, const SurfaceNode<dim>& node,
                     const std::set<global_dof_index>& held) {
   int pivot = -1;
   for (unsigned int component = 0; component < dim; ++component) {
-    const double share = std::abs(row.normal[component]);
+    const double share = std::abs(row.frame.normal[component]);
     if (held.count(node.dofs[component]) == 0 && share > 1e-6 &&
-        (pivot < 0 || share > std::abs(row.normal[static_cast<unsigned int>(pivot)])))
+        (pivot < 0 || share > std::abs(row.frame.normal[static_cast<unsigned int>(pivot)])))
       pivot = static_cast<int>(component);
   }
   return pivot;
 }
 
 template <int dim>
-ConstraintLine contact_line(const ContactInterface<dim>& interface, const MortarRow<dim>& row,
+ConstraintLine contact_line(const ContactInterface<dim>& interface, const ContactRow<dim>& row,
                             const unsigned int pivot) {
   const SurfaceNode<dim>& node = interface.source.nodes[row.node];
-  const double diagonal = row.weight * row.normal[pivot];
+  const double diagonal = row.weight * row.frame.normal[pivot];
   ConstraintLine line{node.dofs[pivot], {}, -row.initial_gap / diagonal};
   for (unsigned int other = 0; other < dim; ++other)
-    if (other != pivot && row.normal[other] != 0.)
-      line.entries.emplace_back(node.dofs[other], -row.normal[other] / row.normal[pivot]);
+    if (other != pivot && row.frame.normal[other] != 0.)
+      line.entries.emplace_back(node.dofs[other],
+                                -row.frame.normal[other] / row.frame.normal[pivot]);
   for (const auto& [target_node, coupling] : row.coupling)
     for (unsigned int component = 0; component < dim; ++component)
-      if (coupling[component] != 0.)
+      if (row.frame.normal[component] != 0.)
         line.entries.emplace_back(interface.target.nodes[target_node].dofs[component],
-                                  coupling[component] / diagonal);
+                                  coupling * row.frame.normal[component] / diagonal);
   return line;
 }
 
@@ -90,22 +91,22 @@ Displacements<dim> displacements_of(const Surface<dim>& surface,
 }
 
 template <int dim>
-double gap_of(const MortarRow<dim>& row, const Displacements<dim>& source,
+double gap_of(const ContactRow<dim>& row, const Displacements<dim>& source,
               const Displacements<dim>& target) {
-  double gap = row.initial_gap + row.weight * (row.normal * source[row.node]);
-  for (const auto& [node, coupling] : row.coupling) gap -= coupling * target[node];
-  return gap / row.weight;
+  dealii::Tensor<1, dim> relative = row.weight * source[row.node];
+  for (const auto& [node, coupling] : row.coupling) relative -= coupling * target[node];
+  return (row.initial_gap + row.frame.normal * relative) / row.weight;
 }
 
 template <int dim>
-double pressure_of(const SurfaceNode<dim>& node, const MortarRow<dim>& row,
+double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
                    const SurfaceForces& forces, const std::set<global_dof_index>& held) {
   double force = 0.;
   double normal_square = 0.;
   for (unsigned int component = 0; component < dim; ++component) {
     if (held.count(node.dofs[component]) > 0) continue;
-    force += forces(node.dofs[component]) * row.normal[component];
-    normal_square += row.normal[component] * row.normal[component];
+    force += forces(node.dofs[component]) * row.frame.normal[component];
+    normal_square += row.frame.normal[component] * row.frame.normal[component];
   }
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
 }
@@ -141,17 +142,17 @@ double bend_of_pressure(const ContactInterface<2>& interface, const ContactState
 template <int dim>
 std::vector<bool> first_touch(const ContactInterface<dim>& interface) {
   const bool meets_approach =
-      std::any_of(interface.rows.begin(), interface.rows.end(), [&](const MortarRow<dim>& row) {
+      std::any_of(interface.rows.begin(), interface.rows.end(), [&](const ContactRow<dim>& row) {
         return closing_rate(row, interface.approach) > least_closing_rate;
       });
   const dealii::Tensor<1, dim> approach =
       meets_approach ? interface.approach : dealii::Tensor<1, dim>();
   double smallest = std::numeric_limits<double>::max();
-  for (const MortarRow<dim>& row : interface.rows)
+  for (const ContactRow<dim>& row : interface.rows)
     smallest = std::min(smallest, way_to_touch(row, approach));
   std::vector<bool> active;
   active.reserve(interface.rows.size());
-  for (const MortarRow<dim>& row : interface.rows)
+  for (const ContactRow<dim>& row : interface.rows)
     active.push_back(way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length);
   return active;
 }
@@ -161,7 +162,7 @@ std::vector<bool> inherited(const ContactInterface<2>& interface,
   const double slack = 1e-9 * interface.source.length;
   std::vector<bool> active;
   active.reserve(interface.rows.size());
-  for (const MortarRow<2>& row : interface.rows) {
+  for (const ContactRow<2>& row : interface.rows) {
     const double at = interface.source.nodes[row.node].arc_length;
     active.push_back(
         std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& interval) {
@@ -183,7 +184,7 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
   const auto tree = dealii::pack_rtree_of_indices(places);
   std::vector<bool> active;
   active.reserve(interface.rows.size());
-  for (const MortarRow<3>& row : interface.rows) {
+  for (const ContactRow<3>& row : interface.rows) {
     const dealii::Point<3>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
     tree.query(boost::geometry::index::nearest(place, equally_near), std::back_inserter(nearest));
@@ -217,7 +218,7 @@ std::vector<bool> active_at(const ContactInterface<dim>& interface,
   const auto tree = dealii::pack_rtree_of_indices(places);
   std::vector<bool> active;
   active.reserve(interface.rows.size());
-  for (const MortarRow<dim>& row : interface.rows) {
+  for (const ContactRow<dim>& row : interface.rows) {
     const dealii::Point<dim>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
     tree.query(boost::geometry::index::nearest(place, 1), std::back_inserter(nearest));
@@ -281,7 +282,7 @@ bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& s
   // on a closed surface the rows go round
   for (std::size_t i = count + peak - reach; i <= count + peak + reach; ++i) {
     if (!interface.source.closed && (i < count || i >= 2 * count)) continue;
-    const MortarRow<2>& row = interface.rows[i % count];
+    const ContactRow<2>& row = interface.rows[i % count];
     if (of_source[row.node]) return true;
     for (const auto& [node, coupling] : row.coupling)
       if (of_target[node]) return true;
@@ -322,7 +323,7 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface
   std::vector<ConstraintLine> lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     if (!interface.active[i]) continue;
-    const MortarRow<dim>& row = interface.rows[i];
+    const ContactRow<dim>& row = interface.rows[i];
     const int pivot = pivot_component(row, interface.source.nodes[row.node], held);
     if (pivot < 0) continue;
     lines.push_back(contact_line(interface, row, static_cast<unsigned int>(pivot)));
@@ -338,7 +339,7 @@ ContactState evaluate(const ContactInterface<dim>& interface,
   const auto source = displacements_of(interface.source, displacement);
   const auto target = displacements_of(interface.target, displacement);
   ContactState state;
-  for (const MortarRow<dim>& row : interface.rows) {
+  for (const ContactRow<dim>& row : interface.rows) {
     state.gap.push_back(gap_of(row, source, target));
     state.approach = std::max(state.approach, std::abs(state.gap.back() - initial_gap(row)));
     state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, forces, held));

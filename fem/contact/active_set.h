@@ -20,7 +20,7 @@ template <int dim>
 struct ContactInterface {
   Surface<dim> source;
   Surface<dim> target;
-  std::vector<MortarRow<dim>> rows;
+  std::vector<ContactRow<dim>> rows;
   std::vector<bool> active;  ///< by row
   ArcIntervals smooth = {};  ///< of the source, in the plane: there the edges are short enough
   dealii::Tensor<1, dim> approach = {};  ///< unit vector along which loads push the source to the

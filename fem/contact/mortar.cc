@@ -3,6 +3,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Core>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -52,7 +53,7 @@ struct RowSum {
   double full_weight = 0.;
   Tensor<1, dim> normal;
   double gap = 0.;
-  std::map<unsigned int, Tensor<1, dim>> coupling;
+  std::map<unsigned int, double> coupling;
 };
 
 template <int dim>
@@ -77,16 +78,16 @@ void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
       row.normal += p.weight * psi * p.normal;
       row.gap += p.weight * psi * p.gap;
       for (std::size_t k = 0; k < n; ++k)
-        row.coupling[p.target_nodes[k]] += p.weight * psi * p.target_shapes[k] * p.normal;
+        row.coupling[p.target_nodes[k]] += p.weight * psi * p.target_shapes[k];
     }
 }
 
 /// The couplings without those that are roundings.
 template <int dim>
-std::vector<std::pair<unsigned int, Tensor<1, dim>>> couplings(const RowSum<dim>& sum) {
-  std::vector<std::pair<unsigned int, Tensor<1, dim>>> result;
+std::vector<std::pair<unsigned int, double>> couplings(const RowSum<dim>& sum) {
+  std::vector<std::pair<unsigned int, double>> result;
   for (const auto& [target, coupling] : sum.coupling)
-    if (coupling.norm() > least_coupling * sum.weight) result.emplace_back(target, coupling);
+    if (std::abs(coupling) > least_coupling * sum.weight) result.emplace_back(target, coupling);
   return result;
 }
 
@@ -99,20 +100,17 @@ struct PackedRows {
 template <int dim>
 PackedRows packed(const std::vector<RowSum<dim>>& rows) {
   PackedRows result;
-  const auto add = [&](const Tensor<1, dim>& vector) {
-    for (unsigned int component = 0; component < dim; ++component)
-      result.reals.push_back(vector[component]);
-  };
   for (unsigned int node = 0; node < rows.size(); ++node) {
     const RowSum<dim>& row = rows[node];
     if (row.full_weight == 0.) continue;
     result.integers.push_back(node);
     result.integers.push_back(static_cast<unsigned int>(row.coupling.size()));
     result.reals.insert(result.reals.end(), {row.weight, row.full_weight, row.gap});
-    add(row.normal);
+    for (unsigned int component = 0; component < dim; ++component)
+      result.reals.push_back(row.normal[component]);
     for (const auto& [target, coupling] : row.coupling) {
       result.integers.push_back(target);
-      add(coupling);
+      result.reals.push_back(coupling);
     }
   }
   return result;
@@ -121,19 +119,14 @@ PackedRows packed(const std::vector<RowSum<dim>>& rows) {
 template <int dim>
 void add_packed(const PackedRows& packed, std::vector<RowSum<dim>>& rows) {
   auto real = packed.reals.begin();
-  const auto next = [&] {
-    Tensor<1, dim> vector;
-    for (unsigned int component = 0; component < dim; ++component) vector[component] = *real++;
-    return vector;
-  };
   for (auto integer = packed.integers.begin(); integer != packed.integers.end();) {
     RowSum<dim>& row = rows[*integer++];
     const unsigned int couplings = *integer++;
     row.weight += *real++;
     row.full_weight += *real++;
     row.gap += *real++;
-    row.normal += next();
-    for (unsigned int i = 0; i < couplings; ++i) row.coupling[*integer++] += next();
+    for (unsigned int component = 0; component < dim; ++component) row.normal[component] += *real++;
+    for (unsigned int i = 0; i < couplings; ++i) row.coupling[*integer++] += *real++;
   }
 }
 
@@ -160,21 +153,22 @@ std::vector<RowSum<dim>> row_sums(const Surface<dim>& source, const Surface<dim>
 }  // namespace
 
 template <int dim>
-std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
-                                        const MortarData<dim>& data) {
+std::vector<ContactRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
+                                         const MortarData<dim>& data) {
   const std::vector<RowSum<dim>> sums = row_sums(source, target, data);
-  std::vector<MortarRow<dim>> rows;
+  std::vector<ContactRow<dim>> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {
     const RowSum<dim>& sum = sums[node];
     if (sum.weight <= least_coverage * sum.full_weight) continue;
-    rows.push_back({node, sum.weight, sum.normal / sum.weight, sum.gap, couplings(sum)});
+    rows.push_back(
+        {node, sum.weight, frame_along(sum.normal / sum.normal.norm()), sum.gap, couplings(sum)});
   }
   return rows;
 }
 
-template std::vector<MortarRow<2>> mortar_rows(const Surface<2>&, const Surface<2>&,
-                                               const MortarData<2>&);
-template std::vector<MortarRow<3>> mortar_rows(const Surface<3>&, const Surface<3>&,
-                                               const MortarData<3>&);
+template std::vector<ContactRow<2>> mortar_rows(const Surface<2>&, const Surface<2>&,
+                                                const MortarData<2>&);
+template std::vector<ContactRow<3>> mortar_rows(const Surface<3>&, const Surface<3>&,
+                                                const MortarData<3>&);
 
 }  // namespace geneva::fem

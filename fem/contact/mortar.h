@@ -1,24 +1,11 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
+#include "fem/contact/contact_row.h"
 #include "fem/contact/overlap.h"
 
 namespace geneva::fem {
-
-/// The weighted gap of one source node as a linear function of the displacements (Popp, Gee and
-/// Wall 2009, Eq. 14): gap_j(u) = initial_gap + normal . (D u_j) - sum_k coupling_jk . u_k.
-template <int dim>
-struct MortarRow {
-  unsigned int node = 0;  ///< of the source surface
-  double weight = 0.;  ///< D_j = integral of N_j over the overlap, times the out-of-plane measure
-  dealii::Tensor<1, dim>
-      normal;  ///< target's outward normal, averaged with the dual basis function of the node
-  double initial_gap = 0.;  ///< integral of psi_j times the initial gap; positive when open
-  std::vector<std::pair<unsigned int, dealii::Tensor<1, dim>>>
-      coupling;  ///< (target node, integral of psi_j N_k n)
-};
 
 /// Dual mortar coupling of a contact pair: one row for every source node that faces the target.
 ///
@@ -31,7 +18,7 @@ struct MortarRow {
 /// part u'' xi (1 - xi) h^2/2 of that, which is added to the gap. Without it the pressure of meshes
 /// that do not match ripples in proportion to h.
 template <int dim>
-std::vector<MortarRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
-                                        const MortarData<dim>& data);
+std::vector<ContactRow<dim>> mortar_rows(const Surface<dim>& source, const Surface<dim>& target,
+                                         const MortarData<dim>& data);
 
 }  // namespace geneva::fem

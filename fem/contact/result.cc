@@ -196,7 +196,7 @@ std::vector<bool> loaded_target_nodes(const ContactInterface<dim>& interface) {
 template <int dim>
 ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std::size_t row_index,
                               const ContactState& state, const Scales& scales) {
-  const MortarRow<dim>& row = interface.rows[row_index];
+  const ContactRow<dim>& row = interface.rows[row_index];
   const SurfaceNode<dim>& node = interface.source.nodes[row.node];
   ContactNode<dim> result{node.arc_length * scales.length,
                           {},
@@ -208,7 +208,7 @@ ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std:
                           interface.active[row_index]};
   for (unsigned int component = 0; component < dim; ++component) {
     result.position[component] = node.position[component] * scales.length;
-    result.normal[component] = row.normal[component];
+    result.normal[component] = row.frame.normal[component];
   }
   return result;
 }

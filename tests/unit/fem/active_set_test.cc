@@ -33,7 +33,7 @@ ContactInterface<2> with_active(const std::vector<bool>& active) {
 TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
   ContactInterface<2> interface = flat_pair(4);
   for (const double lift : {0., 0.3, -2.}) {
-    for (MortarRow<2>& row : interface.rows)
+    for (ContactRow<2>& row : interface.rows)
       row.initial_gap = row.weight * (lift + (row.node == 2 || row.node == 3 ? 0. : 0.1));
     EXPECT_EQ(first_touch(interface), (std::vector<bool>{false, false, true, true, false}));
   }
@@ -46,7 +46,7 @@ TEST(ActiveSet, FirstTouchIsAlongTheApproach) {
       dealii::Point<2>(1., 0.), dealii::Point<2>(root, root), dealii::Point<2>(0., 1.)};
   const std::vector<double> gaps{-0.1, 0.2, 0.3};
   for (std::size_t i = 0; i < 3; ++i) {
-    interface.rows[i].normal = normals[i];
+    interface.rows[i].frame = frame_along(normals[i]);
     interface.rows[i].initial_gap = interface.rows[i].weight * gaps[i];
   }
   EXPECT_EQ(first_touch(interface), (std::vector<bool>{true, false, false})) << "not known";
@@ -142,18 +142,18 @@ TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
   // Any displacement that satisfies the line has no gap at its row.
   const auto displacement = [](const global_dof_index dof) { return std::sin(double(dof)); };
   for (std::size_t i = 0; i < 2; ++i) {
-    const MortarRow<2>& row = interface.rows[2 * i];
+    const ContactRow<2>& row = interface.rows[2 * i];
     const SurfaceNode<2>& node = interface.source.nodes[row.node];
     ASSERT_EQ(lines[i].dof, node.dofs[1]) << "the normal points along y more than along x";
     double solved = lines[i].inhomogeneity;
     for (const auto& [dof, coefficient] : lines[i].entries)
       solved += coefficient * displacement(dof);
-    double gap = row.initial_gap +
-                 row.weight * (row.normal[0] * displacement(node.dofs[0]) + row.normal[1] * solved);
+    dealii::Tensor<1, 2> change = row.weight * dealii::Point<2>(displacement(node.dofs[0]), solved);
     for (const auto& [target, coupling] : row.coupling)
       for (unsigned int c = 0; c < 2; ++c)
-        gap -= coupling[c] * displacement(interface.target.nodes[target].dofs[c]);
-    EXPECT_NEAR(gap, 0., 1e-13) << "a dozen products of size 1";
+        change[c] -= coupling * displacement(interface.target.nodes[target].dofs[c]);
+    EXPECT_NEAR(row.initial_gap + row.frame.normal * change, 0., 1e-13)
+        << "a dozen products of size 1";
   }
 }
 

@@ -178,10 +178,10 @@ TEST(ContactForces, ThereIsNoFrictionAtAnyNode) {
   const CoarseSolution solution(heavy(true));
   ASSERT_TRUE(solution.state.has_value());
   const ContactInterface<2>& interface = solution.level.interfaces.front();
-  for (const MortarRow<2>& row : interface.rows) {
+  for (const ContactRow<2>& row : interface.rows) {
     const SurfaceNode<2>& node = interface.source.nodes[row.node];
-    const double along = -row.normal[1] * solution.state->forces(node.dofs[0]) +
-                         row.normal[0] * solution.state->forces(node.dofs[1]);
+    const double along = -row.frame.normal[1] * solution.state->forces(node.dofs[0]) +
+                         row.frame.normal[0] * solution.state->forces(node.dofs[1]);
     EXPECT_NEAR(along * solution.scales.force(), 0., solver_tolerance * 2e6);
   }
 }
