@@ -13,12 +13,12 @@ namespace geneva::fem {
 namespace {
 
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
-using Sets = std::vector<std::vector<bool>>;
+using Sets = std::vector<std::vector<NodeStatus>>;
 
 template <int dim>
 Sets active_sets(const Level<dim>& level) {
   Sets sets;
-  for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.active);
+  for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.status);
   return sets;
 }
 
@@ -44,11 +44,11 @@ class ActiveSetSearch {
     seen_.insert(before);
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
       ContactInterface<dim>& interface = level.interfaces[i];
-      std::vector<bool> next = updated(interface, states[i]);
+      std::vector<NodeStatus> next = updated(interface, states[i]);
       if (only_closes_)
-        for (std::size_t j = 0; j < next.size(); ++j) next[j] = next[j] || interface.active[j];
-      if (is_exact || std::find(next.begin(), next.end(), true) != next.end())
-        interface.active = next;
+        for (std::size_t j = 0; j < next.size(); ++j)
+          if (!is_closed(next[j])) next[j] = interface.status[j];
+      if (is_exact || std::any_of(next.begin(), next.end(), is_closed)) interface.status = next;
     }
     const auto after = active_sets(level);
     if (after == before) return false;
@@ -71,8 +71,8 @@ class ActiveSetSearch {
 
 std::size_t n_active(const Sets& sets) {
   std::size_t active = 0;
-  for (const std::vector<bool>& set : sets)
-    active += static_cast<std::size_t>(std::count(set.begin(), set.end(), true));
+  for (const std::vector<NodeStatus>& set : sets)
+    active += static_cast<std::size_t>(std::count_if(set.begin(), set.end(), is_closed));
   return active;
 }
 

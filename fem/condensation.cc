@@ -10,18 +10,18 @@ namespace {
 using dealii::types::global_dof_index;
 using Constraints = dealii::AffineConstraints<double>;
 
-/// Shares that an unknown has in free ones, by their places in the condensed system.
-using Shares = std::vector<std::pair<unsigned int, double>>;
+/// LocalShares that an unknown has in free ones, by their places in the condensed system.
+using LocalShares = std::vector<std::pair<unsigned int, double>>;
 
 /// C by its rows.
-std::vector<Shares> dependence(const std::vector<global_dof_index>& dofs,
-                               const std::vector<global_dof_index>& free,
-                               const Constraints& constraints) {
+std::vector<LocalShares> dependence(const std::vector<global_dof_index>& dofs,
+                                    const std::vector<global_dof_index>& free,
+                                    const Constraints& constraints) {
   const auto place_of = [&](const global_dof_index dof) {
     return static_cast<unsigned int>(std::lower_bound(free.begin(), free.end(), dof) -
                                      free.begin());
   };
-  std::vector<Shares> result(dofs.size());
+  std::vector<LocalShares> result(dofs.size());
   for (std::size_t i = 0; i < dofs.size(); ++i)
     if (const auto* entries = constraints.get_constraint_entries(dofs[i]))
       for (const auto& [dof, weight] : *entries) result[i].emplace_back(place_of(dof), weight);
@@ -32,7 +32,7 @@ std::vector<Shares> dependence(const std::vector<global_dof_index>& dofs,
 
 /// The wanted lines of C^T K C.
 dealii::FullMatrix<double> triple_product(const dealii::FullMatrix<double>& stiffness,
-                                          const std::vector<Shares>& dependence,
+                                          const std::vector<LocalShares>& dependence,
                                           const std::vector<bool>& is_wanted) {
   const auto n_free = static_cast<unsigned int>(is_wanted.size());
   dealii::FullMatrix<double> left(n_free, stiffness.n());  // C^T K
@@ -67,7 +67,7 @@ std::vector<global_dof_index> free_unknowns(const std::vector<global_dof_index>&
 CellSystem condensed(const CellSystem& cell, const Constraints& constraints,
                      const std::function<bool(global_dof_index)>& is_wanted) {
   const auto free = free_unknowns(cell.dofs, constraints);
-  const std::vector<Shares> shares = dependence(cell.dofs, free, constraints);
+  const std::vector<LocalShares> shares = dependence(cell.dofs, free, constraints);
   dealii::Vector<double> prescribed(cell.load.size());  // g
   for (unsigned int i = 0; i < prescribed.size(); ++i)
     prescribed[i] = constraints.get_inhomogeneity(cell.dofs[i]);

@@ -17,8 +17,8 @@ namespace {
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 template <int dim>
-std::vector<bool> inherited_set(const ContactInterface<dim>& interface,
-                                const ContactResult<dim>& contact, const double length) {
+std::vector<NodeStatus> inherited_status(const ContactInterface<dim>& interface,
+                                         const ContactResult<dim>& contact, const double length) {
   if constexpr (dim == 2)
     return inherited(interface, contact.intervals, length);
   else
@@ -29,8 +29,8 @@ std::vector<bool> inherited_set(const ContactInterface<dim>& interface,
 template <int dim>
 std::optional<std::size_t> open_pair(const Level<dim>& level) {
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-    const auto& active = level.interfaces[i].active;
-    if (std::find(active.begin(), active.end(), true) == active.end()) return i;
+    const auto& status = level.interfaces[i].status;
+    if (std::none_of(status.begin(), status.end(), is_closed)) return i;
   }
   return std::nullopt;
 }
@@ -57,8 +57,8 @@ void Equilibrium<dim>::make_level(const State<dim>& state) {
   load_ = {};
   level_ = fem::make_level(*mesh_.dof_handler, coarse_, scaled_problem_, scales_, origins_);
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
-    level_.interfaces[i].active =
-        inherited_set(level_.interfaces[i], state.contacts[i], scales_.length);
+    level_.interfaces[i].status =
+        inherited_status(level_.interfaces[i], state.contacts[i], scales_.length);
   set_smooth(state.smooth);
 }
 
@@ -77,7 +77,7 @@ void Equilibrium<dim>::set_smooth(const std::vector<ArcIntervals>& smooth) {
 template <int dim>
 void Equilibrium<dim>::touch_first() {
   for (ContactInterface<dim>& interface : level_.interfaces)
-    interface.active = first_touch(interface);
+    interface.status = first_touch(interface);
 }
 
 template <int dim>
@@ -122,7 +122,7 @@ State<dim> Equilibrium<dim>::refine_as(const Checkpoint<dim>& checkpoint) {
   origins_ = checkpoint.origins;
   make_level(state);
   for (std::size_t i = 0; i < checkpoint.active.size(); ++i)
-    level_.interfaces[i].active = active_at(level_.interfaces[i], checkpoint.active[i]);
+    level_.interfaces[i].status = active_at(level_.interfaces[i], checkpoint.active[i]);
   return state;
 }
 

@@ -28,7 +28,7 @@ constexpr double greatest_grading_coefficient = 0.35;
 constexpr double coefficient = 0.8;
 
 bool has_free_end(const ContactInterface<2>& interface) {
-  const auto& active = interface.active;
+  const std::vector<bool> active = closed(interface.status);
   return std::adjacent_find(active.begin(), active.end(), std::not_equal_to<>()) != active.end();
 }
 
@@ -62,14 +62,14 @@ struct Rise {
 Rise rise_of(const Run& run, const ContactInterface<2>& interface,
              const std::vector<double>& pressures) {
   const auto [begin, end] = run;
-  const auto& active = interface.active;
+  const auto& status = interface.status;
   const auto first = pressures.begin();
   const auto peak =
       static_cast<std::size_t>(std::max_element(first + static_cast<std::ptrdiff_t>(begin),
                                                 first + static_cast<std::ptrdiff_t>(end)) -
                                first);
-  const bool starts_free = begin > 0 && !active[begin - 1];
-  const bool ends_free = end < active.size() && !active[end];
+  const bool starts_free = begin > 0 && !is_closed(status[begin - 1]);
+  const bool ends_free = end < status.size() && !is_closed(status[end]);
   if (!starts_free && !ends_free) return {pressures[peak], 0};
   std::size_t nodes = end - begin;
   if (starts_free) nodes = std::min(nodes, peak - begin + 1);
@@ -235,7 +235,7 @@ bool peaks_beside_end(const std::vector<ContactInterface<2>>& interfaces,
   double greatest = 0.;
   bool is_beside_end = false;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
-    for (const Run& run : runs_of(interfaces[i].active)) {
+    for (const Run& run : runs_of(closed(interfaces[i].status))) {
       const Rise rise = rise_of(run, interfaces[i], states[i].pressure);
       if (rise.peak <= greatest) continue;
       greatest = rise.peak;

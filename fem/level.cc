@@ -128,7 +128,7 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
                                                  source_share(mesh, problem, problem.pairs[i]),
                                                  problem.pairs[i].clearance, communicator});
     interface.approach = approach_of(mesh, problem, problem.pairs[i]);
-    interface.active = first_touch(interface);
+    interface.status = first_touch(interface);
     interfaces.push_back(std::move(interface));
   }
   return interfaces;

@@ -11,8 +11,8 @@
 
 namespace geneva::fem {
 
-unsigned int n_active_nodes(const std::vector<bool>& active) {
-  return static_cast<unsigned int>(std::count(active.begin(), active.end(), true));
+unsigned int n_active_nodes(const std::vector<NodeStatus>& status) {
+  return static_cast<unsigned int>(std::count_if(status.begin(), status.end(), is_closed));
 }
 
 template <int dim>
@@ -96,8 +96,8 @@ template <int dim>
 bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level) {
   return problem.plane == PlaneKind::axisymmetric &&
          std::any_of(level.interfaces.begin(), level.interfaces.end(), [](const auto& interface) {
-           const auto& active = interface.active;
-           return !active.empty() && active.front() != active.back();
+           const auto& status = interface.status;
+           return !status.empty() && status.front() != status.back();
          });
 }
 

@@ -32,14 +32,14 @@ bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,
 template <int dim>
 bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level);
 
-unsigned int n_active_nodes(const std::vector<bool>& active);
+unsigned int n_active_nodes(const std::vector<NodeStatus>& status);
 
 /// Nodes in contact, of all pairs.
 template <int dim>
 unsigned int n_active_nodes(const Level<dim>& level) {
   unsigned int count = 0;
   for (const ContactInterface<dim>& interface : level.interfaces)
-    count += n_active_nodes(interface.active);
+    count += n_active_nodes(interface.status);
   return count;
 }
 

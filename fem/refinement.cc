@@ -106,7 +106,7 @@ EdgesAtNodes edges_at_nodes(const ContactInterface<2>& interface) {
   const EdgesAtNodes own = edges;
   const std::vector<bool> in_zone = zone_rows(interface);
   for (std::size_t i = 0; i < in_zone.size(); ++i) {
-    if (!interface.active[i] || in_zone[i]) continue;
+    if (!is_closed(interface.status[i]) || in_zone[i]) continue;
     const unsigned int node = interface.rows[i].node;
     for (const auto& [opposite, coupling] : interface.rows[i].coupling) {
       edges.source[node] = std::max(edges.source[node], own.target[opposite]);
@@ -134,7 +134,8 @@ ZoneOutline<2> outline_of(const ContactInterface<2>& interface, const double fac
   ZoneOutline<2> outline{
       {}, {}, 1., length_of(interface.source, active), length_of(interface.source, in_zone)};
   add_nodes(outline, interface.source, edges.source, active, in_zone, factor);
-  add_nodes(outline, interface.target, edges.target, opposite_nodes(interface, interface.active),
+  add_nodes(outline, interface.target, edges.target,
+            opposite_nodes(interface, closed(interface.status)),
             opposite_nodes(interface, zone_rows(interface)), factor);
   return outline;
 }
@@ -151,7 +152,7 @@ ZoneOutline<3> outline_of(const ContactInterface<3>& interface, const double fac
       outline.elongation =
           std::max(outline.elongation, longest_edge(interface.source, face) / edge);
     }
-  const std::vector<bool> opposite = opposite_nodes(interface, interface.active);
+  const std::vector<bool> opposite = opposite_nodes(interface, closed(interface.status));
   for (std::size_t node = 0; node < active.size(); ++node)
     if (active[node]) outline.nodes.push_back(interface.source.nodes[node].position);
   for (std::size_t node = 0; node < opposite.size(); ++node)

@@ -29,7 +29,7 @@ ZoneNodes nodes_within(const Surface<3>& surface, const std::vector<bool>& activ
 std::vector<bool> coupled_nodes(const ContactInterface<3>& interface) {
   std::vector<bool> coupled(interface.target.nodes.size(), false);
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (interface.active[i])
+    if (is_closed(interface.status[i]))
       for (const auto& [node, coupling] : interface.rows[i].coupling) coupled[node] = true;
   return coupled;
 }

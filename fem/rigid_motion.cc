@@ -106,7 +106,7 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
   }
   for (const ContactInterface<dim>& interface : level.interfaces)
     for (std::size_t i = 0; i < interface.rows.size(); ++i) {
-      if (closed == TakenAsClosed::active_nodes && !interface.active[i]) continue;
+      if (closed == TakenAsClosed::active_nodes && !is_closed(interface.status[i])) continue;
       const ContactRow<dim>& contact = interface.rows[i];
       Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
       for (unsigned int direction = 0; direction < dim; ++direction) {

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/contact/node_status.h"
 #include "fem/moment.h"
 #include "fem/problem.h"
 #include "fem/scaling.h"
@@ -30,7 +31,7 @@ struct ContactNode {
   double gap;                ///< > 0 when open [m]
   double initial_gap;        ///< before loading [m]
   double tributary;          ///< D_j: the area that the node stands for [m^2]
-  bool active;
+  NodeStatus status;
 };
 
 /// A stretch of the source surface in contact, by its arc lengths [m].

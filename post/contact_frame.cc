@@ -85,7 +85,7 @@ Extent loaded_part(const fem::ContactResult<3>& contact, const Tensor<1, 3>& dir
   double lowest = std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::lowest();
   for (const Node& node : contact.nodes)
-    if (node.active) {
+    if (is_closed(node.status)) {
       const double place = Tensor<1, 3>(place_of(node)) * direction;
       lowest = std::min(lowest, place);
       highest = std::max(highest, place);

@@ -40,8 +40,9 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contac
     std::vector<double> row;
     if (dim == 2) row.push_back(node.arc_length * length.factor);
     for (const double component : node.position) row.push_back(component * length.factor);
-    row.insert(row.end(), {node.pressure * stress.factor, node.gap * length.factor,
-                           node.active ? 1. : 0., hertz_pressure(analysis, node) * stress.factor});
+    row.insert(row.end(),
+               {node.pressure * stress.factor, node.gap * length.factor,
+                is_closed(node.status) ? 1. : 0., hertz_pressure(analysis, node) * stress.factor});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
   return columns;

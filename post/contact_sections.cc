@@ -1,15 +1,12 @@
 #include "post/contact_sections.h"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
+#include <array>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 
 #include "base/errors.h"
+#include "fem/gather.h"
 
 namespace geneva::post {
 
@@ -38,8 +35,9 @@ std::vector<Layer> loaded_layers(const fem::ContactResult<3>& contact, const Con
   }
   layers.erase(std::remove_if(layers.begin(), layers.end(),
                               [](const Layer& layer) {
-                                return std::none_of(layer.begin(), layer.end(),
-                                                    [](const Node* n) { return n->active; });
+                                return std::none_of(layer.begin(), layer.end(), [](const Node* n) {
+                                  return is_closed(n->status);
+                                });
                               }),
                layers.end());
   for (Layer& layer : layers)
@@ -72,20 +70,21 @@ ContactSection section_of(const Layer& layer, const ContactFrame& frame) {
   return section;
 }
 
-/// The greatest shear in this rank's cells below each section, and its depth.
-using ShearBySection = std::vector<std::pair<double, double>>;
+/// The greatest shear in this rank's cells below a section, and its depth.
+using Shear = std::array<double, 2>;
+using ShearBySection = std::vector<Shear>;
 
 /// A cell counts for every section that passes through it.
 ShearBySection shear_below(const std::vector<ContactSection>& sections, const ContactFrame& frame,
                            const std::vector<CellStress<3>>& cells) {
-  ShearBySection greatest(sections.size(), {0., 0.});
+  ShearBySection greatest(sections.size(), Shear{0., 0.});
   double widest = 0.;
   for (const ContactSection& section : sections) widest = std::max(widest, section.half_width);
   for (const CellStress<3>& cell : cells) {
     const double depth = frame.depth(cell.centre);
     if (depth > 3. * widest || std::abs(frame.distance_across(cell.centre)) > 2. * widest) continue;
     const double reach = 0.5 * cell.height * (1. + 1e-9);
-    const std::pair entry(max_shear(principal_stresses(cell.stress)), depth);
+    const Shear entry{max_shear(principal_stresses(cell.stress)), depth};
     const auto first = std::lower_bound(
         sections.begin(), sections.end(), cell.centre[2] - reach,
         [](const ContactSection& section, const double z) { return section.z < z; });
@@ -100,10 +99,14 @@ ShearBySection shear_below(const std::vector<ContactSection>& sections, const Co
 
 void add_shear(std::vector<ContactSection>& sections, const MPI_Comm communicator,
                const ShearBySection& local) {
-  for (const ShearBySection& part : dealii::Utilities::MPI::all_gather(communicator, local))
-    for (std::size_t i = 0; i < sections.size(); ++i)
-      if (part[i].first > sections[i].max_shear)
-        std::tie(sections[i].max_shear, sections[i].max_shear_depth) = part[i];
+  const ShearBySection all = fem::gathered(communicator, local);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ContactSection& section = sections[i % sections.size()];
+    if (all[i][0] > section.max_shear) {
+      section.max_shear = all[i][0];
+      section.max_shear_depth = all[i][1];
+    }
+  }
 }
 
 /// The sections and their images beyond the plane of symmetry z = plane.
@@ -156,18 +159,17 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
 
 ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
                           const double half_width, const std::vector<CellStress<3>>& cells) {
-  std::pair<double, double> greatest(0., 0.);
+  Shear greatest{};
   for (const CellStress<3>& cell : cells) {
     const double depth = frame.depth(cell.centre);
     const double aside =
         std::hypot(frame.distance_across(cell.centre), frame.distance_along(cell.centre));
     if (depth > 3. * half_width || aside > 2. * half_width) continue;
-    greatest = std::max(greatest, std::pair(max_shear(principal_stresses(cell.stress)), depth));
+    greatest = std::max(greatest, Shear{max_shear(principal_stresses(cell.stress)), depth});
   }
-  for (const auto& of_rank :
-       dealii::Utilities::MPI::all_gather(solution.dof_handler->get_communicator(), greatest))
+  for (const Shear& of_rank : fem::gathered_one(solution.dof_handler->get_communicator(), greatest))
     greatest = std::max(greatest, of_rank);
-  return {greatest.first, greatest.second};
+  return {greatest[0], greatest[1]};
 }
 
 ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,

@@ -44,36 +44,52 @@ double way_to_touch(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& ap
   return gap > 0. ? gap / rate : gap;
 }
 
-/// The component to solve a row for; none if all are held.
+/// The component to solve a line for; none if all are held.
+/// @param direction of the relative displacement that the line constrains
 template <int dim>
-int pivot_component(const ContactRow<dim>& row, const SurfaceNode<dim>& node,
+int pivot_component(const dealii::Tensor<1, dim>& direction, const SurfaceNode<dim>& node,
                     const std::set<global_dof_index>& held) {
   int pivot = -1;
   for (unsigned int component = 0; component < dim; ++component) {
-    const double share = std::abs(row.frame.normal[component]);
+    const double share = std::abs(direction[component]);
     if (held.count(node.dofs[component]) == 0 && share > 1e-6 &&
-        (pivot < 0 || share > std::abs(row.frame.normal[static_cast<unsigned int>(pivot)])))
+        (pivot < 0 || share > std::abs(direction[static_cast<unsigned int>(pivot)])))
       pivot = static_cast<int>(component);
   }
   return pivot;
 }
 
+/// direction . (D u_j - sum_k M_jk u_k) + constant = 0.
 template <int dim>
 ConstraintLine contact_line(const ContactInterface<dim>& interface, const ContactRow<dim>& row,
+                            const dealii::Tensor<1, dim>& direction, const double constant,
                             const unsigned int pivot) {
   const SurfaceNode<dim>& node = interface.source.nodes[row.node];
-  const double diagonal = row.weight * row.frame.normal[pivot];
-  ConstraintLine line{node.dofs[pivot], {}, -row.initial_gap / diagonal};
+  const double diagonal = row.weight * direction[pivot];
+  ConstraintLine line{node.dofs[pivot], {}, -constant / diagonal};
   for (unsigned int other = 0; other < dim; ++other)
-    if (other != pivot && row.frame.normal[other] != 0.)
-      line.entries.emplace_back(node.dofs[other],
-                                -row.frame.normal[other] / row.frame.normal[pivot]);
+    if (other != pivot && direction[other] != 0.)
+      line.entries.emplace_back(node.dofs[other], -direction[other] / direction[pivot]);
   for (const auto& [target_node, coupling] : row.coupling)
     for (unsigned int component = 0; component < dim; ++component)
-      if (row.frame.normal[component] != 0.)
+      if (direction[component] != 0.)
         line.entries.emplace_back(interface.target.nodes[target_node].dofs[component],
-                                  coupling * row.frame.normal[component] / diagonal);
+                                  coupling * direction[component] / diagonal);
   return line;
+}
+
+template <int dim>
+bool is_zero(const Components<dim>& components) {
+  return components == Components<dim>{};
+}
+
+/// Components along the frame as a vector.
+template <int dim>
+dealii::Tensor<1, dim> vector_along(const ContactFrame<dim>& frame,
+                                    const Components<dim>& components) {
+  dealii::Tensor<1, dim> result = components[0] * frame.normal;
+  for (std::size_t i = 1; i < dim; ++i) result += components[i] * frame.tangents[i - 1];
+  return result;
 }
 
 /// Of a surface's nodes.
@@ -90,14 +106,24 @@ Displacements<dim> displacements_of(const Surface<dim>& surface,
   return result;
 }
 
+/// How far the source's node moved against the target.
 template <int dim>
-double gap_of(const ContactRow<dim>& row, const Displacements<dim>& source,
-              const Displacements<dim>& target) {
+dealii::Tensor<1, dim> relative_displacement(const ContactRow<dim>& row,
+                                             const Displacements<dim>& source,
+                                             const Displacements<dim>& target) {
   dealii::Tensor<1, dim> relative = row.weight * source[row.node];
   for (const auto& [node, coupling] : row.coupling) relative -= coupling * target[node];
-  return (row.initial_gap + row.frame.normal * relative) / row.weight;
+  return relative / row.weight;
 }
 
+template <int dim>
+Tangential tangential(const ContactFrame<dim>& frame, const dealii::Tensor<1, dim>& vector) {
+  Tangential result{};
+  for (std::size_t i = 0; i < frame.tangents.size(); ++i) result[i] = vector * frame.tangents[i];
+  return result;
+}
+
+/// Of the components that no support holds.
 template <int dim>
 double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
                    const SurfaceForces& forces, const std::set<global_dof_index>& held) {
@@ -109,6 +135,29 @@ double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
     normal_square += row.frame.normal[component] * row.frame.normal[component];
   }
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
+}
+
+/// None where a support holds a component, whose force it takes.
+template <int dim>
+Tangential friction_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
+                       const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+  dealii::Tensor<1, dim> force;
+  for (unsigned int component = 0; component < dim; ++component) {
+    if (held.count(node.dofs[component]) > 0) return {};
+    force[component] = forces(node.dofs[component]);
+  }
+  return tangential(row.frame, force / row.weight);
+}
+
+template <int dim>
+NodeContact<dim> node_contact(const NodeStatus status, const ContactState& state,
+                              const std::size_t row) {
+  NodeContact<dim> node{status, {state.gap[row]}, {state.pressure[row]}};
+  for (std::size_t i = 1; i < dim; ++i) {
+    node.gap[i] = state.slip[row][i - 1];
+    node.traction[i] = state.friction[row][i - 1];
+  }
+  return node;
 }
 
 /// Which nodes of the source belong to the chosen rows.
@@ -137,10 +186,12 @@ double bend_of_pressure(const ContactInterface<2>& interface, const ContactState
          *std::max_element(state.pressure.begin(), state.pressure.end());
 }
 
+NodeStatus touching(const bool touches) { return touches ? NodeStatus::slip : NodeStatus::open; }
+
 }  // namespace
 
 template <int dim>
-std::vector<bool> first_touch(const ContactInterface<dim>& interface) {
+std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface) {
   const bool meets_approach =
       std::any_of(interface.rows.begin(), interface.rows.end(), [&](const ContactRow<dim>& row) {
         return closing_rate(row, interface.approach) > least_closing_rate;
@@ -150,40 +201,40 @@ std::vector<bool> first_touch(const ContactInterface<dim>& interface) {
   double smallest = std::numeric_limits<double>::max();
   for (const ContactRow<dim>& row : interface.rows)
     smallest = std::min(smallest, way_to_touch(row, approach));
-  std::vector<bool> active;
-  active.reserve(interface.rows.size());
+  std::vector<NodeStatus> status;
+  status.reserve(interface.rows.size());
   for (const ContactRow<dim>& row : interface.rows)
-    active.push_back(way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length);
-  return active;
+    status.push_back(
+        touching(way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length));
+  return status;
 }
 
-std::vector<bool> inherited(const ContactInterface<2>& interface,
-                            const std::vector<ContactInterval>& intervals, const double length) {
+std::vector<NodeStatus> inherited(const ContactInterface<2>& interface,
+                                  const std::vector<ContactInterval>& intervals,
+                                  const double length) {
   const double slack = 1e-9 * interface.source.length;
-  std::vector<bool> active;
-  active.reserve(interface.rows.size());
+  std::vector<NodeStatus> status;
+  status.reserve(interface.rows.size());
   for (const ContactRow<2>& row : interface.rows) {
     const double at = interface.source.nodes[row.node].arc_length;
-    active.push_back(
+    status.push_back(touching(
         std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& interval) {
           return at >= interval.begin / length - slack && at <= interval.end / length + slack;
-        }));
+        })));
   }
-  if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
-    return first_touch(interface);
-  return active;
+  return std::none_of(status.begin(), status.end(), is_closed) ? first_touch(interface) : status;
 }
 
-std::vector<bool> inherited(const ContactInterface<3>& interface,
-                            const std::vector<ContactNode<3>>& nodes, const double length) {
+std::vector<NodeStatus> inherited(const ContactInterface<3>& interface,
+                                  const std::vector<ContactNode<3>>& nodes, const double length) {
   std::vector<dealii::Point<3>> places;
   places.reserve(nodes.size());
   for (const ContactNode<3>& node : nodes)
     places.emplace_back(node.position[0] / length, node.position[1] / length,
                         node.position[2] / length);
   const auto tree = dealii::pack_rtree_of_indices(places);
-  std::vector<bool> active;
-  active.reserve(interface.rows.size());
+  std::vector<NodeStatus> status;
+  status.reserve(interface.rows.size());
   for (const ContactRow<3>& row : interface.rows) {
     const dealii::Point<3>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
@@ -191,52 +242,52 @@ std::vector<bool> inherited(const ContactInterface<3>& interface,
     double distance = std::numeric_limits<double>::max();
     for (const std::size_t node : nearest)
       distance = std::min(distance, place.distance(places[node]));
-    active.push_back(!nearest.empty() &&
-                     std::all_of(nearest.begin(), nearest.end(), [&](const std::size_t node) {
-                       return nodes[node].active ||
-                              place.distance(places[node]) > (1. + 1e-6) * distance;
-                     }));
+    status.push_back(
+        touching(!nearest.empty() &&
+                 std::all_of(nearest.begin(), nearest.end(), [&](const std::size_t node) {
+                   return is_closed(nodes[node].status) ||
+                          place.distance(places[node]) > (1. + 1e-6) * distance;
+                 })));
   }
-  if (std::none_of(active.begin(), active.end(), [](const bool is_active) { return is_active; }))
-    return first_touch(interface);
-  return active;
+  return std::none_of(status.begin(), status.end(), is_closed) ? first_touch(interface) : status;
 }
 
 template <int dim>
 std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& interface) {
   std::vector<dealii::Point<dim>> places;
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (interface.active[i])
+    if (is_closed(interface.status[i]))
       places.push_back(interface.source.nodes[interface.rows[i].node].position);
   return places;
 }
 
 template <int dim>
-std::vector<bool> active_at(const ContactInterface<dim>& interface,
-                            const std::vector<dealii::Point<dim>>& places) {
+std::vector<NodeStatus> active_at(const ContactInterface<dim>& interface,
+                                  const std::vector<dealii::Point<dim>>& places) {
   const double same = 1e-9 * interface.source.length;
   const auto tree = dealii::pack_rtree_of_indices(places);
-  std::vector<bool> active;
-  active.reserve(interface.rows.size());
+  std::vector<NodeStatus> status;
+  status.reserve(interface.rows.size());
   for (const ContactRow<dim>& row : interface.rows) {
     const dealii::Point<dim>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
     tree.query(boost::geometry::index::nearest(place, 1), std::back_inserter(nearest));
-    active.push_back(!nearest.empty() && place.distance(places[nearest.front()]) < same);
+    status.push_back(touching(!nearest.empty() && place.distance(places[nearest.front()]) < same));
   }
-  if (std::count(active.begin(), active.end(), true) != static_cast<std::ptrdiff_t>(places.size()))
+  if (std::count_if(status.begin(), status.end(), is_closed) !=
+      static_cast<std::ptrdiff_t>(places.size()))
     throw base::InputError("the checkpoint does not fit this case: its contact has other nodes");
-  return active;
+  return status;
 }
 
 template <int dim>
 std::vector<bool> active_nodes(const ContactInterface<dim>& interface) {
-  return nodes_of(interface, interface.active);
+  return nodes_of(interface, closed(interface.status));
 }
 
 template <int dim>
 std::vector<bool> zone_rows(const ContactInterface<dim>& interface) {
-  std::vector<bool> in_zone = interface.active;
+  std::vector<bool> in_zone = closed(interface.status);
   for (std::size_t i = 0; i < in_zone.size(); ++i) {
     const double at = interface.source.nodes[interface.rows[i].node].arc_length;
     for (const auto& [from, to] : interface.smooth)
@@ -256,7 +307,7 @@ ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const Contac
   const std::size_t count = interface.rows.size();
   std::vector<bool> is_near_rough(count, false);
   for (std::size_t i = 0; i < count; ++i)
-    if (!interface.active[i] || bend_of_pressure(interface, state, i) > tolerance)
+    if (!is_closed(interface.status[i]) || bend_of_pressure(interface, state, i) > tolerance)
       for (std::size_t j = i - std::min(i, reach); j < std::min(count, i + reach + 1); ++j)
         is_near_rough[j] = true;
   ArcIntervals intervals;
@@ -266,7 +317,7 @@ ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const Contac
     if (i == 0 || is_near_rough[i - 1]) intervals.emplace_back(at, at);
     intervals.back().second = at;
   }
-  const auto n_active = std::count(interface.active.begin(), interface.active.end(), true);
+  const auto n_active = std::count_if(interface.status.begin(), interface.status.end(), is_closed);
   const auto n_smooth = std::count(is_near_rough.begin(), is_near_rough.end(), false);
   const bool pays = n_smooth < n_active && 4 * n_smooth > 3 * n_active;
   return pays ? intervals : ArcIntervals();
@@ -292,7 +343,7 @@ bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& s
 
 unsigned int nodes_across(const ContactInterface<2>& interface) {
   return static_cast<unsigned int>(
-      std::count(interface.active.begin(), interface.active.end(), true));
+      std::count_if(interface.status.begin(), interface.status.end(), is_closed));
 }
 
 unsigned int nodes_across(const ContactInterface<3>& interface) {
@@ -322,13 +373,21 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface
                                           std::set<global_dof_index>& held) {
   std::vector<ConstraintLine> lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
-    if (!interface.active[i]) continue;
     const ContactRow<dim>& row = interface.rows[i];
-    const int pivot = pivot_component(row, interface.source.nodes[row.node], held);
-    if (pivot < 0) continue;
-    lines.push_back(contact_line(interface, row, static_cast<unsigned int>(pivot)));
+    // the equations are linear: it does not matter where they are taken
+    const auto equations = interface.law->equations({interface.status[i], {}, {}});
+    for (std::size_t e = 0; e < dim; ++e) {
+      const Components<dim>& by_gap = equations.by_gap[e];
+      if (is_zero<dim>(by_gap) || !is_zero<dim>(equations.by_traction[e])) continue;
+      const dealii::Tensor<1, dim> direction = vector_along(row.frame, by_gap);
+      const int pivot = pivot_component(direction, interface.source.nodes[row.node], held);
+      if (pivot < 0) continue;
+      const double constant = by_gap[0] * row.initial_gap + row.weight * equations.residual[e];
+      lines.push_back(
+          contact_line(interface, row, direction, constant, static_cast<unsigned int>(pivot)));
+      held.insert(lines.back().dof);
+    }
   }
-  for (const ConstraintLine& line : lines) held.insert(line.dof);
   return lines;
 }
 
@@ -339,49 +398,53 @@ ContactState evaluate(const ContactInterface<dim>& interface,
   const auto source = displacements_of(interface.source, displacement);
   const auto target = displacements_of(interface.target, displacement);
   ContactState state;
-  for (const ContactRow<dim>& row : interface.rows) {
-    state.gap.push_back(gap_of(row, source, target));
-    state.approach = std::max(state.approach, std::abs(state.gap.back() - initial_gap(row)));
-    state.pressure.push_back(pressure_of(interface.source.nodes[row.node], row, forces, held));
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const ContactRow<dim>& row = interface.rows[i];
+    const SurfaceNode<dim>& node = interface.source.nodes[row.node];
+    const dealii::Tensor<1, dim> relative = relative_displacement(row, source, target);
+    const bool touches = is_closed(interface.status[i]);
+    state.gap.push_back(initial_gap(row) + row.frame.normal * relative);
+    state.approach = std::max(state.approach, std::abs(row.frame.normal * relative));
+    state.slip.push_back(tangential(row.frame, relative));
+    state.pressure.push_back(touches ? pressure_of(node, row, forces, held) : 0.);
+    state.friction.push_back(touches ? friction_of(node, row, forces, held) : Tangential{});
   }
-  for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (!interface.active[i]) state.pressure[i] = 0.;
   return state;
 }
 
 template <int dim>
-std::vector<bool> updated(const ContactInterface<dim>& interface, const ContactState& state) {
-  double greatest_pressure = 0.;
+std::vector<NodeStatus> updated(const ContactInterface<dim>& interface, const ContactState& state) {
+  ContactRounding rounding{round_off * state.approach, 0.};
   for (const double pressure : state.pressure)
-    greatest_pressure = std::max(greatest_pressure, std::abs(pressure));
-  std::vector<bool> active;
-  active.reserve(interface.rows.size());
+    rounding.pressure = std::max(rounding.pressure, round_off * std::abs(pressure));
+  std::vector<NodeStatus> status;
+  status.reserve(interface.rows.size());
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    active.push_back(interface.active[i] ? state.pressure[i] >= -round_off * greatest_pressure
-                                         : state.gap[i] < -round_off * state.approach);
-  return active;
+    status.push_back(
+        interface.law->next_status(node_contact<dim>(interface.status[i], state, i), rounding));
+  return status;
 }
 
-template std::vector<bool> first_touch(const ContactInterface<2>&);
+template std::vector<NodeStatus> first_touch(const ContactInterface<2>&);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<2>&,
                                const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
-template std::vector<bool> updated(const ContactInterface<2>&, const ContactState&);
-template std::vector<bool> first_touch(const ContactInterface<3>&);
+template std::vector<NodeStatus> updated(const ContactInterface<2>&, const ContactState&);
+template std::vector<NodeStatus> first_touch(const ContactInterface<3>&);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
                                                    std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<3>&,
                                const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
-template std::vector<bool> updated(const ContactInterface<3>&, const ContactState&);
+template std::vector<NodeStatus> updated(const ContactInterface<3>&, const ContactState&);
 template std::vector<dealii::Point<2>> active_places(const ContactInterface<2>&);
 template std::vector<dealii::Point<3>> active_places(const ContactInterface<3>&);
-template std::vector<bool> active_at(const ContactInterface<2>&,
-                                     const std::vector<dealii::Point<2>>&);
-template std::vector<bool> active_at(const ContactInterface<3>&,
-                                     const std::vector<dealii::Point<3>>&);
+template std::vector<NodeStatus> active_at(const ContactInterface<2>&,
+                                           const std::vector<dealii::Point<2>>&);
+template std::vector<NodeStatus> active_at(const ContactInterface<3>&,
+                                           const std::vector<dealii::Point<3>>&);
 template std::vector<bool> active_nodes(const ContactInterface<2>&);
 template std::vector<bool> active_nodes(const ContactInterface<3>&);
 template std::vector<bool> zone_rows(const ContactInterface<2>&);

@@ -2,10 +2,14 @@
 
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <array>
+#include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "fem/constraints.h"
+#include "fem/contact/contact_law.h"
 #include "fem/contact/mortar.h"
 #include "fem/solution.h"
 #include "fem/surface_forces.h"
@@ -21,35 +25,41 @@ struct ContactInterface {
   Surface<dim> source;
   Surface<dim> target;
   std::vector<ContactRow<dim>> rows;
-  std::vector<bool> active;  ///< by row
+  std::vector<NodeStatus> status;  ///< by row
   ArcIntervals smooth = {};  ///< of the source, in the plane: there the edges are short enough
   dealii::Tensor<1, dim> approach = {};  ///< unit vector along which loads push the source to the
                                          ///< target; 0 if not known
+  std::shared_ptr<const ContactLaw<dim>> law = std::make_shared<const Frictionless<dim>>();
 };
 
-/// Contact pressure and gap at the source nodes, by row.
+/// Along the tangents of a frame; in the plane the second is 0.
+using Tangential = std::array<double, 2>;
+
+/// What is at the source nodes, by row.
 struct ContactState {
-  std::vector<double> pressure;  ///< >= 0 in compression
-  std::vector<double> gap;       ///< > 0 when open
-  double approach = 0.;          ///< greatest change of a gap by the displacement
+  std::vector<double> pressure;           ///< >= 0 in compression
+  std::vector<double> gap;                ///< > 0 when open
+  double approach = 0.;                   ///< greatest change of a gap by the displacement
+  std::vector<Tangential> slip = {};      ///< of the source against the target
+  std::vector<Tangential> friction = {};  ///< traction on the source
 };
 
 /// The rows that touch first: those whose initial gap along the approach is the smallest. Where a
 /// pin fits the bottom of its slot, gaps across the approach are small, too, but never close.
 template <int dim>
-std::vector<bool> first_touch(const ContactInterface<dim>& interface);
+std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface);
 
 /// The rows within the contact that the coarser mesh found, or first_touch if there is none.
 /// @param intervals of the coarser mesh's contact [m]
 /// @param length unit of length of the triangulation [m]
-std::vector<bool> inherited(const ContactInterface<2>& interface,
-                            const std::vector<ContactInterval>& intervals, double length);
+std::vector<NodeStatus> inherited(const ContactInterface<2>& interface,
+                                  const std::vector<ContactInterval>& intervals, double length);
 
 /// In 3-D: the rows whose nodes are nearest to an active node of the coarser mesh, and not as
 /// near to one that is not active.
 /// @param nodes of the coarser mesh's result [m]
-std::vector<bool> inherited(const ContactInterface<3>& interface,
-                            const std::vector<ContactNode<3>>& nodes, double length);
+std::vector<NodeStatus> inherited(const ContactInterface<3>& interface,
+                                  const std::vector<ContactNode<3>>& nodes, double length);
 
 /// Places of the active rows' nodes.
 template <int dim>
@@ -58,8 +68,8 @@ std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& inter
 /// The rows whose nodes stand at the places that active_places() gave on the same mesh.
 /// @throws base::InputError if a place has none
 template <int dim>
-std::vector<bool> active_at(const ContactInterface<dim>& interface,
-                            const std::vector<dealii::Point<dim>>& places);
+std::vector<NodeStatus> active_at(const ContactInterface<dim>& interface,
+                                  const std::vector<dealii::Point<dim>>& places);
 
 /// Which nodes of the source belong to active rows.
 template <int dim>
@@ -93,26 +103,25 @@ unsigned int nodes_across(const ContactInterface<3>& interface);
 /// Arc-length intervals of the source surface covered by the nodes of the zone.
 ArcIntervals zone_intervals(const ContactInterface<2>& interface);
 
-/// The active rows as constraint lines: gap_j(u) = 0, solved for the displacement component with
-/// the greatest share of the normal that no support holds. Rows whose components are all held are
-/// left out.
+/// The equations of the pair's law that are constraints, such as gap_j(u) = 0, solved for the
+/// displacement component with the greatest share of their direction that no support holds. Those
+/// whose components are all held are left out.
 /// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
 /// are added
 template <int dim>
 std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
                                           std::set<global_dof_index>& held);
 
-/// Gap from the displacement; pressure from the forces K u - f, divided by D (no
-/// differentiation).
+/// Gap and slip from the displacement; pressure and friction from the forces K u - f, divided by D
+/// (no differentiation).
 /// @param held dofs whose forces hold reactions of supports
 template <int dim>
 ContactState evaluate(const ContactInterface<dim>& interface,
                       const dealii::TrilinosWrappers::MPI::Vector& displacement,
                       const SurfaceForces& forces, const std::set<global_dof_index>& held);
 
-/// The primal-dual active set step (Hintermueller, Ito and Kunisch 2003): active nodes under
-/// tension open, open nodes that overlap close.
+/// The status that the pair's law gives every node next.
 template <int dim>
-std::vector<bool> updated(const ContactInterface<dim>& interface, const ContactState& state);
+std::vector<NodeStatus> updated(const ContactInterface<dim>& interface, const ContactState& state);
 
 }  // namespace geneva::fem

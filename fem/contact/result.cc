@@ -130,9 +130,9 @@ ContactInterval fitted_interval(const std::vector<ContactNode<2>>& nodes, const 
 std::vector<ContactInterval> fitted_intervals(const std::vector<ContactNode<2>>& nodes) {
   std::vector<ContactInterval> intervals;
   for (std::size_t begin = 0; begin < nodes.size(); ++begin) {
-    if (!nodes[begin].active) continue;
+    if (!is_closed(nodes[begin].status)) continue;
     std::size_t end = begin;
-    while (end + 1 < nodes.size() && nodes[end + 1].active) ++end;
+    while (end + 1 < nodes.size() && is_closed(nodes[end + 1].status)) ++end;
     intervals.push_back(fitted_interval(nodes, begin, end));
     begin = end;
   }
@@ -188,7 +188,7 @@ template <int dim>
 std::vector<bool> loaded_target_nodes(const ContactInterface<dim>& interface) {
   std::vector<bool> loaded(interface.target.nodes.size(), false);
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    if (interface.active[i])
+    if (is_closed(interface.status[i]))
       for (const auto& [node, coupling] : interface.rows[i].coupling) loaded[node] = true;
   return loaded;
 }
@@ -205,7 +205,7 @@ ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std:
                           state.gap[row_index] * scales.length,
                           row.initial_gap / row.weight * scales.length,
                           row.weight * scales.length * scales.length,
-                          interface.active[row_index]};
+                          interface.status[row_index]};
   for (unsigned int component = 0; component < dim; ++component) {
     result.position[component] = node.position[component] * scales.length;
     result.normal[component] = row.frame.normal[component];
@@ -253,8 +253,10 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
       result.force[component] += force[component];
     }
     result.moment += moment_of<dim>(arm, force);
-    if (node.active) ++result.active_nodes;
-    if (!node.active) result.max_penetration = std::max(result.max_penetration, -node.gap);
+    if (is_closed(node.status))
+      ++result.active_nodes;
+    else
+      result.max_penetration = std::max(result.max_penetration, -node.gap);
     if (node.pressure > result.peak_pressure) {
       result.peak_pressure = node.pressure;
       peak = interface.source.nodes[interface.rows[i].node].position;

@@ -36,7 +36,7 @@ fem::Level<3> finest_level(const fem::Solution<3>& solution) {
                       fem::scaled(solution.problem, solution.scales), solution.scales, origins);
   for (std::size_t i = 0; i < level.interfaces.size(); ++i)
     for (std::size_t j = 0; j < level.interfaces[i].rows.size(); ++j)
-      level.interfaces[i].active[j] = solution.contacts[i].nodes[j].active;
+      level.interfaces[i].status[j] = solution.contacts[i].nodes[j].status;
   return level;
 }
 

@@ -57,7 +57,7 @@ inline double unevenness(const fem::ContactResult<2>& contact) {
   double longest = 0.;
   double shortest = 1e300;
   for (std::size_t i = 1; i < contact.nodes.size(); ++i) {
-    if (!contact.nodes[i].active || !contact.nodes[i - 1].active) continue;
+    if (!is_closed(contact.nodes[i].status) || !is_closed(contact.nodes[i - 1].status)) continue;
     const double step = contact.nodes[i].arc_length - contact.nodes[i - 1].arc_length;
     longest = std::max(longest, step);
     shortest = std::min(shortest, step);

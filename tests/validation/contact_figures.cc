@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   std::printf("max_penetration %.15g\n", result.max_penetration);
   std::printf("error_estimate %.15g\n", solution.error_estimate);
   for (const auto& node : result.nodes)
-    if (node.active) std::printf("pressure %.15g\n", node.pressure);
+    if (is_closed(node.status)) std::printf("pressure %.15g\n", node.pressure);
   for (const auto& level : solution.history)
     std::printf("level dofs %u active_nodes %u peak_pressure %.15g\n", level.dofs,
                 level.active_nodes, level.peak_pressure);

@@ -20,14 +20,24 @@ ContactInterface<2> flat_pair(const unsigned int n, const double gap = 0.) {
   interface.source = underside(x, gap);
   interface.target = upper_side(x);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
-  interface.active.assign(interface.rows.size(), false);
+  interface.status.assign(interface.rows.size(), NodeStatus::open);
+  return interface;
+}
+
+constexpr NodeStatus open = NodeStatus::open;
+constexpr NodeStatus slip = NodeStatus::slip;
+using Status = std::vector<NodeStatus>;
+
+ContactInterface<2> with_status(const Status& status) {
+  ContactInterface<2> interface = flat_pair(static_cast<unsigned int>(status.size()) - 1);
+  interface.status = status;
   return interface;
 }
 
 ContactInterface<2> with_active(const std::vector<bool>& active) {
-  ContactInterface<2> interface = flat_pair(static_cast<unsigned int>(active.size()) - 1);
-  interface.active = active;
-  return interface;
+  Status status;
+  for (const bool touches : active) status.push_back(touches ? slip : open);
+  return with_status(status);
 }
 
 TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
@@ -35,7 +45,7 @@ TEST(ActiveSet, FirstTouchIsTheSmallestGap) {
   for (const double lift : {0., 0.3, -2.}) {
     for (ContactRow<2>& row : interface.rows)
       row.initial_gap = row.weight * (lift + (row.node == 2 || row.node == 3 ? 0. : 0.1));
-    EXPECT_EQ(first_touch(interface), (std::vector<bool>{false, false, true, true, false}));
+    EXPECT_EQ(first_touch(interface), (Status{open, open, slip, slip, open}));
   }
 }
 
@@ -49,25 +59,25 @@ TEST(ActiveSet, FirstTouchIsAlongTheApproach) {
     interface.rows[i].frame = frame_along(normals[i]);
     interface.rows[i].initial_gap = interface.rows[i].weight * gaps[i];
   }
-  EXPECT_EQ(first_touch(interface), (std::vector<bool>{true, false, false})) << "not known";
+  EXPECT_EQ(first_touch(interface), (Status{slip, open, open})) << "not known";
   interface.approach = dealii::Point<2>(0., -1.);
-  EXPECT_EQ(first_touch(interface), (std::vector<bool>{false, true, false}))
+  EXPECT_EQ(first_touch(interface), (Status{open, slip, open}))
       << "the first never closes, the second after 0.28";
   interface.approach = dealii::Point<2>(0., 1.);
-  EXPECT_EQ(first_touch(interface), (std::vector<bool>{true, false, false})) << "away from all";
+  EXPECT_EQ(first_touch(interface), (Status{slip, open, open})) << "away from all";
 }
 
 TEST(ActiveSet, IntervalsReachFromFirstToLastActiveNode) {
-  const auto intervals = zone_intervals(with_active({true, true, false, false, true}));
+  const auto intervals = zone_intervals(with_status({slip, slip, open, open, slip}));
   ASSERT_EQ(intervals.size(), 2U);
   EXPECT_EQ(intervals[0], (std::pair{0., 0.25}));
   EXPECT_EQ(intervals[1], (std::pair{1., 1.}));
-  EXPECT_TRUE(zone_intervals(with_active({false, false})).empty());
+  EXPECT_TRUE(zone_intervals(with_status({open, open})).empty());
 }
 
 TEST(ActiveSet, IsInheritedByTheNodesWithinTheContactOfTheCoarserMesh) {
-  const std::vector<bool> fine = inherited(flat_pair(8), {{0.25, 0.5, false}}, 1.);
-  EXPECT_EQ(fine, (std::vector<bool>{false, false, true, true, true, false, false, false, false}));
+  const Status fine = inherited(flat_pair(8), {{0.25, 0.5, false}}, 1.);
+  EXPECT_EQ(fine, (Status{open, open, slip, slip, slip, open, open, open, open}));
   EXPECT_EQ(inherited(flat_pair(8), {{0.5, 1., false}}, 2.), fine) << "on a mesh in units of 2 m";
 }
 
@@ -85,10 +95,10 @@ TEST(ActiveSet, InSpaceIsInheritedByNodesBetweenActiveOnesOnly) {
   std::vector<ContactNode<3>> coarse(4);
   for (unsigned int i = 0; i < 4; ++i) {
     coarse[i].position = {{i % 2 == 0 ? 0. : 2., 0., i < 2 ? 0. : 6.}};
-    coarse[i].active = i != 3;
+    coarse[i].status = i != 3 ? slip : open;
   }
   // between two active corners of a face, between an active one and the other, in the middle
-  const std::vector<bool> expected{true, true, false, false, true, true, false};
+  const Status expected{slip, slip, open, open, slip, slip, open};
   for (const double round_off : {-1e-15, 0., 1e-15})
     EXPECT_EQ(inherited(nodes_at({{0.5, 0., 0.},
                                   {0.5 + round_off, 0., 0.},
@@ -105,26 +115,31 @@ TEST(ActiveSet, InSpaceIsInheritedByNodesBetweenActiveOnesOnly) {
 TEST(ActiveSet, InSpaceIsFirstTouchWhereNothingIsInherited) {
   ContactInterface<3> interface = nodes_at({{0., 0., 0.}, {1., 0., 0.}});
   interface.rows[1].initial_gap = -0.1;
-  EXPECT_EQ(inherited(interface, std::vector<ContactNode<3>>{}, 1.),
-            (std::vector<bool>{false, true}));
+  EXPECT_EQ(inherited(interface, std::vector<ContactNode<3>>{}, 1.), (Status{open, slip}));
 }
 
 TEST(ActiveSet, IsFirstTouchWhereNothingIsInherited) {
   ContactInterface<2> interface = flat_pair(4);
   interface.rows[1].initial_gap = -0.1;
-  EXPECT_EQ(inherited(interface, {}, 1.), (std::vector<bool>{false, true, false, false, false}));
+  EXPECT_EQ(inherited(interface, {}, 1.), (Status{open, slip, open, open, open}));
+}
+
+ContactState without_slip(const std::vector<double>& pressure, const std::vector<double>& gap,
+                          const double approach) {
+  return {pressure, gap, approach, std::vector<Tangential>(gap.size()),
+          std::vector<Tangential>(gap.size())};
 }
 
 TEST(ActiveSet, OpensUnderTensionAndClosesWhereBodiesOverlap) {
-  const ContactInterface<2> interface = with_active({true, true, true, false, false});
-  const ContactState state{{1., 0., -1e-3, 0., 0.}, {0., 0., 0., -1e-3, 1e-3}, 1.};
-  EXPECT_EQ(updated(interface, state), (std::vector<bool>{true, true, false, true, false}));
+  const ContactInterface<2> interface = with_status({slip, slip, slip, open, open});
+  const ContactState state = without_slip({1., 0., -1e-3, 0., 0.}, {0., 0., 0., -1e-3, 1e-3}, 1.);
+  EXPECT_EQ(updated(interface, state), (Status{slip, slip, open, slip, open}));
 }
 
 TEST(ActiveSet, TakesRoundOffForNoReasonToChange) {
-  const ContactInterface<2> interface = with_active({true, true, false, false});
-  const ContactState state{{1., -1e-12, 0., 0.}, {0., 0., -1e-12, 1.}, 1.};
-  EXPECT_EQ(updated(interface, state), interface.active);
+  const ContactInterface<2> interface = with_status({slip, slip, open, open});
+  const ContactState state = without_slip({1., -1e-12, 0., 0.}, {0., 0., -1e-12, 1.}, 1.);
+  EXPECT_EQ(updated(interface, state), interface.status);
 }
 
 /// gap_j(u) = 0 solved for the component with the greatest share of the normal.
@@ -134,7 +149,7 @@ TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
   interface.source = underside({0., 1., 2.5}, 1.);
   interface.target = upper_side({-1., 0.4, 3.}, slope);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
-  interface.active = {true, false, true};
+  interface.status = {slip, open, slip};
   std::set<global_dof_index> held;
   const auto lines = contact_lines(interface, held);
   ASSERT_EQ(lines.size(), 2U);
@@ -162,7 +177,7 @@ TEST(ContactLines, LeaveHeldComponentsAlone) {
   interface.source = underside({0., 1.}, 1.);
   interface.target = upper_side({-1., 2.}, 0.3);
   interface.rows = mortar_rows(interface.source, interface.target, plane_data());
-  interface.active = {true, true};
+  interface.status = {slip, slip};
   const auto& dofs_of_first = interface.source.nodes[0].dofs;
   const auto& dofs_of_second = interface.source.nodes[1].dofs;
   std::set<global_dof_index> held{dofs_of_first[1], dofs_of_second[0], dofs_of_second[1]};
@@ -178,7 +193,7 @@ ContactState hertz_state(ContactInterface<2>& interface, const double centre,
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     const double x = interface.source.nodes[interface.rows[i].node].position[0] - centre;
     const double square = 1. - x * x / (half_width * half_width);
-    interface.active[i] = square > 0.;
+    interface.status[i] = square > 0. ? slip : open;
     state.pressure.push_back(square > 0. ? std::sqrt(square) : 0.);
     state.gap.push_back(square > 0. ? 0. : -square);
   }
@@ -226,7 +241,7 @@ TEST(ContactResult, IsInTheUnitsOfTheScales) {
 
 TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
   ContactInterface<2> interface = flat_pair(4);
-  interface.active.assign(5, true);
+  interface.status.assign(5, slip);
   const ContactState state{{1., 2., 3., 4., 5.}, {0., 0., 0., 0., 0.}, 1.};
   const ContactResult<2> result = contact_result({"a", "b"}, interface, state, {1., 1.});
   // Linear pressure 1 + 4 x on a unit length: 3; its moment is the integral of x (1 + 4 x), where
@@ -239,7 +254,7 @@ TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
 
 TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
   ContactInterface<2> interface = flat_pair(3);
-  interface.active = {true, false, false, false};
+  interface.status = {slip, open, open, open};
   const ContactState state{{1., 0., 0., 0.}, {-0.5, -0.1, -0.2, 0.3}, 1.};
   EXPECT_EQ(contact_result({"a", "b"}, interface, state, {1., 1.}).max_penetration, 0.2);
 }
@@ -291,11 +306,11 @@ TEST(ErrorEstimate, CountsTheNodesBetweenAFreeEndAndThePeak) {
 TEST(ErrorEstimate, TellsAPeakBesideAnEndFromOneInTheMiddle) {
   std::vector<bool> active(42, true);
   active.front() = active.back() = false;
-  const std::vector<bool> open(4, false);
+  const std::vector<bool> all_open(4, false);
   const std::vector<bool> half{true, true, true, true, true, true, false};
   const auto is_beside_end = [&](const std::size_t peak) {
-    return peaks_beside_end<2>({with_active(open), with_active(active)},
-                               {rising(open, 0.), rising(active, 1., peak)});
+    return peaks_beside_end<2>({with_active(all_open), with_active(active)},
+                               {rising(all_open, 0.), rising(active, 1., peak)});
   };
   EXPECT_TRUE(is_beside_end(5));
   EXPECT_TRUE(is_beside_end(36));
@@ -318,11 +333,11 @@ TEST(ErrorEstimate, OfALoneNodeBeyondTheContactCountsLittle) {
 TEST(ErrorEstimate, OfSeveralPairsCountsEachAsItsPeakAndNotOpenOnes) {
   const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
   const std::vector<bool> two{false, true, true, false};
-  const std::vector<bool> open(4, false);
+  const std::vector<bool> all_open(4, false);
   const double of_eight = end_error<2>({with_active(eight)}, {rising(eight, 1.)}, false);
   const double of_two = end_error<2>({with_active(two)}, {rising(two, 1.)}, false);
-  EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(open)},
-                                {rising(eight, 3.), rising(open, 0.)}, false),
+  EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(all_open)},
+                                {rising(eight, 3.), rising(all_open, 0.)}, false),
                    of_eight);
   EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(two)},
                                 {rising(eight, 4.), rising(two, 2.)}, false),
@@ -345,7 +360,7 @@ std::vector<LevelRecord> history_of(const std::vector<double>& peaks, const unsi
 TEST(SmoothParts, AreFoundWhereAPressureHasNoBend) {
   constexpr unsigned int count = 201;
   ContactInterface<2> interface = flat_pair(count - 1);
-  interface.active.assign(count, true);
+  interface.status.assign(count, slip);
   ContactState state{std::vector<double>(count, 0.5), {}, 0.};
   for (const std::size_t i : {1U, 199U}) state.pressure[i] = 1.;
   const ArcIntervals smooth = smooth_intervals(interface, state, 1e-3);
@@ -360,7 +375,7 @@ TEST(SmoothParts, AreFoundWhereAPressureHasNoBend) {
 TEST(SmoothParts, AreNoneInAContactThatIsSmoothOrBentAllOver) {
   constexpr unsigned int count = 201;
   ContactInterface<2> interface = flat_pair(count - 1);
-  interface.active.assign(count, true);
+  interface.status.assign(count, slip);
   ContactState state{std::vector<double>(count, 1.), {}, 0.};
   EXPECT_TRUE(smooth_intervals(interface, state, 1e-3).empty());
   for (std::size_t i = 0; i < count; i += 10) state.pressure[i] = 0.9;
@@ -400,10 +415,10 @@ TEST(ContactResult, KnowsWhetherTheCurvatureChangesWithinTheContact) {
   ContactInterface<2> interface = flat_pair(20);
   ContactState state{std::vector<double>(21, 0.), std::vector<double>(21, 0.), 1.};
   const auto result_of = [&](const std::size_t begin, const std::size_t end) {
-    std::fill(interface.active.begin(), interface.active.end(), false);
+    std::fill(interface.status.begin(), interface.status.end(), open);
     std::fill(state.pressure.begin(), state.pressure.end(), 0.);
     for (std::size_t i = begin; i < end; ++i) {
-      interface.active[i] = true;
+      interface.status[i] = slip;
       state.pressure[i] = 1.;
     }
     return contact_result({"a", "b"}, interface, state, {1., 1.});
