@@ -1,15 +1,15 @@
 #include "app/together.h"
 
-#include <deal.II/base/mpi.h>
-
-#include <boost/serialization/utility.hpp>
+#include <cstddef>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/errors.h"
+#include "fem/gather.h"
 
 namespace geneva::app {
 
@@ -51,9 +51,10 @@ std::pair<Failure, std::string> outcome_of(const std::function<void()>& task) {
 
 void together(const MPI_Comm communicator, const std::function<void()>& task) {
   const auto [failure, text] = outcome_of(task);
-  const std::pair own(static_cast<int>(failure), text);
-  for (const auto& [code, why] : dealii::Utilities::MPI::all_gather(communicator, own))
-    if (static_cast<Failure>(code) != Failure::none) fail(static_cast<Failure>(code), why);
+  const std::vector<Failure> failures = fem::gathered_one(communicator, failure);
+  const std::vector<std::string> texts = fem::gathered_texts(communicator, text);
+  for (std::size_t rank = 0; rank < failures.size(); ++rank)
+    if (failures[rank] != Failure::none) fail(failures[rank], texts[rank]);
 }
 
 }  // namespace geneva::app

@@ -1,15 +1,13 @@
 #include "fem/constraints.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
-#include <boost/serialization/utility.hpp>
-#include <boost/serialization/vector.hpp>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "fem/gather.h"
 
 namespace geneva::fem {
 
@@ -31,6 +29,37 @@ std::vector<BoundaryNode<dim>> nodes_of(const Boundary<dim>& boundary, const uns
   nodes.reserve(indices.size());
   for (const unsigned int index : indices) nodes.push_back(boundary.nodes[index]);
   return nodes;
+}
+
+struct LineHead {
+  global_dof_index dof;
+  std::size_t n_entries;
+  double inhomogeneity;
+};
+
+struct LineEntry {
+  global_dof_index dof;
+  double coefficient;
+};
+
+/// The lines of all ranks, the same on every rank.
+std::vector<ConstraintLine> gathered_lines(const MPI_Comm communicator,
+                                           const std::vector<ConstraintLine>& own) {
+  std::vector<LineHead> heads;
+  std::vector<LineEntry> entries;
+  for (const ConstraintLine& line : own) {
+    heads.push_back({line.dof, line.entries.size(), line.inhomogeneity});
+    for (const auto& [dof, coefficient] : line.entries) entries.push_back({dof, coefficient});
+  }
+  const std::vector<LineEntry> all_entries = gathered(communicator, entries);
+  auto next = all_entries.begin();
+  std::vector<ConstraintLine> lines;
+  for (const LineHead& head : gathered(communicator, heads)) {
+    lines.push_back({head.dof, {}, head.inhomogeneity});
+    for (std::size_t i = 0; i < head.n_entries; ++i, ++next)
+      lines.back().entries.emplace_back(next->dof, next->coefficient);
+  }
+  return lines;
 }
 
 }  // namespace
@@ -95,11 +124,7 @@ std::vector<ConstraintLine> hanging_lines(const dealii::DoFHandler<dim>& dof_han
     for (const global_dof_index dof : node.dofs)
       if (dof_handler.locally_owned_dofs().is_element(dof) && hanging_nodes.is_constrained(dof))
         own.push_back({dof, *hanging_nodes.get_constraint_entries(dof), 0.});
-  std::vector<ConstraintLine> lines;
-  for (const auto& of_rank :
-       dealii::Utilities::MPI::all_gather(dof_handler.get_communicator(), own))
-    lines.insert(lines.end(), of_rank.begin(), of_rank.end());
-  return lines;
+  return gathered_lines(dof_handler.get_communicator(), own);
 }
 
 dealii::AffineConstraints<double> make_constraints(

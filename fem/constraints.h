@@ -20,11 +20,6 @@ struct ConstraintLine {
   global_dof_index dof;
   std::vector<std::pair<global_dof_index, double>> entries;
   double inhomogeneity;
-
-  template <typename Archive>
-  void serialize(Archive& archive, const unsigned int) {
-    archive& dof& entries& inhomogeneity;
-  }
 };
 
 /// The supports as constraint lines, the same on all ranks.

@@ -3,13 +3,16 @@
 #include <mpi.h>
 
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 namespace geneva::fem {
 
-/// The vectors of all ranks one behind the other in their order, the same on every rank. They
-/// travel as they are: to compress them first, as the library's all_gather does, takes longer.
+/// The vectors of all ranks one behind the other in their order, the same on every rank.
+///
+/// They travel as they are: to compress them first, as the library's all_gather does, takes longer,
+/// and is not safe where memory runs out.
 template <typename T>
 std::vector<T> gathered(const MPI_Comm communicator, const std::vector<T>& own) {
   static_assert(std::is_trivially_copyable_v<T>, "elements travel byte by byte");
@@ -28,6 +31,26 @@ std::vector<T> gathered(const MPI_Comm communicator, const std::vector<T>& own) 
                  communicator);
   MPI_Type_free(&element);
   return all;
+}
+
+/// One element of every rank, in their order.
+template <typename T>
+std::vector<T> gathered_one(const MPI_Comm communicator, const T& own) {
+  return gathered(communicator, std::vector<T>{own});
+}
+
+/// The text of every rank, in their order.
+inline std::vector<std::string> gathered_texts(const MPI_Comm communicator,
+                                               const std::string& own) {
+  const std::vector<char> letters =
+      gathered(communicator, std::vector<char>(own.begin(), own.end()));
+  std::vector<std::string> texts;
+  auto begin = letters.begin();
+  for (const std::size_t size : gathered_one(communicator, own.size())) {
+    texts.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(size));
+    begin += static_cast<std::ptrdiff_t>(size);
+  }
+  return texts;
 }
 
 }  // namespace geneva::fem

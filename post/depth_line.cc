@@ -1,11 +1,11 @@
 #include "post/depth_line.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <array>
 
+#include "fem/gather.h"
 #include "post/surface_body.h"
 
 namespace geneva::post {
@@ -69,13 +69,12 @@ std::vector<DepthSample> depth_line(const fem::Solution<2>& solution,
     places.push_back((centre.place - i * step * centre.normal) / solution.scales.length);
   const unsigned int body = body_of(solution, contact.target);
   std::vector<const Found*> nearest(places.size(), nullptr);
-  const auto all = dealii::Utilities::MPI::all_gather(solution.dof_handler->get_communicator(),
-                                                      evaluate(stress, body, places));
-  for (const std::vector<Found>& of_rank : all)
-    for (const Found& found : of_rank) {
-      const Found*& best = nearest[static_cast<std::size_t>(found[0])];
-      if (best == nullptr || found[1] < (*best)[1]) best = &found;
-    }
+  const std::vector<Found> all =
+      fem::gathered(solution.dof_handler->get_communicator(), evaluate(stress, body, places));
+  for (const Found& found : all) {
+    const Found*& best = nearest[static_cast<std::size_t>(found[0])];
+    if (best == nullptr || found[1] < (*best)[1]) best = &found;
+  }
 
   const double poissons_ratio = solution.problem.bodies[body].material.poissons_ratio;
   std::vector<DepthSample> samples;

@@ -6,15 +6,13 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/utility.hpp>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "fem/cell_element.h"
 #include "fem/element.h"
+#include "fem/gather.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::post {
@@ -35,9 +33,8 @@ std::array<double, 6> components(const dealii::SymmetricTensor<2, 3>& stress) {
 template <int dim>
 StressPeak<dim> greatest(const MPI_Comm communicator, const StressPeak<dim>& local) {
   StressPeak<dim> peak = local;
-  const std::pair record(local.value, local.place);
-  for (const auto& [value, place] : dealii::Utilities::MPI::all_gather(communicator, record))
-    if (value > peak.value) peak = {value, place};
+  for (const StressPeak<dim>& of_rank : fem::gathered_one(communicator, local))
+    if (of_rank.value > peak.value) peak = of_rank;
   return peak;
 }
 
@@ -256,10 +253,7 @@ StressPeak<2> peak_shear(const fem::Solution<2>& solution,
   const auto samples =
       samples_around(Point<2>(peak.place[0], peak.place[1]), radius, body, stresses,
                      solution.problem.plane == fem::PlaneKind::axisymmetric);
-  std::vector<Sample> all;
-  for (const auto& part : dealii::Utilities::MPI::all_gather(communicator, samples))
-    all.insert(all.end(), part.begin(), part.end());
-  return fitted_top(all, peak, radius);
+  return fitted_top(fem::gathered(communicator, samples), peak, radius);
 }
 
 template std::vector<CellStress<2>> cell_stresses(const fem::Solution<2>&);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "fem/gather.h"
@@ -28,6 +29,17 @@ TEST(Gather, PutsTheRanksOneBehindTheOther) {
       EXPECT_EQ(all[next].rank, of);
       EXPECT_EQ(all[next].value, 10. * of + i);
     }
+}
+
+TEST(Gather, KeepsTheTextsOfTheRanksApart) {
+  int rank = 0;
+  int ranks = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const auto text_of = [](const int of) { return std::string(static_cast<std::size_t>(of), 'x'); };
+  const std::vector<std::string> texts = gathered_texts(MPI_COMM_WORLD, text_of(rank));
+  ASSERT_EQ(texts.size(), static_cast<std::size_t>(ranks));
+  for (int of = 0; of < ranks; ++of) EXPECT_EQ(texts[static_cast<std::size_t>(of)], text_of(of));
 }
 
 TEST(Gather, OfOneRankGivesBackItsVector) {
