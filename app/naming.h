@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/case_file.h"
+#include "app/problem_message.h"
 #include "app/stop_message.h"
 #include "base/errors.h"
 #include "fem/stop.h"
@@ -19,6 +20,8 @@ auto naming(const Case& given, const Task& task) {
   };
   try {
     return task();
+  } catch (const fem::ProblemError& error) {
+    throw base::InputError(named(message_of(error)));
   } catch (const base::InputError& error) {
     throw base::InputError(named(error.what()));
   } catch (const base::LimitReached& error) {

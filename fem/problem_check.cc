@@ -5,36 +5,36 @@
 #include <algorithm>
 #include <set>
 
-#include "base/errors.h"
 #include "fem/constraints.h"
 
 namespace geneva::fem {
 
 namespace {
 
+/// @param what the name stands for
 void require_name(const std::vector<std::string>& names, const std::string& name,
-                  const std::string& what) {
+                  const ProblemPart part, const std::string& what) {
   if (!name.empty() && std::find(names.begin(), names.end(), name) != names.end()) return;
   std::string known;
   for (const std::string& candidate : names)
     if (!candidate.empty()) known += (known.empty() ? "'" : ", '") + candidate + "'";
-  throw base::InputError(
-      fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
+  throw ProblemError(part,
+                     fmt::format("{} '{}' is not in the mesh; the mesh has {}", what, name, known));
 }
 
 template <int dim>
 void check_names(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   for (const Body<dim>& body : problem.bodies)
-    require_name(mesh.bodies, body.name, "'Bodies': body");
+    require_name(mesh.bodies, body.name, ProblemPart::bodies, "body");
   for (const Support<dim>& support : problem.supports)
-    require_name(mesh.surfaces, support.surface, "'Supports': surface");
+    require_name(mesh.surfaces, support.surface, ProblemPart::supports, "surface");
   for (const SurfaceLoad<dim>& load : problem.loads)
-    require_name(mesh.surfaces, load.surface, "'Loads': surface");
+    require_name(mesh.surfaces, load.surface, ProblemPart::loads, "surface");
   for (const RigidTie<dim>& tie : problem.ties)
-    require_name(mesh.surfaces, tie.surface, "'Loads': surface");
+    require_name(mesh.surfaces, tie.surface, ProblemPart::loads, "surface");
   for (const ContactPair& pair : problem.pairs) {
-    require_name(mesh.surfaces, pair.source, "'Contact pairs': surface");
-    require_name(mesh.surfaces, pair.target, "'Contact pairs': surface");
+    require_name(mesh.surfaces, pair.source, ProblemPart::pairs, "surface");
+    require_name(mesh.surfaces, pair.target, ProblemPart::pairs, "surface");
   }
 }
 
@@ -43,40 +43,41 @@ template <int dim>
 unsigned int contact_body(const mesh::MeshData<dim>& mesh, const std::string& surface) {
   const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
   if (bodies.empty())
-    throw base::InputError(
-        fmt::format("'Contact pairs': surface '{}' is empty: it has no edges", surface));
+    throw ProblemError(ProblemPart::pairs,
+                       fmt::format("surface '{}' is empty: it has no edges", surface));
   if (bodies.size() > 1)
-    throw base::InputError(fmt::format(
-        "'Contact pairs': surface '{}' belongs to {} bodies; give each body its own surface",
-        surface, bodies.size()));
+    throw ProblemError(
+        ProblemPart::pairs,
+        fmt::format("surface '{}' belongs to {} bodies; give each body its own surface", surface,
+                    bodies.size()));
   return *bodies.begin();
 }
 
 template <int dim>
 void check_pairs(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   if (problem.pairs.empty())
-    throw base::InputError("'Contact pairs': there is none; at least one is needed");
+    throw ProblemError(ProblemPart::pairs, "there is none; at least one is needed");
   std::set<std::string> sources;
   for (const ContactPair& pair : problem.pairs) {
     if (pair.source == pair.target)
-      throw base::InputError(
-          fmt::format("'Contact pairs': surface '{}' cannot touch itself", pair.source));
+      throw ProblemError(ProblemPart::pairs,
+                         fmt::format("surface '{}' cannot touch itself", pair.source));
     if (contact_body(mesh, pair.source) == contact_body(mesh, pair.target))
-      throw base::InputError(
-          fmt::format("'Contact pairs': surfaces '{}' and '{}' belong to the same body",
-                      pair.source, pair.target));
+      throw ProblemError(
+          ProblemPart::pairs,
+          fmt::format("surfaces '{}' and '{}' belong to the same body", pair.source, pair.target));
     if (!sources.insert(pair.source).second)
-      throw base::InputError(
-          fmt::format("'Contact pairs': surface '{}' is the source of two pairs; make it the "
-                      "target of one of them",
-                      pair.source));
+      throw ProblemError(ProblemPart::pairs,
+                         fmt::format("surface '{}' is the source of two pairs; make it the "
+                                     "target of one of them",
+                                     pair.source));
   }
   for (const ContactPair& pair : problem.pairs)
     if (sources.count(pair.target) > 0)
-      throw base::InputError(
-          fmt::format("'Contact pairs': the surfaces overlap: '{}' is the source of one pair and "
-                      "the target of another",
-                      pair.target));
+      throw ProblemError(ProblemPart::pairs,
+                         fmt::format("the surfaces overlap: '{}' is the source of one pair and "
+                                     "the target of another",
+                                     pair.target));
 }
 
 /// A body that nothing holds and nothing touches can float away.
@@ -95,7 +96,8 @@ void check_held(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   }
   for (unsigned int body = 0; body < mesh.bodies.size(); ++body)
     if (held.count(body) == 0)
-      throw base::InputError(
+      throw ProblemError(
+          ProblemPart::supports,
           fmt::format("body '{}' has neither a support nor a contact surface: nothing holds it",
                       mesh.bodies[body]));
 }
@@ -105,15 +107,15 @@ void check_held(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
 template <int dim>
 void order_bodies(Problem<dim>& problem, const mesh::MeshData<dim>& mesh) {
   for (const Body<dim>& body : problem.bodies)
-    require_name(mesh.bodies, body.name, "'Bodies': body");
+    require_name(mesh.bodies, body.name, ProblemPart::bodies, "body");
   std::vector<Body<dim>> ordered;
   for (const std::string& name : mesh.bodies) {
     const auto body =
         std::find_if(problem.bodies.begin(), problem.bodies.end(),
                      [&](const Body<dim>& candidate) { return candidate.name == name; });
     if (body == problem.bodies.end())
-      throw base::InputError(
-          fmt::format("body '{}' of the mesh has no material; name it in 'Bodies'", name));
+      throw ProblemError(ProblemPart::bodies,
+                         fmt::format("body '{}' of the mesh has no material; name it", name));
     ordered.push_back(*body);
   }
   problem.bodies = ordered;

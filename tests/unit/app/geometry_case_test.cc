@@ -134,10 +134,11 @@ TEST(GeometryCase, BodiesKeepTheirNamesAndTakeTheirMaterials) {
   EXPECT_DOUBLE_EQ(problem.bodies[1].material.poissons_ratio, 0.3);
 }
 
-TEST(GeometryCase, GravityTimesDensityIsAddedToTheBodyForce) {
+TEST(GeometryCase, GravityIsAnAccelerationBesideTheBodyForce) {
   const fem::Problem<2> problem = problem_of(read_with_geometry(full_text));
-  EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[0], 8000.);
-  EXPECT_DOUBLE_EQ(problem.bodies[0].force.uniform[1], -85000.);
+  EXPECT_DOUBLE_EQ(problem.bodies[0].density, 8000.);
+  EXPECT_EQ(problem.bodies[0].force.uniform, (fem::Components<2>{0., -5000.}));
+  EXPECT_EQ(problem.bodies[0].force.acceleration, (fem::Components<2>{1., -10.}));
   EXPECT_EQ(problem.bodies[0].force.rotation.inertia, 0.);
   EXPECT_EQ(problem.bodies[1].force.uniform[0], 0.);
   EXPECT_EQ(problem.bodies[1].force.uniform[1], 0.);
@@ -508,7 +509,8 @@ end
 
 TEST(GeometryCaseInSpace, BodiesSupportsAndLoadsHaveThreeComponents) {
   const fem::Problem<3> problem = problem_of<3>(read_with_geometry(text_in_space));
-  EXPECT_EQ(problem.bodies[0].force.uniform, (fem::Components<3>{8000., -79000., 11000.}));
+  EXPECT_EQ(problem.bodies[0].force.uniform, (fem::Components<3>{0., 1000., -5000.}));
+  EXPECT_EQ(problem.bodies[0].force.acceleration, (fem::Components<3>{1., -10., 2.}));
   EXPECT_EQ(problem.bodies[1].force.uniform, (fem::Components<3>{0., 0., 0.}));
   using Held = std::array<std::optional<double>, 3>;
   ASSERT_EQ(problem.supports.size(), 5U);

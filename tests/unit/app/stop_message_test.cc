@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "app/problem_message.h"
+
 namespace geneva::app {
 namespace {
 
@@ -34,6 +36,16 @@ TEST(StopMessage, OfEveryLimitNamesItsParameterAndBothFigures) {
   const std::string steps = message_of({Outcome::active_set_limit, 0., 50., 777});
   EXPECT_TRUE(contains(steps, "50 steps") && contains(steps, "777 unknowns")) << steps;
   EXPECT_TRUE(contains(steps, "'Maximum active-set steps'")) << steps;
+}
+
+TEST(ProblemMessage, BeginsWithTheParameterThatIsWrong) {
+  const auto text = [](const fem::ProblemPart part) {
+    return message_of(fem::ProblemError(part, "no"));
+  };
+  EXPECT_EQ(text(fem::ProblemPart::bodies), "'Bodies': no");
+  EXPECT_EQ(text(fem::ProblemPart::supports), "'Supports': no");
+  EXPECT_EQ(text(fem::ProblemPart::loads), "'Loads': no");
+  EXPECT_EQ(text(fem::ProblemPart::pairs), "'Contact pairs': no");
 }
 
 TEST(StopMessage, OfTheLinearSolverSaysHowFarItCame) {
