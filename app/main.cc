@@ -65,6 +65,7 @@ int main(int argc, char** argv) try {
   }
   std::optional<Mesher> mesher = geneva::app::early_mesher(request);  // gets ready while MPI does
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  geneva::app::start_task_scheduler();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   geneva::app::Ending ending(MPI_COMM_WORLD);
   return geneva::app::with_output_checked(

@@ -1,7 +1,9 @@
 #include "app/threads.h"
 
+#include <deal.II/base/thread_management.h>
 #include <dlfcn.h>
 
+#include <functional>
 #include <initializer_list>
 
 namespace geneva::app {
@@ -14,6 +16,10 @@ void use_one_thread() {
   // CHOLMOD asks for four threads in each of its loops, whatever was set.
   if (void* function = dlsym(RTLD_DEFAULT, "omp_set_max_active_levels"))
     reinterpret_cast<void (*)(int)>(function)(0);
+}
+
+void start_task_scheduler() {
+  dealii::Threads::new_task(std::function<void()>([] {})).join();
 }
 
 }  // namespace geneva::app
