@@ -87,6 +87,12 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   return parameters;
 }
 
+fem::LinearSolver read_linear_solver(const CaseSection& section) {
+  const std::string word = section.text("Linear solver");
+  if (word == "own") return fem::LinearSolver::own;
+  return word == "ML" ? fem::LinearSolver::library : fem::LinearSolver::automatic;
+}
+
 fem::Settings read_settings(const CaseSection& section, const int dimension) {
   const double accuracy_by_dimension = dimension == 3 ? 0.05 : 0.005;
   fem::Settings settings;
@@ -98,6 +104,7 @@ fem::Settings read_settings(const CaseSection& section, const int dimension) {
   settings.max_active_set_steps =
       static_cast<unsigned int>(section.value("Maximum active-set steps"));
   settings.linear_tolerance = section.value("Linear tolerance");
+  settings.linear_solver = read_linear_solver(section);
   return settings;
 }
 

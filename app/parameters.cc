@@ -561,7 +561,14 @@ std::vector<Parameter> settings_parameters() {
        "Linear tolerance",
        "1e-11",
        quantity(Dimension::dimensionless, between(1e-15, 1e-3, "from 1e-15 to 0.001")),
-       "Where the conjugate gradients stop, relative to the load."}};
+       "Where the conjugate gradients stop, relative to the load."},
+      {{},
+       "Linear solver",
+       "automatic",
+       ChoiceRule{{"automatic", "own", "ML"}},
+       "Multigrid that preconditions them: Geneva's own, or smoothed aggregation of Trilinos' ML, "
+       "which is slower and finds the same. 'automatic': the own one, and ML where that does not "
+       "converge."}};
 }
 
 std::vector<Parameter> published_parameters() {

@@ -90,7 +90,8 @@ double changed_share(const Sets& before, const Sets& now) {
 template <int dim>
 class SystemOfSets {
  public:
-  explicit SystemOfSets(const dealii::DoFHandler<dim>& dof_handler) : dof_handler_(dof_handler) {}
+  SystemOfSets(const dealii::DoFHandler<dim>& dof_handler, const Settings& settings)
+      : dof_handler_(dof_handler), settings_(settings) {}
 
   /// Goes over to the level's active sets.
   void update(const Level<dim>& level) {
@@ -101,16 +102,33 @@ class SystemOfSets {
     if (is_smoothing_) ++n_smoothing_steps_;
     if (!system_) assemble(level);
     system_->constrain(constraints(level));
-    if (!is_smoothing_ && !has_multigrid_) set_up_multigrid(level.is_factorised);
+    if (!is_smoothing_ && !is_set_up_) set_up(method_for(level));
     last_sets_ = sets;
   }
 
   /// Whether the sets change by so much still that smoothing is enough.
   [[nodiscard]] bool is_smoothing() const { return is_smoothing_; }
 
-  [[nodiscard]] const LinearSystem<dim>& now() const { return *system_; }
+  /// Solves, or smooths, the system of the sets of now.
+  /// @param reduction of the residual that is enough; 0: to the settings' tolerance
+  /// @return number of iterations
+  /// @throws dealii::SolverControl::NoConvergence
+  unsigned int solve(Vector& displacement, const double reduction) {
+    if (is_smoothing_) return system_->smooth(displacement);
+    const Vector guess(displacement);
+    try {
+      return system_->solve(displacement, settings_.linear_tolerance, reduction);
+    } catch (const dealii::SolverControl::NoConvergence& failure) {
+      const bool is_own = method_ != Method::library_multigrid;
+      if (settings_.linear_solver != LinearSolver::automatic || !is_own || failure.last_step == 0)
+        throw;
+    }
+    set_up(Method::library_multigrid);
+    displacement = guess;
+    return system_->solve(displacement, settings_.linear_tolerance, reduction);
+  }
 
-  /// Time of the assembly and the multigrid.
+  /// Time of the assembly and the preconditioner.
   [[nodiscard]] double assembly_seconds() const { return assembly_seconds_; }
 
  private:
@@ -127,19 +145,27 @@ class SystemOfSets {
     assembly_seconds_ = timer.wall_time();
   }
 
-  void set_up_multigrid(const bool is_factorised) {
+  [[nodiscard]] Method method_for(const Level<dim>& level) const {
+    if (settings_.linear_solver == LinearSolver::library) return Method::library_multigrid;
+    return level.is_factorised ? Method::factors : Method::multigrid;
+  }
+
+  void set_up(const Method method) {
     const dealii::Timer timer;
-    system_->set_up_multigrid(dof_handler_, is_factorised);
-    has_multigrid_ = true;
+    system_->set_up(dof_handler_, method);
+    method_ = method;
+    is_set_up_ = true;
     assembly_seconds_ += timer.wall_time();
   }
 
   const dealii::DoFHandler<dim>& dof_handler_;
+  const Settings& settings_;
   std::optional<LinearSystem<dim>> system_;
   Sets last_sets_;
   unsigned int n_smoothing_steps_ = 0;
   bool is_smoothing_ = false;
-  bool has_multigrid_ = false;
+  bool is_set_up_ = false;
+  Method method_ = Method::multigrid;
   double assembly_seconds_ = 0.;
 };
 
@@ -153,15 +179,11 @@ void evaluate_at(const Level<dim>& level, const Vector& displacement, LevelState
     state.contacts.push_back(evaluate(interface, state.displacement, state.forces, level.held));
 }
 
-/// Solves the system of the current active sets to a reduction of its residual (0: to the settings'
-/// tolerance) and evaluates the contacts.
+/// Solves the system of the current active sets and evaluates the contacts.
 template <int dim>
-void solve_step(const SystemOfSets<dim>& systems, const Level<dim>& level, const double reduction,
-                const Settings& settings, Vector& displacement, LevelState& state) {
-  state.linear_iterations.back() +=
-      systems.is_smoothing()
-          ? systems.now().smooth(displacement)
-          : systems.now().solve(displacement, settings.linear_tolerance, reduction);
+void solve_step(SystemOfSets<dim>& systems, const Level<dim>& level, const double reduction,
+                Vector& displacement, LevelState& state) {
+  state.linear_iterations.back() += systems.solve(displacement, reduction);
   evaluate_at(level, displacement, state);
 }
 
@@ -184,7 +206,7 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
   state.displacement.reinit(level.owned, level.ghosts, communicator);
   Vector displacement = guess;
   ActiveSetSearch search;
-  SystemOfSets<dim> systems(dof_handler);
+  SystemOfSets<dim> systems(dof_handler, settings);
   double reduction = loose_reduction;
   for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {
     if (step > most_loose_steps && reduction > 0.) {
@@ -194,7 +216,7 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
     systems.update(level);
     const dealii::Timer solve_timer;
     state.linear_iterations.push_back(0);
-    solve_step(systems, level, reduction, settings, displacement, state);
+    solve_step(systems, level, reduction, displacement, state);
     bool changed =
         search.advance(level, state.contacts, !systems.is_smoothing() && reduction == 0.);
     if (systems.is_smoothing()) {
@@ -203,7 +225,7 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
     } else if (!changed && reduction > 0.) {
       reduction = 0.;
       search.start_again();
-      solve_step(systems, level, reduction, settings, displacement, state);
+      solve_step(systems, level, reduction, displacement, state);
       changed = search.advance(level, state.contacts, true);
     }
     state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -9,28 +10,62 @@
 
 namespace geneva::fem {
 
+/// Where the vectors of the ranks stand one behind the other.
+struct Gathering {
+  std::vector<int> sizes;
+  std::vector<int> begins;  ///< and the end
+
+  Gathering(const MPI_Comm communicator, const std::size_t own_size) {
+    int ranks = 0;
+    MPI_Comm_size(communicator, &ranks);
+    sizes.resize(static_cast<std::size_t>(ranks));
+    const int own = static_cast<int>(own_size);
+    MPI_Allgather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
+    begins.assign(sizes.size() + 1, 0);
+    std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
+  }
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(begins.back()); }
+};
+
+/// Calls task(type) with the MPI type of a trivially copyable one.
+template <typename T, typename Task>
+void with_type_of(const Task& task) {
+  static_assert(std::is_trivially_copyable_v<T>, "elements travel byte by byte");
+  MPI_Datatype element = MPI_DATATYPE_NULL;
+  MPI_Type_contiguous(static_cast<int>(sizeof(T)), MPI_BYTE, &element);
+  MPI_Type_commit(&element);
+  task(element);
+  MPI_Type_free(&element);
+}
+
 /// The vectors of all ranks one behind the other in their order, the same on every rank.
 ///
 /// They travel as they are: to compress them first, as the library's all_gather does, takes longer,
 /// and is not safe where memory runs out.
 template <typename T>
 std::vector<T> gathered(const MPI_Comm communicator, const std::vector<T>& own) {
-  static_assert(std::is_trivially_copyable_v<T>, "elements travel byte by byte");
-  int ranks = 0;
-  MPI_Comm_size(communicator, &ranks);
-  const int own_size = static_cast<int>(own.size());
-  std::vector<int> sizes(static_cast<std::size_t>(ranks));
-  MPI_Allgather(&own_size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
-  std::vector<int> begins(sizes.size() + 1, 0);
-  std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
-  std::vector<T> all(static_cast<std::size_t>(begins.back()));
-  MPI_Datatype element = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(static_cast<int>(sizeof(T)), MPI_BYTE, &element);
-  MPI_Type_commit(&element);
-  MPI_Allgatherv(own.data(), own_size, element, all.data(), sizes.data(), begins.data(), element,
-                 communicator);
-  MPI_Type_free(&element);
-  return all;
+  const Gathering all(communicator, own.size());
+  std::vector<T> result(all.size());
+  with_type_of<T>([&](const MPI_Datatype element) {
+    MPI_Allgatherv(own.data(), static_cast<int>(own.size()), element, result.data(),
+                   all.sizes.data(), all.begins.data(), element, communicator);
+  });
+  return result;
+}
+
+/// Those on the first rank; nothing on the others.
+template <typename T>
+std::vector<T> gathered_on_first(const MPI_Comm communicator, const std::vector<T>& own) {
+  const Gathering all(communicator, own.size());
+  int rank = 0;
+  MPI_Comm_rank(communicator, &rank);
+  std::vector<T> result(rank == 0 ? all.size() : 0);
+  with_type_of<T>([&](const MPI_Datatype element) {
+    MPI_Gatherv(own.data(), static_cast<int>(own.size()), element, result.data(), all.sizes.data(),
+                all.begins.data(), element, 0, communicator);
+  });
+  return result;
 }
 
 /// One element of every rank, in their order.

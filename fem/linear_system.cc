@@ -9,6 +9,8 @@
 #include <map>
 
 #include "fem/assembly.h"
+#include "fem/multigrid/library_multigrid.h"
+#include "fem/multigrid/multigrid.h"
 
 namespace geneva::fem {
 
@@ -85,14 +87,17 @@ void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& const
         owned_.nth_index_in_set(static_cast<unsigned int>(line.unknown)));
   matrix_.whole().residual(load_, prescribed, whole_load);
   matrix_.elimination().collect(load_);
-  if (multigrid_) multigrid_->renew();
+  if (preconditioner_) preconditioner_->renew();
 }
 
 template <int dim>
-void LinearSystem<dim>::set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler,
-                                         const bool is_factorised) {
-  multigrid_ =
-      std::make_unique<Multigrid<dim>>(matrix_, dof_handler, lasting_constraints_, is_factorised);
+void LinearSystem<dim>::set_up(const dealii::DoFHandler<dim>& dof_handler, const Method method) {
+  preconditioner_.reset();  // before the new one takes memory
+  if (method == Method::library_multigrid)
+    preconditioner_ = std::make_unique<LibraryMultigrid<dim>>(matrix_, dof_handler);
+  else
+    preconditioner_ = std::make_unique<Multigrid<dim>>(matrix_, dof_handler, lasting_constraints_,
+                                                       method == Method::factors);
 }
 
 template <int dim>
@@ -109,7 +114,7 @@ template <int dim>
 unsigned int LinearSystem<dim>::solve(Vector& displacement, const double tolerance,
                                       const double reduction) const {
   constexpr unsigned int most_iterations = 1000;
-  if (!multigrid_->is_definite())
+  if (!preconditioner_->is_definite())
     throw dealii::SolverControl::NoConvergence(0, residual_norm(displacement));
   double goal = tolerance * load_.l2_norm();
   if (reduction > 0.) goal = std::max(goal, reduction * residual_norm(displacement));
@@ -122,7 +127,7 @@ unsigned int LinearSystem<dim>::solve(Vector& displacement, const double toleran
     control.set_tolerance(std::max(goal, rounding(iterate, diagonal)));
     return dealii::SolverControl::success;  // the control decides
   });
-  solver.solve(matrix_, displacement, load_, *multigrid_);
+  solver.solve(matrix_, displacement, load_, *preconditioner_);
   distribute(displacement);
   return control.last_step();
 }

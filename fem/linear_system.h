@@ -11,7 +11,7 @@
 
 #include "fem/cell_systems.h"
 #include "fem/multigrid/condensed_matrix.h"
-#include "fem/multigrid/multigrid.h"
+#include "fem/multigrid/preconditioner.h"
 
 namespace geneva::fem {
 
@@ -19,6 +19,13 @@ namespace geneva::fem {
 struct NodalForce {
   dealii::types::global_dof_index dof;
   double value;
+};
+
+/// What the conjugate gradients are preconditioned with.
+enum class Method {
+  multigrid,         ///< ours
+  factors,           ///< of the whole matrix
+  library_multigrid  ///< Trilinos' ML
 };
 
 /// Condensed stiffness system K u = f on one mesh: symmetric and positive definite. It is assembled
@@ -33,21 +40,20 @@ class LinearSystem {
                const dealii::AffineConstraints<double>& constraints, const CellSystems& cells,
                const std::vector<NodalForce>& nodal_forces);
 
-  /// Goes over to other constraints. A multigrid keeps its coarse levels.
+  /// Goes over to other constraints. Our multigrid keeps its coarse levels.
   /// @param constraints closed: those that the system was assembled with, and more of unknowns that
   /// they leave free
   void constrain(const dealii::AffineConstraints<double>& constraints);
 
-  /// Sets up multigrid for the constraints of now.
-  /// @param is_factorised whether the mesh is its coarsest level
-  void set_up_multigrid(const dealii::DoFHandler<dim>& dof_handler, bool is_factorised);
+  /// Sets up a preconditioner for the constraints of now.
+  void set_up(const dealii::DoFHandler<dim>& dof_handler, Method method);
 
-  /// Smooths by a few conjugate gradients without multigrid.
+  /// Smooths by a few conjugate gradients without a preconditioner that was set up.
   /// @param displacement as in solve()
   /// @return number of iterations
   unsigned int smooth(dealii::TrilinosWrappers::MPI::Vector& displacement) const;
 
-  /// Conjugate gradients with multigrid from the given first guess until the residual is below
+  /// Preconditioned conjugate gradients from the given first guess until the residual is below
   /// tolerance times the load, below reduction times that of the first guess, or what roundings
   /// leave of it.
   /// @param displacement in: first guess; out: solution, with the constraints distributed (no
@@ -77,7 +83,7 @@ class LinearSystem {
   CondensedMatrix<dim> matrix_;
   Vector load_;
   Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
-  std::unique_ptr<Multigrid<dim>> multigrid_;
+  std::unique_ptr<Preconditioner> preconditioner_;
 };
 
 }  // namespace geneva::fem

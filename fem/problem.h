@@ -125,6 +125,13 @@ bool has_prescribed_displacement(const Problem<dim>& problem) {
 /// for a stiff source.
 constexpr double very_stiff = 100.;
 
+/// Which solver of linear systems is taken.
+enum class LinearSolver {
+  automatic,  ///< ours, and the library's where ours does not converge
+  own,
+  library  ///< Trilinos' ML
+};
+
 /// When to stop refining, and what limits the effort.
 struct Settings {
   double accuracy = 0.005;          ///< wanted relative error of the peak contact pressure, > 0
@@ -134,6 +141,7 @@ struct Settings {
   double max_seconds = 86400.;      ///< wall time of the contact solve [s]
   unsigned int max_active_set_steps = 50;
   double linear_tolerance = 1e-11;  ///< of the conjugate gradients, relative to the load
+  LinearSolver linear_solver = LinearSolver::automatic;
 };
 
 }  // namespace geneva::fem

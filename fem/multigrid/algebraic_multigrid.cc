@@ -106,7 +106,8 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const in
                                                 communicator);
     return;
   }
-  const double largest = margin * largest_eigenvalue(matrix, communicator);
+  Vector eigenvector;
+  const double largest = margin * largest_eigenvalue(matrix, communicator, eigenvector);
   const auto positions = on_all_nodes(problem.positions, pattern);
   Aggregates aggregates = aggregates_of<n>(pattern, problem.bodies);
   CoarseNodes<dim> coarse = coarse_nodes(aggregates, positions, pattern);

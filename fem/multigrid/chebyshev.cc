@@ -61,13 +61,18 @@ void Chebyshev<Matrix>::take_second_step(Vector& solution, Vector& step,
 }
 
 template <typename Matrix>
-double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator) {
+double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator, Vector& vector) {
   constexpr int n_steps = 12;
-  const std::vector<double> inverse = inverse_diagonal(matrix);
-  Vector vector(dealii::IndexSet(matrix.unknowns()), communicator);
+  vector.reinit(dealii::IndexSet(matrix.unknowns()), communicator);
   for (const auto row : vector.locally_owned_elements())
     vector(row) = std::sin(static_cast<double>(row * row % 7919));
   vector.compress(dealii::VectorOperation::insert);
+  return largest_eigenvalue(matrix, vector, n_steps);
+}
+
+template <typename Matrix>
+double largest_eigenvalue(const Matrix& matrix, Vector& vector, const int n_steps) {
+  const std::vector<double> inverse = inverse_diagonal(matrix);
   Vector product(vector);
   for (int step = 0; step < n_steps; ++step) {
     vector /= vector.l2_norm();
@@ -82,9 +87,13 @@ template class Chebyshev<CondensedMatrix<2>>;
 template class Chebyshev<CondensedMatrix<3>>;
 template class Chebyshev<SymmetricMatrix<3>>;
 template class Chebyshev<SymmetricMatrix<6>>;
-template double largest_eigenvalue(const CondensedMatrix<2>&, MPI_Comm);
-template double largest_eigenvalue(const CondensedMatrix<3>&, MPI_Comm);
-template double largest_eigenvalue(const SymmetricMatrix<3>&, MPI_Comm);
-template double largest_eigenvalue(const SymmetricMatrix<6>&, MPI_Comm);
+#define INSTANTIATE(Matrix)                                             \
+  template double largest_eigenvalue(const Matrix&, MPI_Comm, Vector&); \
+  template double largest_eigenvalue(const Matrix&, Vector&, int);
+INSTANTIATE(CondensedMatrix<2>)
+INSTANTIATE(CondensedMatrix<3>)
+INSTANTIATE(SymmetricMatrix<3>)
+INSTANTIATE(SymmetricMatrix<6>)
+#undef INSTANTIATE
 
 }  // namespace geneva::fem

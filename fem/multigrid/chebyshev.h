@@ -36,9 +36,16 @@ class Chebyshev {
   double half_width_;  ///< delta
 };
 
-/// The largest eigenvalue of a matrix scaled by its diagonal, from below: by the power method from
-/// a vector that is the same in every run.
+/// The largest eigenvalue of a matrix scaled by its diagonal, from below: by the power method.
+/// @param vector in: where it starts, not zero; out: nearer to the eigenvector
 template <typename Matrix>
-double largest_eigenvalue(const Matrix& matrix, MPI_Comm communicator);
+double largest_eigenvalue(const Matrix& matrix, dealii::TrilinosWrappers::MPI::Vector& vector,
+                          int n_steps);
+
+/// From a vector that is the same in every run.
+/// @param vector out: near the eigenvector
+template <typename Matrix>
+double largest_eigenvalue(const Matrix& matrix, MPI_Comm communicator,
+                          dealii::TrilinosWrappers::MPI::Vector& vector);
 
 }  // namespace geneva::fem

@@ -1,11 +1,13 @@
 #include "fem/multigrid/direct_solver.h"
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "fem/gather.h"
+#include "fem/multigrid/condensed_entries.h"
 
 namespace geneva::fem {
 
@@ -13,45 +15,12 @@ namespace {
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-/// Adds s A_ij s' below the diagonal and on it for the shares s and s' that two unknowns have in
-/// others.
-void add_shares(const Shares& row, const Shares& column, const double stiffness, Entries& entries) {
-  for (const auto& [i, share] : row)
-    for (const auto& [j, other] : column)
-      if (i >= j) entries.emplace_back(i, j, share * stiffness * other);
+/// The entries of all ranks, on every rank or the first one alone.
+Entries collected(const Entries& own, const bool is_everywhere, const MPI_Comm communicator) {
+  return is_everywhere ? gathered(communicator, own) : gathered_on_first(communicator, own);
 }
 
-/// What this rank's rows of A add to the lower part of E^T A E.
-template <int n>
-Entries own_entries(const SymmetricMatrix<n>& matrix, const Elimination& elimination) {
-  const NodePattern& pattern = matrix.pattern();
-  Entries entries;
-  entries.reserve(n * n * pattern.n_blocks());
-  matrix.visit_blocks([&](const std::size_t node, const std::size_t place, const auto& block) {
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) {
-        const int row = n * pattern.number(node) + i;
-        const int column = n * pattern.number(place) + j;
-        const Shares* const of_row = elimination.shares_of(row);
-        const Shares* const of_column = elimination.shares_of(column);
-        if (of_row == nullptr && of_column == nullptr) {
-          if (row >= column) entries.emplace_back(row, column, block(i, j));
-          continue;
-        }
-        add_shares(of_row ? *of_row : Shares{{row, 1.}},
-                   of_column ? *of_column : Shares{{column, 1.}}, block(i, j), entries);
-        if (row == column) entries.emplace_back(row, row, block(i, i));
-      }
-  });
-  return entries;
-}
-
-/// The lower part of E^T A E, with all ranks' rows.
-template <int n>
-Eigen::SparseMatrix<double> whole(const SymmetricMatrix<n>& matrix, const Elimination& elimination,
-                                  const MPI_Comm communicator) {
-  const Entries entries = gathered(communicator, own_entries(matrix, elimination));
-  const int n_unknowns = matrix.unknowns().NumGlobalElements();
+Eigen::SparseMatrix<double> matrix_of(const Entries& entries, const int n_unknowns) {
   Eigen::SparseMatrix<double> result(n_unknowns, n_unknowns);
   result.setFromTriplets(entries.begin(), entries.end());
   return result;
@@ -61,24 +30,51 @@ Eigen::SparseMatrix<double> whole(const SymmetricMatrix<n>& matrix, const Elimin
 
 template <int n>
 DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const Elimination& elimination,
-                              const MPI_Comm communicator)
+                              const MPI_Comm communicator, const int most_everywhere)
     : communicator_(communicator),
-      first_(n * matrix.pattern().own().first),
-      n_own_(matrix.unknowns().NumMyElements()) {
+      is_first_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
+      is_everywhere_(matrix.unknowns().NumGlobalElements() <= most_everywhere),
+      n_unknowns_(matrix.unknowns().NumGlobalElements()),
+      n_own_(matrix.unknowns().NumMyElements()),
+      counts_(gathered_one(communicator, n_own_)),
+      firsts_(counts_.size() + 1, 0) {
+  std::partial_sum(counts_.begin(), counts_.end(), firsts_.begin() + 1);
   factors_.cholmod().print = 0;  // a matrix that is not definite is for the caller to report
-  factors_.compute(whole(matrix, elimination, communicator));
+  const Entries entries =
+      collected(condensed_entries(matrix, elimination), is_everywhere_, communicator);
+  if (has_factors()) factors_.compute(matrix_of(entries, n_unknowns_));
+  is_definite_ = dealii::Utilities::MPI::logical_or(
+      has_factors() && factors_.info() == Eigen::Success, communicator);
 }
 
 template <int n>
 void DirectSolver<n>::vmult(Vector& solution, const Vector& right_hand_side) const {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(factors_.rows());
-  values.segment(first_, n_own_) =
-      Eigen::Map<const Eigen::VectorXd>(right_hand_side.trilinos_vector()[0], n_own_);
-  const dealii::ArrayView<double> view(values.data(), static_cast<std::size_t>(values.size()));
-  dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(view), communicator_, view);
-  values = factors_.solve(values).eval();
+  const double* const own = right_hand_side.trilinos_vector()[0];
   Eigen::Map<Eigen::VectorXd>(solution.trilinos_vector()[0], n_own_) =
-      values.segment(first_, n_own_);
+      is_everywhere_ ? solved_everywhere(own) : solved_by_first(own);
+}
+
+template <int n>
+Eigen::VectorXd DirectSolver<n>::solved_everywhere(const double* const own) const {
+  Eigen::VectorXd values(n_unknowns_);
+  MPI_Allgatherv(own, n_own_, MPI_DOUBLE, values.data(), counts_.data(), firsts_.data(), MPI_DOUBLE,
+                 communicator_);
+  values = factors_.solve(values).eval();
+  return values.segment(
+      firsts_[static_cast<std::size_t>(dealii::Utilities::MPI::this_mpi_process(communicator_))],
+      n_own_);
+}
+
+template <int n>
+Eigen::VectorXd DirectSolver<n>::solved_by_first(const double* const own) const {
+  Eigen::VectorXd values(is_first_ ? n_unknowns_ : 0);
+  MPI_Gatherv(own, n_own_, MPI_DOUBLE, values.data(), counts_.data(), firsts_.data(), MPI_DOUBLE, 0,
+              communicator_);
+  if (is_first_) values = factors_.solve(values).eval();
+  Eigen::VectorXd result(n_own_);
+  MPI_Scatterv(values.data(), counts_.data(), firsts_.data(), MPI_DOUBLE, result.data(), n_own_,
+               MPI_DOUBLE, 0, communicator_);
+  return result;
 }
 
 template class DirectSolver<2>;

@@ -6,11 +6,13 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "fem/multigrid/algebraic_multigrid.h"
 #include "fem/multigrid/chebyshev.h"
 #include "fem/multigrid/condensed_matrix.h"
 #include "fem/multigrid/node_matrix.h"
+#include "fem/multigrid/preconditioner.h"
 
 namespace geneva::fem {
 
@@ -18,33 +20,36 @@ namespace geneva::fem {
 /// prolongation() by AlgebraicMultigrid for the matrix as it was when the multigrid was made. Or
 /// the mesh is the coarsest level itself: then its matrix is factorised.
 template <int dim>
-class Multigrid {
+class Multigrid : public Preconditioner {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// @param matrix condensed stiffness; must outlive the multigrid
   /// @param constraints by which the whole matrix was assembled
   /// @param is_factorised whether the mesh is the coarsest level, see is_factorised()
   Multigrid(const CondensedMatrix<dim>& matrix, const dealii::DoFHandler<dim>& dof_handler,
             const dealii::AffineConstraints<double>& constraints, bool is_factorised);
 
-  void vmult(Vector& correction, const Vector& residual) const;
+  void vmult(Vector& correction, const Vector& residual) const override;
+  void renew() override;
 
-  /// To be called when other unknowns of the matrix are constrained.
-  void renew();
+  /// The greatest eigenvalue of the matrix, scaled by its diagonal, for which the smoother is made.
+  [[nodiscard]] double greatest_smoothed() const;
 
-  /// Whether the matrix is positive definite, as far as that was found out.
-  [[nodiscard]] bool is_definite() const { return !direct_ || direct_->is_definite(); }
+  [[nodiscard]] bool is_definite() const override { return !direct_ || direct_->is_definite(); }
 
  private:
   void make_levels(const dealii::DoFHandler<dim>& dof_handler,
                    const dealii::AffineConstraints<double>& constraints);
+  void factorise();
+  void make_smoother();
+  void renew_eigenvalue();
 
   const CondensedMatrix<dim>& matrix_;
   MPI_Comm communicator_;
   bool is_factorised_;
   std::unique_ptr<DirectSolver<dim>> direct_;  ///< of a mesh that has nothing else
   double largest_eigenvalue_ = 0.;             ///< of the matrix scaled by its diagonal, from above
+  Vector eigenvector_;                         ///< near that of it
+  std::vector<double> diagonal_;               ///< of the matrix whose eigenvalue it is
   std::optional<NodeMatrix<dim, n_rigid_motions<dim>>> prolongation_;
   std::unique_ptr<AlgebraicMultigrid<dim>> coarse_;
   Vector coarse_zero_;  ///< as v_cycle() takes it

@@ -6,6 +6,8 @@
 //
 // One line for each accuracy: "0.05" is 5 %.
 
+#include <malloc.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 #include <deal.II/base/utilities.h>
@@ -40,24 +42,58 @@ fem::Level<3> finest_level(const fem::Solution<3>& solution) {
   return level;
 }
 
+/// Of all ranks together, now, without what is free [bytes].
+double memory_now() {
+  malloc_trim(0);
+  dealii::Utilities::System::MemoryStats memory{};
+  dealii::Utilities::System::get_memory_stats(memory);
+  return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmRSS), MPI_COMM_WORLD);
+}
+
+/// One linear solve of the finest mesh.
 struct PlainSolve {
-  double seconds;
+  double assembly;  ///< [s]
+  double set_up;    ///< of the preconditioner [s]
+  double renewal;   ///< of it for another active set [s]
+  double cycles;    ///< conjugate gradients [s]
   unsigned int iterations;
+  double memory;  ///< of the preconditioner [bytes]
+
+  [[nodiscard]] double seconds() const { return assembly + set_up + cycles; }
 };
 
-PlainSolve plain_solve(const fem::Solution<3>& solution) {
+PlainSolve plain_solve(const fem::Solution<3>& solution, const fem::Method method) {
   const fem::Level<3> level = finest_level(solution);
   const auto& dof_handler = *solution.dof_handler;
-  const dealii::Timer timer;
+  PlainSolve result{};
+  dealii::Timer timer;
+  const auto seconds = [&] {
+    const double time = timer.wall_time();
+    timer.restart();
+    return time;
+  };
   const auto cells = fem::cell_systems(dof_handler, fem::scaled(solution.problem, solution.scales),
                                        solution.mesh.surfaces);
   fem::LinearSystem<3> system(dof_handler, level.ghosts, fem::lasting_constraints(level), cells,
                               level.tie_forces);
   system.constrain(fem::constraints(level));
-  system.set_up_multigrid(dof_handler, false);
+  result.assembly = seconds();
+  const double memory = memory_now();
+  system.set_up(dof_handler, method);
+  result.set_up = seconds();
+  result.memory = memory_now() - memory;
+  system.constrain(fem::constraints(level));
+  result.renewal = seconds();
   dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
-  const unsigned int iterations = system.solve(displacement, 1e-8, 0.);
-  return {timer.wall_time(), iterations};
+  result.iterations = system.solve(displacement, 1e-8, 0.);
+  result.cycles = seconds();
+  return result;
+}
+
+void print(const char* const name, const PlainSolve& solve) {
+  std::cout << fmt::format("    {:<6}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.2f}{:>6}{:>10.0f}\n", name,
+                           solve.assembly, solve.set_up, solve.renewal, solve.cycles,
+                           solve.iterations, 1e-6 * solve.memory);
 }
 
 double peak_memory() {
@@ -80,14 +116,19 @@ void measure(const app::Case& given, const double accuracy, std::optional<mesh::
   const auto& history = solution.history;
   const double finest =
       history.back().seconds - (history.size() > 1 ? history[history.size() - 2].seconds : 0.);
-  const PlainSolve plain = plain_solve(solution);
+  const PlainSolve plain = plain_solve(solution, fem::Method::multigrid);
+  const PlainSolve library = plain_solve(solution, fem::Method::library_multigrid);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return;
   std::cout << fmt::format(
-                   "{:>9}{:>8}{:>9.2f}{:>10.2f}{:>9.2f}{:>6}{:>9.2f}{:>9.2f}{:>12.1f}{:>9.2f}\n",
-                   history.back().dofs, history.back().linear_iterations.size(), total, finest,
-                   plain.seconds, plain.iterations, total / plain.seconds, finest / plain.seconds,
-                   1e6 * total / history.back().dofs, memory / 1e9)
-            << std::flush;
+      "{:>9}{:>8}{:>9.2f}{:>10.2f}{:>9.2f}{:>6}{:>9.2f}{:>9.2f}{:>12.1f}{:>9.2f}\n",
+      history.back().dofs, history.back().linear_iterations.size(), total, finest, plain.seconds(),
+      plain.iterations, total / plain.seconds(), finest / plain.seconds(),
+      1e6 * total / history.back().dofs, memory / 1e9);
+  std::cout << fmt::format("    {:<6}{:>10}{:>10}{:>10}{:>10}{:>6}{:>10}\n", "solver", "assembly",
+                           "set-up", "renewal", "cycles", "CG", "mem [MB]");
+  print("own", plain);
+  print("ML", library);
+  std::cout << std::flush;
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ set Maximum unknowns = 5e5
 set Maximum memory = 2 GiB
 set Maximum active-set steps = 30
 set Linear tolerance = 1e-9
+set Linear solver = ML
 subsection Mechanism
   set Stations = 6
   set Crank radius = 1.3077 in
@@ -171,6 +172,7 @@ TEST(MechanismCase, EveryParameterArrivesInSiUnits) {
   EXPECT_EQ(given.settings.max_dofs, 500000U);
   expect_same(given.settings.max_memory, 2147483648.);
   EXPECT_EQ(given.settings.max_active_set_steps, 30U);
+  EXPECT_EQ(given.settings.linear_solver, geneva::fem::LinearSolver::library);
   expect_same(given.settings.linear_tolerance, 1e-9);
   EXPECT_EQ(given.published_source, "Johnson (1956), page 123");
   const MechanismCase& mechanism = *given.mechanism;

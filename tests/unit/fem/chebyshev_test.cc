@@ -59,8 +59,35 @@ TEST(Chebyshev, MultipliesErrorsByItsPolynomial) {
   }
 }
 
+/// Beyond the eigenvalues that it is made for the polynomial grows: from a tenth above them on it
+/// magnifies errors.
+TEST(Chebyshev, MagnifiesErrorsFarBeyondItsRange) {
+  const SymmetricMatrix<3> matrix = pairs();
+  const auto greatest_factor = [&](const double highest) {
+    const Chebyshev<SymmetricMatrix<3>> iteration(matrix, highest / 10., highest);
+    const Vector solution = eigenvector(matrix, 1.5);
+    Vector load(solution);
+    matrix.vmult(load, solution);
+    Vector error(load);
+    iteration.solve(error, load);
+    error -= solution;
+    return error.linfty_norm();
+  };
+  EXPECT_NEAR(greatest_factor(1.5), 81. / 161., 1e-14) << "1/T2(11/9)";
+  EXPECT_NEAR(greatest_factor(1.5 / 1.1), 1., 1e-14) << "T2(11/9)/T2(11/9)";
+  EXPECT_GT(greatest_factor(1.5 / 1.6), 4.);
+}
+
 TEST(LargestEigenvalue, OfTheScaledMatrixIsFound) {
-  EXPECT_NEAR(largest_eigenvalue(pairs(), MPI_COMM_WORLD), 1.5, 1e-4);
+  Vector vector;
+  EXPECT_NEAR(largest_eigenvalue(pairs(), MPI_COMM_WORLD, vector), 1.5, 1e-4);
+}
+
+/// The error is that of the vector squared, which a step takes to two thirds.
+TEST(LargestEigenvalue, SearchGoesOnFromItsVector) {
+  Vector vector;
+  const double error = 1.5 - largest_eigenvalue(pairs(), MPI_COMM_WORLD, vector);
+  EXPECT_NEAR(1.5 - largest_eigenvalue(pairs(), vector, 1), 4. / 9. * error, 0.01 * error);
 }
 
 }  // namespace

@@ -31,6 +31,19 @@ TEST(Gather, PutsTheRanksOneBehindTheOther) {
     }
 }
 
+TEST(Gather, OnTheFirstRankLeavesTheOthersNothing) {
+  int rank = 0;
+  int ranks = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  const std::vector<int> all = gathered_on_first(MPI_COMM_WORLD, std::vector<int>{rank, -rank});
+  ASSERT_EQ(all.size(), rank == 0 ? static_cast<std::size_t>(2 * ranks) : 0U);
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    EXPECT_EQ(all[i], static_cast<int>(i / 2));
+    EXPECT_EQ(all[i + 1], -static_cast<int>(i / 2));
+  }
+}
+
 TEST(Gather, KeepsTheTextsOfTheRanksApart) {
   int rank = 0;
   int ranks = 0;

@@ -4,6 +4,8 @@
 #include <deal.II/lac/solver_cg.h>
 #include <gtest/gtest.h>
 
+#include <Epetra_MpiComm.h>
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -12,7 +14,10 @@
 #include "fem/assembly.h"
 #include "fem/boundary.h"
 #include "fem/constraints.h"
+#include "fem/gather.h"
+#include "fem/multigrid/chebyshev.h"
 #include "fem/multigrid/coarse_matrix.h"
+#include "fem/multigrid/direct_solver.h"
 #include "fem/multigrid/prolongation.h"
 #include "fem/multigrid/rigid_displacement.h"
 #include "mesh/extrusion.h"
@@ -55,6 +60,7 @@ class Block {
     return constraints_;
   }
   [[nodiscard]] const CondensedMatrix<3>& matrix() const { return *matrix_; }
+  [[nodiscard]] CondensedMatrix<3>& matrix() { return *matrix_; }
   [[nodiscard]] CoupledNodes<3> nodes() const { return {matrix_->whole(), *grid_.dof_handler}; }
   [[nodiscard]] Prolongation<3> prolonged() const {
     return prolongation<3>(nodes(), {constraints_, matrix_->elimination(), unknowns()},
@@ -217,6 +223,70 @@ TEST(Multigrid, IsSymmetricAndPositive) {
   EXPECT_NEAR(one * corrected(other), other * corrected(one),
               1e-10 * std::abs(one * corrected(one)));
   EXPECT_GT(one * corrected(one), 0.);
+}
+
+/// Free unknowns that follow the same six, known on every rank: this couples them all.
+std::map<int, Shares> some_lines(const Block& block) {
+  std::vector<int> own;
+  for (const auto i : block.unknowns())
+    if (!block.constraints().is_constrained(i)) own.push_back(static_cast<int>(i));
+  const std::vector<int> free = gathered(MPI_COMM_WORLD, own);
+  std::map<int, Shares> lines;
+  for (std::size_t i = 30; i < free.size(); i += 10)
+    lines[free[i]] = {{free[0], 0.5}, {free[1], -0.5}, {free[3], 1.},
+                      {free[6], -1.}, {free[12], -1.}, {free[15], 1.}};
+  return lines;
+}
+
+TEST(Multigrid, TakesTheLargestEigenvalueAnewWhereUnknownsAreConstrained) {
+  Block block(1., 1);
+  Multigrid<3> multigrid(block.matrix(), block.dof_handler(), block.constraints(), false);
+  const auto expect_smoothed = [&] {
+    Vector vector;
+    largest_eigenvalue(block.matrix(), MPI_COMM_WORLD, vector);
+    const double largest = largest_eigenvalue(block.matrix(), vector, 200);
+    EXPECT_GT(multigrid.greatest_smoothed(), largest);
+    EXPECT_LT(multigrid.greatest_smoothed(), 1.3 * largest);
+    return largest;
+  };
+  const double before = expect_smoothed();
+  block.matrix().eliminate(some_lines(block));
+  multigrid.renew();
+  EXPECT_GT(expect_smoothed(), 1.5 * before) << "the lines change it";
+  block.matrix().eliminate({});
+  multigrid.renew();
+  EXPECT_NEAR(expect_smoothed(), before, 1e-9 * before);
+}
+
+TEST(DirectSolver, GivesTheSameWhereverTheFactorsAre) {
+  const Block block(1.);
+  const CondensedMatrix<3>& matrix = block.matrix();
+  const DirectSolver<3> everywhere(matrix.whole(), matrix.elimination(), MPI_COMM_WORLD);
+  const DirectSolver<3> on_first(matrix.whole(), matrix.elimination(), MPI_COMM_WORLD, 10);
+  EXPECT_TRUE(everywhere.has_factors());
+  EXPECT_EQ(on_first.has_factors(), dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  EXPECT_TRUE(everywhere.is_definite() && on_first.is_definite());
+  Vector load = some_vector(block.unknowns(), 0.7);
+  Vector one(load);
+  Vector other(load);
+  everywhere.vmult(one, load);
+  on_first.vmult(other, load);
+  Vector product(load);
+  matrix.whole().vmult(product, one);
+  product -= load;
+  EXPECT_LT(product.linfty_norm(), 1e-10 * load.linfty_norm());
+  one -= other;
+  EXPECT_EQ(one.linfty_norm(), 0.);
+}
+
+TEST(DirectSolver, TellsOnAllRanksThatAMatrixIsNotDefinite) {
+  const Epetra_MpiComm communicator(MPI_COMM_WORLD);
+  const Epetra_Map unknowns(-1, 3, 0, communicator);
+  SymmetricMatrix<3> matrix(NodePattern(unknowns, 3, {{unknowns.MinMyGID() / 3}}));
+  matrix.diagonal_block(0) << 1., 0., 0., 0., -1., 0., 0., 0., 1.;
+  for (const int most_everywhere : {1000000, 1})
+    EXPECT_FALSE(DirectSolver<3>(matrix, Elimination(unknowns, {}), MPI_COMM_WORLD, most_everywhere)
+                     .is_definite());
 }
 
 /// Conjugate gradients that reduce the residual by 1e8.
