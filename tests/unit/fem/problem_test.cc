@@ -305,8 +305,7 @@ void expect_solver_refuses(const Change& change, std::initializer_list<std::stri
 }
 
 TEST(SolveContact, RefusesWhatCheckRefuses) {
-  expect_solver_refuses([](Problem<2>& p) { p.pairs.clear(); },
-                        {"there is none", "at least one"});
+  expect_solver_refuses([](Problem<2>& p) { p.pairs.clear(); }, {"there is none", "at least one"});
 }
 
 TEST(SolveContact, RefusesABodyThatCanMoveAlongX) {
