@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
+#include <vector>
 
+#include "fem/gather.h"
 #include "post/view/hexahedron_cut.h"
 
 namespace geneva::post {
@@ -107,30 +111,30 @@ class CornerValues {
   const Results<dim>& results_;
 };
 
+/// How many points the ranks before this one have.
+unsigned int points_before(const std::size_t own, const MPI_Comm communicator) {
+  const std::vector<std::size_t> counts = fem::gathered_one(communicator, own);
+  const auto rank =
+      static_cast<std::ptrdiff_t>(dealii::Utilities::MPI::this_mpi_process(communicator));
+  return static_cast<unsigned int>(
+      std::accumulate(counts.begin(), counts.begin() + rank, std::size_t{0}));
+}
+
 /// The parts of all ranks one after the other, on rank 0.
-ViewMesh gathered(const ViewMesh& part, const MPI_Comm communicator) {
+ViewMesh gathered(ViewMesh part, const MPI_Comm communicator) {
+  const unsigned int first = points_before(part.bodies.size(), communicator);
+  for (std::vector<unsigned int>* const points : {&part.triangles, &part.outlines})
+    for (unsigned int& point : *points) point += first;
   ViewMesh whole;
-  const auto gather = [&](const auto& from, auto& into, const auto& change) {
-    unsigned int rank = 0;
-    for (const auto& values : dealii::Utilities::MPI::gather(communicator, from)) {
-      for (const auto& value : values) into.push_back(change(value, rank));
-      ++rank;
-    }
+  const auto gather = [&](const auto& from, auto& into) {
+    into = fem::gathered_on_first(communicator, from);
   };
-  const auto unchanged = [](const auto value, unsigned int /*unused*/) { return value; };
-  std::vector<unsigned int> first_points{0};
-  for (const auto& bodies : dealii::Utilities::MPI::gather(communicator, part.bodies)) {
-    whole.bodies.insert(whole.bodies.end(), bodies.begin(), bodies.end());
-    first_points.push_back(static_cast<unsigned int>(whole.bodies.size()));
-  }
-  gather(part.points, whole.points, unchanged);
-  gather(part.displacements, whole.displacements, unchanged);
-  for (std::size_t i = 0; i < n_fields; ++i) gather(part.fields[i], whole.fields[i], unchanged);
-  const auto renumbered = [&](const unsigned int point, const unsigned int rank) {
-    return point + first_points[rank];
-  };
-  gather(part.triangles, whole.triangles, renumbered);
-  gather(part.outlines, whole.outlines, renumbered);
+  gather(part.bodies, whole.bodies);
+  gather(part.points, whole.points);
+  gather(part.displacements, whole.displacements);
+  for (std::size_t i = 0; i < n_fields; ++i) gather(part.fields[i], whole.fields[i]);
+  gather(part.triangles, whole.triangles);
+  gather(part.outlines, whole.outlines);
   return whole;
 }
 
