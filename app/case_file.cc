@@ -171,7 +171,7 @@ Case read_case(const fs::path& directory) {
 
   const CaseSection general(values, {});
   result.title = base::without_controls(general.text("Title"));
-  result.units = post::unit_system_named(general.text("Output units"));
+  result.units = base::unit_system_named(general.text("Output units"));
   if (model == "synthesis") {
     result.synthesis = read_synthesis(values, result.directory);
   } else {
@@ -200,7 +200,7 @@ std::string name_of(const Case& given) {
   return path.parent_path().filename().string();
 }
 
-post::CaseHeader header_of(const Case& given) {
+base::CaseHeader header_of(const Case& given) {
   return {name_of(given), given.title,
           fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units,
           given.content};

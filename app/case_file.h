@@ -7,7 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "fem/problem.h"
+#include "base/json_values.h"
+#include "base/units.h"
+#include "fem/problem/problem.h"
+#include "fem/problem/settings.h"
 #include "loads/design/design.h"
 #include "loads/design/shaft.h"
 #include "loads/motion/drive.h"
@@ -18,9 +21,7 @@
 #include "loads/synthesis/crank_rocker.h"
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
-#include "post/json_values.h"
-#include "post/run_report.h"
-#include "post/units.h"
+#include "post/analysis/run_report.h"
 
 namespace geneva::app {
 
@@ -139,7 +140,7 @@ enum class Checkpoints {
 struct Case {
   std::filesystem::path directory;
   std::string title;
-  post::UnitSystem units;
+  base::UnitSystem units;
   int dimension;           ///< 2 or 3
   fem::Settings settings;  ///< the defaults, if the model is a synthesis
   Checkpoints checkpoints;
@@ -162,7 +163,7 @@ Case read_case(const std::filesystem::path& directory);
 std::string name_of(const Case& given);
 
 /// What the documents of a case say that they are about, made now.
-post::CaseHeader header_of(const Case& given);
+base::CaseHeader header_of(const Case& given);
 
 /// Refuses a case for a command that is for other models.
 /// @param reason what is missing there: "there is no wheel to design"

@@ -70,7 +70,7 @@ std::string wanted_text(const Rule& rule) {
   text.pop_back();
   text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
   if (const auto* quantity = std::get_if<QuantityRule>(&rule))
-    if (!quantity->whole) text += "; for example " + post::example_of(quantity->dimension);
+    if (!quantity->whole) text += "; for example " + base::example_of(quantity->dimension);
   return text;
 }
 
@@ -96,15 +96,15 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
   const SectionPath parent(opened.path.begin(), opened.path.end() - 1);
   const std::string& name = opened.path.back();
   const std::vector<std::string> known = sections_in(parameters, parent);
-  std::string reason = fmt::format("there is no subsection {}{}", post::in_quotes(name),
-                                   parent.empty() ? "" : " in " + post::in_quotes(parent.back()));
+  std::string reason = fmt::format("there is no subsection {}{}", base::in_quotes(name),
+                                   parent.empty() ? "" : " in " + base::in_quotes(parent.back()));
   for (const Parameter& parameter : parameters)
     if (parameter.section.size() == 2 && parent.empty() && parameter.section.back() == name)
       refuse_line(text, opened.line,
                   fmt::format("the subsection {} belongs into the subsection {}",
-                              post::in_quotes(name), post::in_quotes(parameter.section.front())));
+                              base::in_quotes(name), base::in_quotes(parameter.section.front())));
   if (const auto nearest = nearest_word(name, known))
-    reason += "; did you mean " + post::in_quotes(*nearest) + "?";
+    reason += "; did you mean " + base::in_quotes(*nearest) + "?";
   else if (!known.empty())
     reason += "; there are " + listed(known);
   refuse_line(text, opened.line, reason);
@@ -112,18 +112,18 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
 
 std::string section_phrase(const SectionPath& section) {
   return section.empty() ? "outside of all subsections"
-                         : "in the subsection " + post::in_quotes(section.back());
+                         : "in the subsection " + base::in_quotes(section.back());
 }
 
 [[noreturn]] void refuse_unknown_name(const std::vector<Parameter>& parameters,
                                       const ParameterText& text, const Assignment& found) {
-  std::string reason = fmt::format("there is no parameter {} {}", post::in_quotes(found.name),
+  std::string reason = fmt::format("there is no parameter {} {}", base::in_quotes(found.name),
                                    section_phrase(found.section));
   std::vector<std::string> here;
   for (const Parameter& parameter : parameters)
     if (parameter.section == found.section) here.push_back(parameter.name);
   if (const auto nearest = nearest_word(found.name, here))
-    refuse_line(text, found.line, reason + "; did you mean " + post::in_quotes(*nearest) + "?");
+    refuse_line(text, found.line, reason + "; did you mean " + base::in_quotes(*nearest) + "?");
   for (const Parameter& parameter : parameters)
     if (parameter.name == found.name)
       refuse_line(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));
@@ -167,7 +167,7 @@ void declare(dealii::ParameterHandler& handler, const std::vector<Parameter>& pa
 void refuse(const ParameterText& text, const Assignment& found, const std::string& reason) {
   refuse_line(text, found.line,
               fmt::format("{} = {}: {}", shown_name(found.section, found.name),
-                          post::in_quotes(found.value), reason));
+                          base::in_quotes(found.value), reason));
 }
 
 CaseValues::CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text)
@@ -220,18 +220,18 @@ void CaseValues::refuse(const SectionPath& section, const std::string& name,
   if (const Assignment* found = text_.find(section, name)) app::refuse(text_, *found, reason);
   throw base::InputError(fmt::format("{}: {} = {} (default): {}", text_.file,
                                      shown_name(section, name),
-                                     post::in_quotes(text(section, name)), reason));
+                                     base::in_quotes(text(section, name)), reason));
 }
 
 void CaseValues::refuse_missing(const SectionPath& section, const std::string& name,
                                 const std::string& reason) const {
-  throw base::InputError(fmt::format("{}: {} is missing {}: {}", text_.file, post::in_quotes(name),
+  throw base::InputError(fmt::format("{}: {} is missing {}: {}", text_.file, base::in_quotes(name),
                                      section_phrase(section), reason));
 }
 
 void CaseValues::refuse_section(const SectionPath& section, const std::string& reason) const {
   throw base::InputError(
-      fmt::format("{}: subsection {}: {}", text_.file, post::in_quotes(section.back()), reason));
+      fmt::format("{}: subsection {}: {}", text_.file, base::in_quotes(section.back()), reason));
 }
 
 std::string CaseValues::completed() const {

@@ -9,7 +9,7 @@
 #include "app/case_file.h"
 #include "fem/checkpoint.h"
 #include "mesh/mesh_data.h"
-#include "post/figures.h"
+#include "post/analysis/figures.h"
 
 namespace geneva::app {
 

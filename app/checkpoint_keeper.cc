@@ -9,7 +9,7 @@
 #include "app/interruption.h"
 #include "base/errors.h"
 #include "base/output_file.h"
-#include "post/result_files.h"
+#include "post/output/result_files.h"
 
 namespace geneva::app {
 

@@ -34,7 +34,7 @@ class ColumnReader {
     const std::vector<std::string> parts = split_list(line);
     if (parts.size() != 2)
       throw base::InputError(
-          fmt::format("{} is not two columns separated by a comma", post::in_quotes(line)));
+          fmt::format("{} is not two columns separated by a comma", base::in_quotes(line)));
     if (units_)
       read_row(line, parts);
     else
@@ -50,14 +50,14 @@ class ColumnReader {
     if (trimmed(heading.substr(0, open)) != column.name || open == std::string::npos ||
         heading.back() != ']')
       throw base::InputError(fmt::format("the heading is {}: '{}' is wanted, with {}",
-                                         post::in_quotes(heading), example_, any_units()));
-    return post::parse_quantity("1 " + heading.substr(open + 1, heading.size() - open - 2),
+                                         base::in_quotes(heading), example_, any_units()));
+    return base::parse_quantity("1 " + heading.substr(open + 1, heading.size() - open - 2),
                                 column.dimension);
   }
 
   [[nodiscard]] std::string any_units() const {
-    const std::string first = post::name_of(columns_[0].dimension);
-    const std::string second = post::name_of(columns_[1].dimension);
+    const std::string first = base::name_of(columns_[0].dimension);
+    const std::string second = base::name_of(columns_[1].dimension);
     return first == second ? "any unit of " + first : "any units of " + first + " and " + second;
   }
 
@@ -66,7 +66,7 @@ class ColumnReader {
     const auto second = number(parts[1]);
     if (!first || !second)
       throw base::InputError(
-          fmt::format("{} is not two numbers separated by a comma", post::in_quotes(line)));
+          fmt::format("{} is not two numbers separated by a comma", base::in_quotes(line)));
     values_[0].push_back(*first * (*units_)[0]);
     values_[1].push_back(*second * (*units_)[1]);
   }

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "post/units.h"
+#include "base/units.h"
 
 namespace geneva::app {
 
 /// A column of a file: its name in the heading, and what it measures.
 struct Column {
   std::string name;
-  post::Dimension dimension;
+  base::Dimension dimension;
 };
 
 /// Reads a comma-separated file: a heading "name [UNIT], name [UNIT]" and rows of two numbers;

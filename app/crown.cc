@@ -24,7 +24,7 @@
 #include "fem/contact_problem.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
-#include "post/crown_output.h"
+#include "post/output/crown_output.h"
 
 namespace geneva::app {
 
@@ -164,7 +164,7 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given, Progres
   report.geneva_version = version;
   report.profile = is_logarithmic(given) ? "logarithmic" : "crown";
   report.parameter = is_logarithmic(given) ? "Profile amplitude" : "Crown radius";
-  const post::OutputUnit length = post::output_unit(given.units, post::Dimension::length);
+  const base::OutputUnit length = base::output_unit(given.units, base::Dimension::length);
   const auto ratio_with = [&](const unsigned int unknowns, const bool is_scan) {
     fem::Settings settings = given.settings;
     settings.accuracy = std::max(search_accuracy, settings.accuracy);

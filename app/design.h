@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/case_file.h"
-#include "post/design_output.h"
+#include "post/output/design_output.h"
 
 namespace geneva::app {
 

@@ -10,10 +10,10 @@ namespace geneva::app {
 namespace {
 
 double positive_length(const std::string& text) {
-  const double length = post::parse_quantity(text, post::Dimension::length);
+  const double length = base::parse_quantity(text, base::Dimension::length);
   if (length > 0.) return length;
   throw base::InputError(
-      fmt::format("{}: the value must be greater than 0", post::in_quotes(text)));
+      fmt::format("{}: the value must be greater than 0", base::in_quotes(text)));
 }
 
 /// "0.375 in x 5 in": the x stands alone, so that it is no part of a unit.
@@ -23,7 +23,7 @@ loads::ShaftSegment parse_segment(const std::string& text) {
   if (place == std::string::npos || text.find(times, place + 1) != std::string::npos)
     throw base::InputError(
         fmt::format("{}: a segment is a diameter, '{}' and a length, for example '0.375 in x 5 in'",
-                    post::in_quotes(text), times));
+                    base::in_quotes(text), times));
   return {positive_length(text.substr(0, place)),
           positive_length(text.substr(place + times.size()))};
 }

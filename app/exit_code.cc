@@ -12,7 +12,7 @@
 #include "app/version.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "fem/stop.h"
+#include "fem/problem/stop.h"
 
 namespace geneva::app {
 

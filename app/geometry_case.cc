@@ -16,7 +16,7 @@ namespace geneva::app {
 namespace {
 
 namespace fs = std::filesystem;
-using post::Dimension;
+using base::Dimension;
 
 constexpr std::size_t most_names = 1000;
 
@@ -31,7 +31,7 @@ std::vector<std::string> names_in(const ParameterText& text, const std::string& 
   for (const std::string& name : parts) {
     if (name.empty()) refuse(text, *found, "a name between commas is empty");
     if (!seen.insert(name).second)
-      refuse(text, *found, fmt::format("the name {} stands there twice", post::in_quotes(name)));
+      refuse(text, *found, fmt::format("the name {} stands there twice", base::in_quotes(name)));
   }
   return parts;
 }
@@ -83,7 +83,7 @@ double read_thickness(const CaseSection& section, fem::PlaneKind plane) {
   }
   if (!thickness)
     section.refuse_missing(
-        "Thickness", "a plane model needs it, for example " + post::example_of(Dimension::length));
+        "Thickness", "a plane model needs it, for example " + base::example_of(Dimension::length));
   return *thickness;
 }
 
@@ -148,12 +148,12 @@ std::vector<fem::Support<dim>> read_supports(const CaseSection& section) {
     if (surface.empty() || !directions)
       section.refuse("Supports",
                      fmt::format("{}: 'surface: fixed', 'surface: x'{} 'surface: y'{} is wanted",
-                                 post::in_quotes(part), dim == 2 ? " or" : ",",
+                                 base::in_quotes(part), dim == 2 ? " or" : ",",
                                  dim == 2 ? "" : " or 'surface: z'"));
     if (!seen.insert(surface).second)
       section.refuse("Supports", fmt::format("the surface {} stands there twice; 'fixed' holds it "
                                              "in all directions, 'x y' in two",
-                                             post::in_quotes(surface)));
+                                             base::in_quotes(surface)));
     fem::Support<dim> support{surface, {}};
     for (const std::size_t direction : *directions) support.displacement[direction] = 0.;
     supports.push_back(support);
@@ -172,13 +172,13 @@ std::vector<fem::ContactPair> read_pairs(const CaseSection& section) {
         place == std::string::npos ? "" : trimmed(part.substr(place + arrow.size()));
     if (source.empty() || target.empty() || target.find(arrow) != std::string::npos)
       section.refuse("Contact pairs",
-                     fmt::format("{}: 'source -> target' is wanted", post::in_quotes(part)));
+                     fmt::format("{}: 'source -> target' is wanted", base::in_quotes(part)));
     if (source == target)
       section.refuse("Contact pairs",
-                     fmt::format("the surface {} cannot touch itself", post::in_quotes(source)));
+                     fmt::format("the surface {} cannot touch itself", base::in_quotes(source)));
     if (!seen.emplace(source, target).second)
       section.refuse("Contact pairs",
-                     fmt::format("the pair {} stands there twice", post::in_quotes(part)));
+                     fmt::format("the pair {} stands there twice", base::in_quotes(part)));
     pairs.push_back({source, target});
   }
   return pairs;
@@ -198,7 +198,7 @@ double read_load_value(const CaseSection& section, const std::string& type) {
   if (const auto reason = refusal(rule, value))
     section.refuse("Value",
                    fmt::format("for Type = {} {} is wanted, for example {}", type,
-                               post::wanted(rule.dimension), post::example_of(rule.dimension)));
+                               base::wanted(rule.dimension), base::example_of(rule.dimension)));
   return values(rule, value).front();
 }
 
@@ -225,7 +225,7 @@ void require_free(const CaseSection& section, const std::string& surface,
     if (support.surface == surface)
       section.refuse("Type", fmt::format("the surface {} cannot be in 'Supports' too: this load "
                                          "holds it already",
-                                         post::in_quotes(surface)));
+                                         base::in_quotes(surface)));
 }
 
 /// Refuses a load given per thickness where there is none.

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/case_file.h"
-#include "post/kinematics_output.h"
+#include "post/output/kinematics_output.h"
 
 namespace geneva::app {
 

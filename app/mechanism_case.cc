@@ -167,7 +167,7 @@ std::vector<double> read_pin_angles(const CaseSection& section) {
     section.refuse("Pins", "'Pin angles' places the pins already: give one of the two");
   for (const std::string& part : split_list(section.text("Pin angles"))) {
     try {
-      angles.push_back(post::parse_quantity(part, post::Dimension::angle));
+      angles.push_back(base::parse_quantity(part, base::Dimension::angle));
     } catch (const std::invalid_argument& error) {
       section.refuse("Pin angles", error.what());
     }
@@ -273,7 +273,7 @@ void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
   if (!inertia && !result.is_drawn())
     section.refuse("Wheel inertia",
                    fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
-                               section.text("Type"), post::example_of(post::Dimension::inertia)));
+                               section.text("Type"), base::example_of(base::Dimension::inertia)));
 }
 
 double read_load_inertia(const CaseSection& section) {

@@ -111,7 +111,7 @@ double analysed_angle(const MechanismCase& given, const loads::DrivenMechanism& 
   throw std::logic_error("unknown kind of driver angle");
 }
 
-std::vector<std::string> notices_of(const MechanismCase& given, const post::UnitSystem units) {
+std::vector<std::string> notices_of(const MechanismCase& given, const base::UnitSystem units) {
   std::vector<std::string> notices;
   const loads::GenevaDimensionsInput& sizes = given.dimensions;
   const bool has_proportions =
@@ -122,7 +122,7 @@ std::vector<std::string> notices_of(const MechanismCase& given, const post::Unit
         "those of 10 stations scaled with sin(pi/n), n = {}",
         sizes.stations));
   if (given.kind == Kind::four_bar) {
-    const auto length = post::output_unit(units, post::Dimension::length);
+    const auto length = base::output_unit(units, base::Dimension::length);
     const loads::FourBarGeneva found = four_bar(given);
     notices.push_back(fmt::format(
         "the wheel's axis is {:.6g} {} from the crank's; driver angle 0 is a crank angle of {:.6g} "

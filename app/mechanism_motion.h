@@ -38,6 +38,6 @@ double analysed_angle(const MechanismCase& mechanism, const loads::DrivenMechani
 
 /// What follows from a case without being asked for, in words: proportions beyond Johnson's table,
 /// the place of a four-bar Geneva's wheel.
-std::vector<std::string> notices_of(const MechanismCase& mechanism, post::UnitSystem units);
+std::vector<std::string> notices_of(const MechanismCase& mechanism, base::UnitSystem units);
 
 }  // namespace geneva::app

@@ -4,7 +4,7 @@
 
 #include "app/case_file.h"
 #include "app/mechanism_state.h"
-#include "post/mechanism_output.h"
+#include "post/output/mechanism_output.h"
 
 namespace geneva::app {
 

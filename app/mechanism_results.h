@@ -4,8 +4,8 @@
 
 #include "app/case_file.h"
 #include "app/model.h"
-#include "post/figures.h"
-#include "post/run_report.h"
+#include "post/analysis/figures.h"
+#include "post/analysis/run_report.h"
 
 namespace geneva::app {
 

@@ -11,7 +11,7 @@
 #include "app/contact_geometry.h"
 #include "app/pin_in_space.h"
 #include "app/together.h"
-#include "fem/problem_check.h"
+#include "fem/problem/problem_check.h"
 #include "loads/pi.h"
 #include "mesh/compact_cells.h"
 #include "mesh/extrusion.h"

@@ -8,7 +8,7 @@
 
 #include "app/case_file.h"
 #include "app/mechanism_state.h"
-#include "fem/problem.h"
+#include "fem/problem/problem.h"
 #include "mesh/mesh_data.h"
 #include "mesh/mesher.h"
 

@@ -9,7 +9,7 @@ namespace geneva::app {
 
 MotionTable read_motion_table(const std::filesystem::path& file) {
   auto [times, angles] =
-      read_two_columns(file, {{{"time", post::Dimension::time}, {"angle", post::Dimension::angle}}},
+      read_two_columns(file, {{{"time", base::Dimension::time}, {"angle", base::Dimension::angle}}},
                        "time [s], angle [deg]");
   return {std::move(times), std::move(angles)};
 }

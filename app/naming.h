@@ -6,7 +6,7 @@
 #include "app/problem_message.h"
 #include "app/stop_message.h"
 #include "base/errors.h"
-#include "fem/stop.h"
+#include "fem/problem/stop.h"
 
 namespace geneva::app {
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/json_values.h"
 #include "base/output_file.h"
-#include "post/json_values.h"
-#include "post/result_files.h"
+#include "post/output/result_files.h"
 
 namespace geneva::app {
 
@@ -33,8 +33,8 @@ bool is_of_case(const fs::path& directory, const std::string& document, const Ca
   const json versions = found.value("versions", json::object());
   return about.is_object() && versions.is_object() &&
          about.value("content", json()) == given.content &&
-         about.value("output_units", json()) == post::name_of(given.units) &&
-         versions.value("results", json()) == post::results_format;
+         about.value("output_units", json()) == base::name_of(given.units) &&
+         versions.value("results", json()) == base::results_format;
 }
 
 /// Whether a file is one that the case reads: its directory may hold the results.

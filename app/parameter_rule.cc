@@ -20,7 +20,7 @@ bool contains(const Range& range, double value) {
 }
 
 std::string wanted_value(const QuantityRule& rule) {
-  return rule.whole ? "a whole number" : post::wanted(rule.dimension);
+  return rule.whole ? "a whole number" : base::wanted(rule.dimension);
 }
 
 /// Words that a user would write out.
@@ -40,22 +40,22 @@ std::string or_words(const QuantityRule& rule) {
 
 double whole_number(const std::string& text, const Range& range) {
   try {
-    const double value = post::parse_quantity(text, post::Dimension::dimensionless);
+    const double value = base::parse_quantity(text, base::Dimension::dimensionless);
     const bool is_percentage = text.find_first_of("%p") != std::string::npos;
     if (!is_percentage && value == std::floor(value)) return value;
   } catch (const std::invalid_argument&) {
     // said below, for whole numbers
   }
-  throw base::InputError(fmt::format("{}: a whole number{} is wanted", post::in_quotes(text),
+  throw base::InputError(fmt::format("{}: a whole number{} is wanted", base::in_quotes(text),
                                      range.text.empty() ? "" : " " + range.text));
 }
 
 double single_value(const QuantityRule& rule, const std::string& text) {
   const double value =
-      rule.whole ? whole_number(text, rule.range) : post::parse_quantity(text, rule.dimension);
+      rule.whole ? whole_number(text, rule.range) : base::parse_quantity(text, rule.dimension);
   if (!contains(rule.range, value))
     throw base::InputError(
-        fmt::format("{}: the value must be {}", post::in_quotes(text), rule.range.text));
+        fmt::format("{}: the value must be {}", base::in_quotes(text), rule.range.text));
   return value;
 }
 
@@ -112,8 +112,8 @@ std::vector<double> values(const QuantityRule& rule, const std::string& text) {
   if (parts.size() < rule.count || parts.size() > std::max(rule.count, rule.most))
     throw base::InputError(
         fmt::format("{}: {} values separated by a comma are wanted, each {}, for example {}",
-                    post::in_quotes(text), count_of(rule), wanted_value(rule),
-                    post::example_of(rule.dimension)));
+                    base::in_quotes(text), count_of(rule), wanted_value(rule),
+                    base::example_of(rule.dimension)));
   std::vector<double> result;
   for (const std::string& part : parts) {
     try {
@@ -129,7 +129,7 @@ std::optional<std::string> refusal(const Rule& rule, const std::string& text) {
   if (const auto* choice = std::get_if<ChoiceRule>(&rule)) {
     const auto& words = choice->words;
     if (std::find(words.begin(), words.end(), text) != words.end()) return std::nullopt;
-    return fmt::format("{}: one of {} is wanted", post::in_quotes(text), listed(words));
+    return fmt::format("{}: one of {} is wanted", base::in_quotes(text), listed(words));
   }
   const auto* quantity = std::get_if<QuantityRule>(&rule);
   if (quantity == nullptr || is_word(*quantity, text)) return std::nullopt;
@@ -143,7 +143,7 @@ std::optional<std::string> refusal(const Rule& rule, const std::string& text) {
 
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + post::in_quotes(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + base::in_quotes(word);
   return text;
 }
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "post/units.h"
+#include "base/units.h"
 
 namespace geneva::app {
 
@@ -24,7 +24,7 @@ Range zero_or_greater();
 
 /// One or more dimensional values, each with its unit, separated by commas.
 struct QuantityRule {
-  post::Dimension dimension = post::Dimension::dimensionless;
+  base::Dimension dimension = base::Dimension::dimensionless;
   Range range;
   std::vector<std::string> words;  ///< taken instead of values; an empty one: may be left out
   std::size_t count = 1;

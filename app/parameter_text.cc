@@ -134,14 +134,14 @@ class Scanner {
         refuse(text_.file, line.number, "'include' is not allowed in a case file");
       else if (!word.empty())
         refuse(text_.file, line.number,
-               post::in_quotes(trimmed(line.text)) +
+               base::in_quotes(trimmed(line.text)) +
                    ": a line is 'set NAME = VALUE', 'subsection NAME', 'end', or a comment "
                    "after '#'");
     }
     if (!open_lines_.empty())
       refuse(
           text_.file, open_lines_.back(),
-          fmt::format("the subsection {} is not closed by 'end'", post::in_quotes(path_.back())));
+          fmt::format("the subsection {} is not closed by 'end'", base::in_quotes(path_.back())));
     return std::move(text_);
   }
 
@@ -151,12 +151,12 @@ class Scanner {
     const std::string name = trimmed(rest.substr(0, sign));
     if (sign == std::string::npos || name.empty())
       refuse(text_.file, line,
-             fmt::format("{}: 'set NAME = VALUE' is wanted", post::in_quotes("set " + rest)));
+             fmt::format("{}: 'set NAME = VALUE' is wanted", base::in_quotes("set " + rest)));
     const auto [first, is_new] = set_in_line_.emplace(std::make_pair(path_, name), line);
     if (!is_new)
       refuse(
           text_.file, line,
-          fmt::format("{} has already been set in line {}", post::in_quotes(name), first->second));
+          fmt::format("{} has already been set in line {}", base::in_quotes(name), first->second));
     text_.assignments.push_back({path_, name, trimmed(rest.substr(sign + 1)), line});
   }
 
@@ -165,7 +165,7 @@ class Scanner {
     if (path_.size() == deepest_section)
       refuse(text_.file, line,
              fmt::format("there is no subsection {} in {}: is an 'end' missing?",
-                         post::in_quotes(name), post::in_quotes(path_.back())));
+                         base::in_quotes(name), base::in_quotes(path_.back())));
     path_.push_back(name);
     open_lines_.push_back(line);
     text_.sections.push_back({path_, line});

@@ -8,7 +8,7 @@ namespace geneva::app {
 
 namespace {
 
-using post::Dimension;
+using base::Dimension;
 
 Range between(double lower, double upper, std::string text) {
   return {lower, upper, true, true, std::move(text)};

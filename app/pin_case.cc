@@ -51,7 +51,7 @@ void check_profile(const CaseSection& section, const Profile profile) {
 loads::ProfileTable read_table(const CaseSection& section, const std::filesystem::path& directory) {
   auto [places, heights] =
       read_two_columns(file_in_directory(section, "Profile table", directory),
-                       {{{"z", post::Dimension::length}, {"height", post::Dimension::length}}},
+                       {{{"z", base::Dimension::length}, {"height", base::Dimension::length}}},
                        "z [mm], height [um]");
   for (double& height : heights) height = -height;
   loads::ProfileTable table{std::move(places), std::move(heights)};

@@ -8,7 +8,7 @@
 #include "loads/pin/pin_beam.h"
 #include "loads/pin/pin_profile.h"
 #include "mesh/extrusion.h"
-#include "post/summary.h"
+#include "post/output/summary.h"
 
 namespace geneva::app {
 

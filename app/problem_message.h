@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fem/problem_check.h"
+#include "fem/problem/problem_check.h"
 
 namespace geneva::app {
 

@@ -9,10 +9,10 @@
 
 namespace geneva::app {
 
-ProgressDisplay::ProgressDisplay(const bool is_speaking, const post::UnitSystem units)
+ProgressDisplay::ProgressDisplay(const bool is_speaking, const base::UnitSystem units)
     : is_speaking_(is_speaking),
       is_terminal_(isatty(STDOUT_FILENO) == 1),
-      stress_(post::output_unit(units, post::Dimension::stress)) {}
+      stress_(base::output_unit(units, base::Dimension::stress)) {}
 
 void ProgressDisplay::clear_status() {
   if (has_status_) std::fputs("\r\033[K", stdout);

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
+#include "base/units.h"
 #include "fem/contact_problem.h"
-#include "post/units.h"
 
 namespace geneva::app {
 
@@ -14,7 +14,7 @@ namespace geneva::app {
 class ProgressDisplay {
  public:
   /// @param is_speaking whether this rank writes at all
-  ProgressDisplay(bool is_speaking, post::UnitSystem units);
+  ProgressDisplay(bool is_speaking, base::UnitSystem units);
 
   void line(const std::string& text);
   /// Goes to the standard error instead.
@@ -31,7 +31,7 @@ class ProgressDisplay {
 
   bool is_speaking_;
   bool is_terminal_;
-  post::OutputUnit stress_;
+  base::OutputUnit stress_;
   unsigned int levels_ = 0;
   std::string last_level_;  ///< peak pressure and estimated error so far
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

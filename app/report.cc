@@ -9,8 +9,8 @@
 #include "app/output_directory.h"
 #include "base/errors.h"
 #include "base/output_file.h"
+#include "post/output/result_files.h"
 #include "post/report/report.h"
-#include "post/result_files.h"
 
 namespace geneva::app {
 

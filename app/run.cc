@@ -26,15 +26,15 @@
 #include "app/version.h"
 #include "base/allocation.h"
 #include "base/output_file.h"
+#include "fem/adaptivity/resource_limits.h"
 #include "fem/contact_problem.h"
-#include "fem/resource_limits.h"
 #include "loads/pi.h"
-#include "post/comparison.h"
-#include "post/contact_output.h"
-#include "post/field_output.h"
-#include "post/result_files.h"
-#include "post/results.h"
-#include "post/summary.h"
+#include "post/analysis/comparison.h"
+#include "post/analysis/results.h"
+#include "post/output/contact_output.h"
+#include "post/output/field_output.h"
+#include "post/output/result_files.h"
+#include "post/output/summary.h"
 #include "post/view/view_output.h"
 
 namespace geneva::app {
@@ -45,8 +45,8 @@ namespace {
 
 template <int dim>
 std::string heading(const Case& given, const Model<dim>& model) {
-  const auto length = post::output_unit(given.units, post::Dimension::length);
-  const auto force = post::output_unit(given.units, post::Dimension::force);
+  const auto length = base::output_unit(given.units, base::Dimension::length);
+  const auto force = base::output_unit(given.units, base::Dimension::force);
   std::string text = name_of(given);
   if (!given.title.empty()) text += ": " + given.title;
   if (model.mechanism) {
@@ -83,12 +83,12 @@ std::vector<std::string> validity_notices(const fem::Solution<dim>& solution) {
 /// What the user should know of a contact that ends before the surfaces do.
 std::vector<std::string> length_notices(const fem::Solution<2>& /*unused*/,
                                         const post::Results<2>& /*unused*/,
-                                        const post::UnitSystem /*unused*/) {
+                                        const base::UnitSystem /*unused*/) {
   return {};
 }
 std::vector<std::string> length_notices(const fem::Solution<3>& solution,
                                         const post::Results<3>& results,
-                                        const post::UnitSystem units) {
+                                        const base::UnitSystem units) {
   constexpr double nearly_all = 0.95;
   const std::size_t leading = post::leading_contact(solution);
   const auto& sections = results.contacts[leading].sections;
@@ -96,7 +96,7 @@ std::vector<std::string> length_notices(const fem::Solution<3>& solution,
       post::common_length(solution.contacts[leading], results.contacts[leading].frame);
   const double loaded = sections.empty() ? 0. : sections.back().z - sections.front().z;
   if (loaded > nearly_all * common) return {};
-  const auto length = post::output_unit(units, post::Dimension::length);
+  const auto length = base::output_unit(units, base::Dimension::length);
   return {
       fmt::format("the contact is {:.4g} {} long, the surfaces face each other over {:.4g} {}: "
                   "their ends carry nothing",
@@ -143,12 +143,12 @@ std::vector<std::string> impact_notices(const Case& given) {
 /// turn the wheel.
 template <int dim>
 std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
-                                        const post::UnitSystem units) {
+                                        const base::UnitSystem units) {
   constexpr double worth_saying = 0.01;
   const fem::Components<dim>& force = solution.contacts.front().force;
   const double along = std::abs(force[0]);
   if (along < worth_saying * std::abs(force[1])) return {};
-  const auto unit = post::output_unit(units, post::Dimension::force);
+  const auto unit = base::output_unit(units, base::Dimension::force);
   return {fmt::format(
       "the pin stands in the round bottom of its slot, which also presses it along the slot, by "
       "{:.4g} {}: the driver holds it there, and the contact force is the resultant of both",

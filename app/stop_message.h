@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fem/stop.h"
+#include "fem/problem/stop.h"
 
 namespace geneva::app {
 

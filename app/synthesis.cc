@@ -74,11 +74,11 @@ struct Maker {
 };
 
 /// Why there is no linkage, and what to try; empty if there is one.
-std::string shortfall(const post::SynthesisReport& report, const post::UnitSystem units) {
+std::string shortfall(const post::SynthesisReport& report, const base::UnitSystem units) {
   const auto* path = std::get_if<post::PathReport>(&report.result);
   if (path == nullptr || !path->synthesis.solutions.empty()) return "";
   const loads::PathSynthesis& synthesis = path->synthesis;
-  const auto length = post::output_unit(units, post::Dimension::length);
+  const auto length = base::output_unit(units, base::Dimension::length);
   const std::string least = std::isfinite(synthesis.least_residual)
                                 ? fmt::format("the least residual of the equations is {:.3g} {}",
                                               synthesis.least_residual * length.factor, length.name)

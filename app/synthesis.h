@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "app/case_file.h"
-#include "post/synthesis_output.h"
+#include "post/output/synthesis_output.h"
 
 namespace geneva::app {
 

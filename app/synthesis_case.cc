@@ -81,7 +81,7 @@ loads::CrankRockerInput read_crank_rocker(const CaseSection& section) {
 
 std::vector<std::array<double, 2>> read_points(const fs::path& file) {
   const auto columns = read_two_columns(
-      file, {{{"x", post::Dimension::length}, {"y", post::Dimension::length}}}, "x [mm], y [mm]");
+      file, {{{"x", base::Dimension::length}, {"y", base::Dimension::length}}}, "x [mm], y [mm]");
   std::vector<std::array<double, 2>> points;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
     if (std::max(std::abs(columns[0][i]), std::abs(columns[1][i])) > greatest_coordinate)

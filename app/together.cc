@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "fem/gather.h"
+#include "fem/discretisation/gather.h"
 
 namespace geneva::app {
 

@@ -4,9 +4,9 @@
 #include <new>
 #include <utility>
 
-#include "fem/error_estimate.h"
+#include "fem/adaptivity/error_estimate.h"
+#include "fem/adaptivity/stopping_rule.h"
 #include "fem/mesh_result.h"
-#include "fem/stopping_rule.h"
 
 namespace geneva::fem {
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "base/allocation.h"
+#include "fem/adaptivity/pressure_error.h"
+#include "fem/adaptivity/resource_limits.h"
 #include "fem/contact_problem.h"
 #include "fem/equilibrium.h"
 #include "fem/last_mesh.h"
-#include "fem/pressure_error.h"
 #include "fem/refinement_pass.h"
-#include "fem/resource_limits.h"
 
 namespace geneva::fem {
 

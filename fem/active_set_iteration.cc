@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "fem/constraints.h"
+#include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
+#include "fem/adaptivity/level_record.h"
 #include "fem/contact/surface.h"
-#include "fem/saved_field.h"
-#include "fem/solution.h"
+#include "fem/discretisation/saved_field.h"
 
 namespace geneva::fem {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "fem/constraints.h"
-#include "fem/elasticity.h"
+#include "fem/elasticity/elasticity.h"
+#include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 
@@ -35,7 +35,7 @@ double stiffness_ratio(const Problem<dim>& problem) {
 template <int dim>
 const Body<dim>& body_of(const Problem<dim>& problem, const mesh::MeshData<dim>& mesh,
                          const std::string& surface) {
-  return problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()];
+  return problem.bodies[*mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin()];
 }
 
 /// @param remedy what helps besides another modulus, with a comma and "or"; may be empty

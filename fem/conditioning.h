@@ -3,7 +3,7 @@
 #include <mpi.h>
 
 #include "fem/level.h"
-#include "fem/scaling.h"
+#include "fem/problem/scaling.h"
 
 namespace geneva::fem {
 

@@ -4,7 +4,7 @@
 
 #include "fem/accuracy_loop.h"
 #include "fem/conditioning.h"
-#include "fem/problem_check.h"
+#include "fem/problem/problem_check.h"
 
 namespace geneva::fem {
 

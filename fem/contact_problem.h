@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "fem/checkpoint.h"
-#include "fem/problem.h"
+#include "fem/problem/problem.h"
+#include "fem/problem/settings.h"
 #include "fem/solution.h"
 #include "mesh/mesh_data.h"
 

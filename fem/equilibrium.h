@@ -7,10 +7,10 @@
 
 #include "fem/active_set_iteration.h"
 #include "fem/checkpoint.h"
+#include "fem/discretisation/refined_mesh.h"
 #include "fem/level.h"
-#include "fem/load.h"
-#include "fem/refined_mesh.h"
-#include "fem/stop.h"
+#include "fem/problem/load.h"
+#include "fem/problem/stop.h"
 
 namespace geneva::fem {
 

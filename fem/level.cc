@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "fem/conditioning.h"
-#include "fem/constraints.h"
 #include "fem/contact/surface_in_space.h"
-#include "fem/elasticity.h"
+#include "fem/elasticity/elasticity.h"
+#include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 
@@ -57,8 +57,10 @@ SurfaceOrigins<dim> choose_origins(const Boundary<dim>& boundary, const mesh::Me
   if constexpr (dim == 2)
     for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
       const ContactPair& pair = problem.pairs[i];
-      const Surface<2> source = make_surface(boundary, index_of(mesh.surfaces, pair.source), {});
-      const Surface<2> target = make_surface(boundary, index_of(mesh.surfaces, pair.target), {});
+      const Surface<2> source =
+          make_surface(boundary, mesh::index_of(mesh.surfaces, pair.source), {});
+      const Surface<2> target =
+          make_surface(boundary, mesh::index_of(mesh.surfaces, pair.target), {});
       origins.source[i] = remotest_node(source, target);
       origins.target[i] = remotest_node(target, source);
     }
@@ -79,7 +81,8 @@ template <int dim>
 double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                   const std::string& surface) {
   const Material& material =
-      problem.bodies[*mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin()].material;
+      problem.bodies[*mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin()]
+          .material;
   const double nu = problem.plane == PlaneKind::plane_stress ? 0. : material.poissons_ratio;
   return (1. - nu * nu) / material.youngs_modulus;
 }
@@ -96,7 +99,7 @@ template <int dim>
 dealii::Tensor<1, dim> approach_of(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                                    const ContactPair& pair) {
   const auto body_of = [&](const std::string& surface) {
-    return *mesh::bodies_of(mesh, index_of(mesh.surfaces, surface)).begin();
+    return *mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin();
   };
   dealii::Tensor<1, dim> push;
   for (const RigidTie<dim>& tie : problem.ties) {
@@ -117,10 +120,10 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
   std::vector<ContactInterface<dim>> interfaces;
   for (std::size_t i = 0; i < problem.pairs.size(); ++i) {
     ContactInterface<dim> interface;
-    interface.source =
-        surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
-    interface.target =
-        surface_from(boundary, index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
+    interface.source = surface_from(
+        boundary, mesh::index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
+    interface.target = surface_from(
+        boundary, mesh::index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
     interface.rows = mortar_rows(interface.source, interface.target,
                                  MortarData<dim>{[&](const dealii::Point<dim>& point) {
                                                    return out_of_plane_measure(problem, point);

@@ -5,10 +5,10 @@
 #include <set>
 #include <vector>
 
-#include "fem/cell_systems.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact_problem.h"
-#include "fem/linear_system.h"
+#include "fem/elasticity/cell_systems.h"
+#include "fem/linear/linear_system.h"
 
 namespace geneva::fem {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "fem/adaptivity/lengthwise_pressure.h"
+#include "fem/adaptivity/refinement.h"
 #include "fem/contact/result.h"
-#include "fem/lengthwise_pressure.h"
-#include "fem/refinement.h"
 #include "fem/resultants.h"
 #include "fem/symmetry.h"
 

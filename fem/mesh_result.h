@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "fem/adaptivity/refinement_zone.h"
 #include "fem/equilibrium.h"
-#include "fem/refinement_zone.h"
 #include "fem/solution.h"
 
 namespace geneva::fem {

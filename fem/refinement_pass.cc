@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "fem/error_estimate.h"
+#include "fem/adaptivity/error_estimate.h"
 
 namespace geneva::fem {
 
@@ -60,7 +60,8 @@ template <int dim>
 SurfaceIds ids_of_pairs(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem) {
   SurfaceIds ids;
   for (const ContactPair& pair : problem.pairs)
-    ids.emplace_back(index_of(mesh.surfaces, pair.source), index_of(mesh.surfaces, pair.target));
+    ids.emplace_back(mesh::index_of(mesh.surfaces, pair.source),
+                     mesh::index_of(mesh.surfaces, pair.target));
   return ids;
 }
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "fem/adaptivity/pressure_error.h"
+#include "fem/adaptivity/refinement.h"
 #include "fem/equilibrium.h"
-#include "fem/pressure_error.h"
-#include "fem/refinement.h"
 
 namespace geneva::fem {
 

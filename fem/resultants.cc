@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "fem/constraints.h"
+#include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 
@@ -90,7 +90,7 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
   for (const Holder<dim>& holder : holders_of(solution.problem)) {
     Tensor<1, dim> sum;
     Moment<dim> moment{};
-    const unsigned int surface = index_of(solution.mesh.surfaces, holder.surface);
+    const unsigned int surface = mesh::index_of(solution.mesh.surfaces, holder.surface);
     for (const BoundaryFace<dim>& face : level.boundary.faces) {
       if (face.surface != surface) continue;
       for (const unsigned int index : face.nodes) {

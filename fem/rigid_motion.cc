@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "fem/moment.h"
+#include "fem/problem/moment.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::fem {

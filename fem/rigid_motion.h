@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/level.h"
-#include "fem/problem.h"
+#include "fem/problem/problem.h"
 
 namespace geneva::fem {
 

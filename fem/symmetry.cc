@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "fem/constraints.h"
-
 namespace geneva::fem {
 
 namespace {
@@ -46,7 +44,7 @@ std::vector<double> held_planes(const mesh::MeshData<dim>& mesh, const Problem<d
     for (unsigned int i = 0; i < dim; ++i)
       is_sliding = is_sliding && (i == axis ? support.displacement[i] == 0.
                                             : !support.displacement[i].has_value());
-    const unsigned int surface = index_of(mesh.surfaces, support.surface);
+    const unsigned int surface = mesh::index_of(mesh.surfaces, support.surface);
     if (!is_sliding || mesh::bodies_of(mesh, surface).count(body) == 0) continue;
     const auto [lowest, highest] = extent(mesh, surface, axis);
     if (is_same(lowest, highest, size)) planes.push_back(lowest);
@@ -67,7 +65,7 @@ std::optional<double> symmetry_plane(const mesh::MeshData<dim>& mesh, const Prob
   for (const auto& vertex : mesh.vertices)
     for (const double coordinate : vertex) size = std::max(size, std::abs(coordinate));
   const auto planes_of = [&](const std::string& surface) {
-    const auto bodies = mesh::bodies_of(mesh, index_of(mesh.surfaces, surface));
+    const auto bodies = mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface));
     return held_planes(mesh, problem, *bodies.begin(), axis, size);
   };
   const std::vector<double> of_target = planes_of(contact.target);

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "fem/problem.h"
-#include "fem/solution.h"
+#include "fem/contact/contact_result.h"
+#include "fem/problem/problem.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {

@@ -1,6 +1,7 @@
 #include "mesh/mesh_data.h"
 
 #include <fmt/format.h>
+#include <stdexcept>
 
 #include <algorithm>
 #include <cmath>
@@ -297,6 +298,12 @@ void check_bodies(const MeshData<dim>& mesh) {
   for (std::size_t i = 0; i < body_of.size(); ++i)
     if (body_of[i] == no_body)
       refuse("vertex {} at {} belongs to no cell: remove it", i, shown(mesh.vertices[i]));
+}
+
+unsigned int index_of(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw std::out_of_range("no surface or body is named '" + name + "'");
+  return static_cast<unsigned int>(found - names.begin());
 }
 
 template <int dim>

@@ -75,6 +75,10 @@ void check_bodies(const MeshData<dim>& mesh);
 template <int dim>
 void check(const MeshData<dim>& mesh);
 
+/// Index of a name in a list. @throws std::out_of_range if it is not there (a bug: names are
+/// checked before)
+unsigned int index_of(const std::vector<std::string>& names, const std::string& name);
+
 /// Bodies that the faces of a surface (an index into MeshData::surfaces) belong to.
 template <int dim>
 std::set<unsigned int> bodies_of(const MeshData<dim>& mesh, unsigned int surface);

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "fem/constraints.h"
 #include "fem/contact/contact_law.h"
+#include "fem/contact/contact_result.h"
 #include "fem/contact/mortar.h"
-#include "fem/solution.h"
-#include "fem/surface_forces.h"
+#include "fem/elasticity/surface_forces.h"
+#include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 

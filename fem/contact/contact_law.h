@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "fem/contact/node_status.h"
-#include "fem/problem.h"
+#include "fem/problem/problem.h"
 
 namespace geneva::fem {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "fem/gather.h"
+#include "fem/discretisation/gather.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::fem {

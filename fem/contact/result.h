@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "fem/contact/active_set.h"
-#include "fem/solution.h"
+#include "fem/contact/contact_result.h"
+#include "fem/problem/scaling.h"
 
 namespace geneva::fem {
 

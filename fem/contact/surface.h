@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/boundary.h"
+#include "fem/discretisation/boundary.h"
 
 namespace geneva::fem {
 

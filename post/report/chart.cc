@@ -4,10 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "post/json_values.h"
+#include "base/json_values.h"
 #include "post/report/html.h"
 
 namespace geneva::post {
+
+using base::finite;
 
 using nlohmann::json;
 

@@ -14,6 +14,12 @@
 
 namespace geneva::post {
 
+using base::Dimension;
+using base::dimension_named;
+using base::output_unit;
+using base::OutputUnit;
+using base::UnitSystem;
+
 using nlohmann::json;
 
 namespace {

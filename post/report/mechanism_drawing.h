@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "post/units.h"
+#include "base/units.h"
 
 namespace geneva::post {
 
@@ -12,7 +12,7 @@ namespace geneva::post {
 /// @param step that is drawn, one of the mechanism's
 /// @param label what is drawn, in words
 std::string mechanism_drawing(const nlohmann::json& mechanism, const nlohmann::json& step,
-                              const std::string& label, UnitSystem units);
+                              const std::string& label, base::UnitSystem units);
 
 /// Where places [m] appear on the drawing, for the script that moves it: two rows of a matrix and
 /// the offset [pixels].

@@ -13,6 +13,10 @@
 
 namespace geneva::post {
 
+using base::Dimension;
+using base::output_unit;
+using base::UnitSystem;
+
 using nlohmann::json;
 
 namespace {

@@ -10,6 +10,11 @@
 
 namespace geneva::post {
 
+using base::Dimension;
+using base::dimension_named;
+using base::output_unit;
+using base::UnitSystem;
+
 using nlohmann::json;
 
 namespace {

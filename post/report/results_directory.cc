@@ -7,10 +7,14 @@
 #include <vector>
 
 #include "base/errors.h"
-#include "post/json_values.h"
-#include "post/result_files.h"
+#include "base/json_values.h"
+#include "post/output/result_files.h"
 
 namespace geneva::post {
+
+using base::results_format;
+using base::unit_system_named;
+using base::UnitSystem;
 
 namespace fs = std::filesystem;
 using nlohmann::json;

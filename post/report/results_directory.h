@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "base/units.h"
 #include "post/report/csv_table.h"
-#include "post/units.h"
 
 namespace geneva::post {
 
@@ -23,7 +23,7 @@ struct ResultsDirectory {
   [[nodiscard]] const nlohmann::json& leading() const;
   /// Its section "case".
   [[nodiscard]] const nlohmann::json& about() const;
-  [[nodiscard]] UnitSystem units() const;
+  [[nodiscard]] base::UnitSystem units() const;
 };
 
 /// Reads the results of `geneva run`, `geneva kinematics`, `geneva design` and `geneva design

@@ -7,6 +7,10 @@
 
 namespace geneva::post {
 
+using base::Dimension;
+using base::output_unit;
+using base::UnitSystem;
+
 std::string significant(const double value, const int digits) {
   const double size = std::abs(value);
   if (size < 1e-12) return "0";

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "post/units.h"
+#include "base/units.h"
 
 namespace geneva::post {
 
@@ -11,7 +11,7 @@ namespace geneva::post {
 struct NamedQuantity {
   const char* key;
   const char* name;
-  Dimension dimension;
+  base::Dimension dimension;
 };
 
 /// A number with so many significant digits; without a power of ten between 1e-4 and 1e7, and
@@ -22,15 +22,16 @@ std::string significant(double value, int digits);
 double number_of(const nlohmann::json& quantity);
 
 /// The same in output units.
-double in_units(const nlohmann::json& quantity, Dimension dimension, UnitSystem units);
+double in_units(const nlohmann::json& quantity, base::Dimension dimension, base::UnitSystem units);
 
 /// The same as text with five digits, a dash for null.
-std::string shown(const nlohmann::json& quantity, Dimension dimension, UnitSystem units);
+std::string shown(const nlohmann::json& quantity, base::Dimension dimension,
+                  base::UnitSystem units);
 
 /// "± 0.17 %" of an estimated relative error; "not known" from 100 % on, nothing for null.
 std::string shown_error(const nlohmann::json& error);
 
 /// "contact force [lbf]"; the name alone if the dimension has no unit.
-std::string labelled(const std::string& name, Dimension dimension, UnitSystem units);
+std::string labelled(const std::string& name, base::Dimension dimension, base::UnitSystem units);
 
 }  // namespace geneva::post

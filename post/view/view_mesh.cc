@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/gather.h"
+#include "fem/discretisation/gather.h"
 #include "post/view/hexahedron_cut.h"
 
 namespace geneva::post {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "post/results.h"
+#include "post/analysis/results.h"
 
 namespace geneva::post {
 

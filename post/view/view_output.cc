@@ -8,11 +8,16 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "post/surface_body.h"
+#include "post/analysis/surface_body.h"
 #include "post/view/encoded_numbers.h"
 #include "post/view/view_mesh.h"
 
 namespace geneva::post {
+
+using base::Dimension;
+using base::output_unit;
+using base::OutputUnit;
+using base::UnitSystem;
 
 using dealii::Point;
 using dealii::Tensor;

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "post/results.h"
-#include "post/units.h"
+#include "base/units.h"
+#include "post/analysis/results.h"
 
 namespace geneva::post {
 
@@ -14,6 +14,6 @@ namespace geneva::post {
 /// @return on rank 0; null on the others, and if nothing is in contact
 template <int dim>
 nlohmann::json view_document(const fem::Solution<dim>& solution, const Results<dim>& results,
-                             UnitSystem units);
+                             base::UnitSystem units);
 
 }  // namespace geneva::post

@@ -20,11 +20,11 @@
 #include "app/case_file.h"
 #include "app/model.h"
 #include "app/threads.h"
-#include "fem/constraints.h"
 #include "fem/contact_problem.h"
 #include "fem/level.h"
-#include "fem/linear_system.h"
-#include "fem/scaling.h"
+#include "fem/linear/constraints.h"
+#include "fem/linear/linear_system.h"
+#include "fem/problem/scaling.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "app/ending.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
-#include "fem/stop.h"
+#include "fem/problem/stop.h"
 #include "tests/cli/failure_kinds.h"
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/problem.h"
+#include "fem/problem/problem.h"
 #include "loads/hertz.h"
 #include "mesh/mesh_data.h"
 

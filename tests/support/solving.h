@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "fem/contact_problem.h"
-#include "post/results.h"
+#include "post/analysis/results.h"
 #include "tests/support/line_contact.h"
 
 namespace geneva::test {

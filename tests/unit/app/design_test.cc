@@ -14,9 +14,9 @@ namespace {
 using namespace geneva::app::test;
 using geneva::app::Case;
 using geneva::app::make_design;
+using geneva::base::UnitSystem;
 using geneva::loads::GivenLengths;
 using geneva::post::DesignReport;
-using geneva::post::UnitSystem;
 
 namespace fs = std::filesystem;
 

@@ -166,7 +166,7 @@ void expect_same(const Case& value, const Case& expected) {
 TEST(MechanismCase, EveryParameterArrivesInSiUnits) {
   const Case given = CaseDirectory(inch_text).read();
   EXPECT_EQ(given.title, "Johnson, Example 1");
-  EXPECT_EQ(given.units, geneva::post::UnitSystem::inch_pound);
+  EXPECT_EQ(given.units, geneva::base::UnitSystem::inch_pound);
   expect_same(given.settings.accuracy, 0.001);
   EXPECT_EQ(given.settings.max_levels, 12U);
   EXPECT_EQ(given.settings.max_dofs, 500000U);
@@ -205,7 +205,7 @@ TEST(MechanismCase, WhatIsLeftOutTakesItsDefault) {
   const Case given = CaseDirectory(mechanism_text()).read();
   const geneva::fem::Settings settings;
   EXPECT_EQ(given.title, "");
-  EXPECT_EQ(given.units, geneva::post::UnitSystem::si);
+  EXPECT_EQ(given.units, geneva::base::UnitSystem::si);
   EXPECT_DOUBLE_EQ(given.settings.accuracy, settings.accuracy);
   EXPECT_EQ(given.settings.max_levels, settings.max_levels);
   EXPECT_EQ(given.settings.max_dofs, settings.max_dofs);

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace geneva::app;
-using geneva::post::Dimension;
+using geneva::base::Dimension;
 
 std::string printed() {
   std::ostringstream stream;

@@ -20,12 +20,12 @@ using namespace geneva::app::test;
 using geneva::app::Case;
 using geneva::app::make_synthesis;
 using geneva::app::PathCase;
+using geneva::base::UnitSystem;
 using geneva::loads::CrankRockerInput;
 using geneva::loads::PathDimension;
 using geneva::loads::pi;
 using geneva::loads::QuickReturnInput;
 using geneva::post::SynthesisReport;
-using geneva::post::UnitSystem;
 
 /// The parameters of a synthesis begin in line 3.
 std::string synthesis_text(const std::string& lines, const std::string& after = "") {

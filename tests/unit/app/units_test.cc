@@ -1,4 +1,4 @@
-#include "post/units.h"
+#include "base/units.h"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 
 namespace {
 
-using geneva::post::Dimension;
-using geneva::post::in_quotes;
-using geneva::post::output_unit;
-using geneva::post::parse_quantity;
-using geneva::post::UnitSystem;
+using geneva::base::Dimension;
+using geneva::base::in_quotes;
+using geneva::base::output_unit;
+using geneva::base::parse_quantity;
+using geneva::base::UnitSystem;
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -237,14 +237,14 @@ TEST(Units, AnOutputUnitCanBeReadBack) {
 TEST(Units, EveryExampleOfAMessageIsAccepted) {
   for (int i = 0; i <= static_cast<int>(Dimension::memory); ++i) {
     const auto dimension = static_cast<Dimension>(i);
-    const std::string examples = geneva::post::example_of(dimension);
+    const std::string examples = geneva::base::example_of(dimension);
     const std::size_t middle = examples.find("' or '");
     ASSERT_NE(middle, std::string::npos);
     EXPECT_NO_THROW(parse_quantity(examples.substr(1, middle - 1), dimension));
     EXPECT_NO_THROW(
         parse_quantity(examples.substr(middle + 6, examples.size() - middle - 7), dimension));
-    EXPECT_FALSE(geneva::post::name_of(dimension).empty());
-    EXPECT_FALSE(geneva::post::wanted(dimension).empty());
+    EXPECT_FALSE(geneva::base::name_of(dimension).empty());
+    EXPECT_FALSE(geneva::base::wanted(dimension).empty());
   }
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "fem/adaptivity/error_estimate.h"
 #include "fem/contact/result.h"
-#include "fem/error_estimate.h"
 #include "tests/unit/fem/hand_made.h"
 
 namespace geneva::fem::test {

@@ -1,4 +1,4 @@
-#include "fem/multigrid/aggregation.h"
+#include "fem/linear/multigrid/aggregation.h"
 
 #include <gtest/gtest.h>
 

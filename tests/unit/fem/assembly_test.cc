@@ -1,4 +1,4 @@
-#include "fem/assembly.h"
+#include "fem/linear/assembly.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "fem/boundary.h"
-#include "fem/constraints.h"
+#include "fem/discretisation/boundary.h"
+#include "fem/linear/constraints.h"
 #include "mesh/extrusion.h"
 #include "tests/unit/fem/discretisation.h"
 

@@ -1,4 +1,4 @@
-#include "fem/multigrid/chebyshev.h"
+#include "fem/linear/multigrid/chebyshev.h"
 
 #include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "fem/multigrid/condensed_matrix.h"
+#include "fem/linear/multigrid/condensed_matrix.h"
 
 #include <gtest/gtest.h>
 

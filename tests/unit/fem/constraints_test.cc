@@ -1,4 +1,4 @@
-#include "fem/constraints.h"
+#include "fem/linear/constraints.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "fem/boundary.h"
+#include "fem/discretisation/boundary.h"
 #include "tests/support/refusal.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"
@@ -38,8 +38,8 @@ std::map<global_dof_index, ConstraintLine> by_dof(const std::vector<ConstraintLi
 }
 
 TEST(IndexOf, FindsNamesAndThrowsForOthers) {
-  EXPECT_EQ(index_of({"", "pin", "bore"}, "bore"), 2U);
-  EXPECT_THROW(index_of({"", "pin"}, "Pin"), std::out_of_range);
+  EXPECT_EQ(mesh::index_of({"", "pin", "bore"}, "bore"), 2U);
+  EXPECT_THROW(mesh::index_of({"", "pin"}, "Pin"), std::out_of_range);
 }
 
 TEST(Supports, HoldTheComponentsThatHaveAValue) {

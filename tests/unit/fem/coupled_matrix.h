@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "fem/multigrid/symmetric_matrix.h"
+#include "fem/linear/multigrid/symmetric_matrix.h"
 
 // A small matrix on any number of ranks, and vectors for it.
 

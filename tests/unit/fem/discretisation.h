@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/cell_systems.h"
+#include "fem/elasticity/cell_systems.h"
 #include "mesh/triangulation.h"
 #include "tests/support/structured_mesh.h"
 

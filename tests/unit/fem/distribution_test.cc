@@ -1,4 +1,4 @@
-#include "fem/distribution.h"
+#include "fem/discretisation/distribution.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <gtest/gtest.h>

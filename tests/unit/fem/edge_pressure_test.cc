@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/error_estimate.h"
+#include "fem/adaptivity/error_estimate.h"
 
 namespace geneva::fem::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numeric>
 
-#include "fem/boundary.h"
-#include "fem/constraints.h"
-#include "fem/linear_system.h"
-#include "fem/material_law.h"
+#include "fem/discretisation/boundary.h"
+#include "fem/elasticity/material_law.h"
+#include "fem/linear/constraints.h"
+#include "fem/linear/linear_system.h"
 #include "mesh/extrusion.h"
 #include "tests/unit/fem/discretisation.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "fem/cell_element.h"
-#include "fem/material_law.h"
+#include "fem/elasticity/cell_element.h"
+#include "fem/elasticity/material_law.h"
 #include "mesh/dense_algebra.h"
 #include "tests/unit/fem/discretisation.h"
 #include "tests/unit/fem/hand_made.h"

@@ -1,4 +1,4 @@
-#include "fem/multigrid/exchange.h"
+#include "fem/linear/multigrid/exchange.h"
 
 #include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/gather.h"
+#include "fem/discretisation/gather.h"
 
 namespace geneva::fem::test {
 namespace {

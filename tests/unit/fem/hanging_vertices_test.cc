@@ -1,4 +1,4 @@
-#include "fem/hanging_vertices.h"
+#include "fem/discretisation/hanging_vertices.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>

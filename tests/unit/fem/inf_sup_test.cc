@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/elasticity.h"
+#include "fem/elasticity/elasticity.h"
 #include "mesh/dense_algebra.h"
 #include "tests/unit/fem/discretisation.h"
 

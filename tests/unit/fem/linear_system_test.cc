@@ -1,11 +1,11 @@
-#include "fem/linear_system.h"
+#include "fem/linear/linear_system.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <gtest/gtest.h>
 
-#include "fem/boundary.h"
-#include "fem/condensation.h"
-#include "fem/constraints.h"
+#include "fem/discretisation/boundary.h"
+#include "fem/linear/condensation.h"
+#include "fem/linear/constraints.h"
 #include "mesh/extrusion.h"
 #include "tests/unit/fem/discretisation.h"
 

@@ -1,4 +1,4 @@
-#include "fem/multigrid/multigrid.h"
+#include "fem/linear/multigrid/multigrid.h"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
@@ -11,15 +11,15 @@
 #include <map>
 #include <memory>
 
-#include "fem/assembly.h"
-#include "fem/boundary.h"
-#include "fem/constraints.h"
-#include "fem/gather.h"
-#include "fem/multigrid/chebyshev.h"
-#include "fem/multigrid/coarse_matrix.h"
-#include "fem/multigrid/direct_solver.h"
-#include "fem/multigrid/prolongation.h"
-#include "fem/multigrid/rigid_displacement.h"
+#include "fem/discretisation/boundary.h"
+#include "fem/discretisation/gather.h"
+#include "fem/linear/assembly.h"
+#include "fem/linear/constraints.h"
+#include "fem/linear/multigrid/chebyshev.h"
+#include "fem/linear/multigrid/coarse_matrix.h"
+#include "fem/linear/multigrid/direct_solver.h"
+#include "fem/linear/multigrid/prolongation.h"
+#include "fem/linear/multigrid/rigid_displacement.h"
 #include "mesh/extrusion.h"
 #include "tests/unit/fem/discretisation.h"
 

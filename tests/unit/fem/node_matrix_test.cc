@@ -1,4 +1,4 @@
-#include "fem/multigrid/node_matrix.h"
+#include "fem/linear/multigrid/node_matrix.h"
 
 #include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/multigrid/algebraic_multigrid.h"
-#include "fem/multigrid/direct_solver.h"
+#include "fem/linear/multigrid/algebraic_multigrid.h"
+#include "fem/linear/multigrid/direct_solver.h"
 
 namespace geneva::fem::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "fem/numbering.h"
+#include "fem/discretisation/numbering.h"
 
 #include <gtest/gtest.h>
 

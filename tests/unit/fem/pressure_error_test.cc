@@ -1,10 +1,10 @@
-#include "fem/pressure_error.h"
+#include "fem/adaptivity/pressure_error.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "fem/lengthwise_pressure.h"
+#include "fem/adaptivity/lengthwise_pressure.h"
 
 namespace geneva::fem {
 namespace {

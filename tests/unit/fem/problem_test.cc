@@ -5,9 +5,9 @@
 
 #include "fem/conditioning.h"
 #include "fem/contact_problem.h"
-#include "fem/load.h"
-#include "fem/problem_check.h"
-#include "fem/scaling.h"
+#include "fem/problem/load.h"
+#include "fem/problem/problem_check.h"
+#include "fem/problem/scaling.h"
 #include "mesh/extrusion.h"
 #include "tests/support/line_contact.h"
 #include "tests/support/refusal.h"

@@ -1,10 +1,10 @@
-#include "fem/stopping_rule.h"
+#include "fem/adaptivity/stopping_rule.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "fem/resource_limits.h"
+#include "fem/adaptivity/resource_limits.h"
 
 namespace geneva::fem {
 namespace {

@@ -1,4 +1,4 @@
-#include "fem/surface_forces.h"
+#include "fem/elasticity/surface_forces.h"
 
 #include <gtest/gtest.h>
 

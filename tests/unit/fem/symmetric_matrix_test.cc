@@ -1,4 +1,4 @@
-#include "fem/multigrid/symmetric_matrix.h"
+#include "fem/linear/multigrid/symmetric_matrix.h"
 
 #include <gtest/gtest.h>
 

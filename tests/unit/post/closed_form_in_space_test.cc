@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "post/closed_form_in_space.h"
+#include "post/analysis/closed_form_in_space.h"
 
 namespace {
 

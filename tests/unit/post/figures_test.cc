@@ -1,4 +1,4 @@
-#include "post/figures.h"
+#include "post/analysis/figures.h"
 
 #include <gtest/gtest.h>
 

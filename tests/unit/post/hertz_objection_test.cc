@@ -1,4 +1,4 @@
-#include "post/hertz_objection.h"
+#include "post/analysis/hertz_objection.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "post/contact_sections.h"
-#include "post/crown_output.h"
+#include "post/analysis/contact_sections.h"
+#include "post/output/crown_output.h"
 
 namespace geneva::post {
 namespace {

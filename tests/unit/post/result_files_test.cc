@@ -1,4 +1,4 @@
-#include "post/result_files.h"
+#include "post/output/result_files.h"
 
 #include <gtest/gtest.h>
 

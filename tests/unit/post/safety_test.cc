@@ -1,4 +1,4 @@
-#include "post/safety.h"
+#include "post/analysis/safety.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,8 @@ namespace geneva::post {
 namespace {
 
 SafetyRow pressure_row() {
-  return {"peak contact pressure", Dimension::stress, 400e6, 500e6, -0.2, CycleValue{625e6, -0.1}};
+  return {"peak contact pressure", base::Dimension::stress, 400e6, 500e6, -0.2,
+          CycleValue{625e6, -0.1}};
 }
 
 TEST(SafetyRow, IsJudgedWhereTheCycleIsWorse) {
@@ -29,7 +30,7 @@ TEST(SafetyRow, KnowsNoPlaceWithoutAMechanism) {
   row.analysed_angle.reset();
   EXPECT_EQ(row.factor(), 1.25);
   EXPECT_EQ(row.driver_angle(), std::nullopt);
-  EXPECT_EQ(safety_lines({row}, UnitSystem::si),
+  EXPECT_EQ(safety_lines({row}, base::UnitSystem::si),
             "peak contact pressure: 4e+08 of 5e+08 Pa allowed, safety factor 1.25\n");
 }
 
@@ -37,11 +38,11 @@ TEST(SafetyRow, HasNoFactorWhereThePressureIsNotBounded) {
   SafetyRow row = pressure_row();
   row.computed.reset();
   EXPECT_EQ(row.factor(), std::nullopt) << "Hertz knows no edge";
-  EXPECT_NE(safety_lines({row}, UnitSystem::si).find("not bounded"), std::string::npos);
+  EXPECT_NE(safety_lines({row}, base::UnitSystem::si).find("not bounded"), std::string::npos);
 }
 
 TEST(SafetyLines, SayWhereTheFactorIsLeast) {
-  EXPECT_EQ(safety_lines({pressure_row()}, UnitSystem::mm_newton),
+  EXPECT_EQ(safety_lines({pressure_row()}, base::UnitSystem::mm_newton),
             "peak contact pressure: 625 of 500 MPa allowed, safety factor 0.8 at -5.7296 deg (as "
             "analysed at -11.459 deg: 400, 1.25)\n");
 }

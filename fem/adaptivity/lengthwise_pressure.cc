@@ -1,0 +1,25 @@
+#include "fem/adaptivity/lengthwise_pressure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geneva::fem {
+
+LengthwisePressure lengthwise_pressure(const ContactResult<3>& contact,
+                                       const std::optional<double>& middle) {
+  constexpr double same = 1e-9;
+  const auto [lowest, highest] = std::minmax_element(
+      contact.nodes.begin(), contact.nodes.end(),
+      [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
+  const double centre = middle.value_or((lowest->position[2] + highest->position[2]) / 2.);
+  const double half = std::max(highest->position[2] - centre, centre - lowest->position[2]);
+  LengthwisePressure greatest;
+  for (const ContactNode<3>& node : contact.nodes) {
+    const double share = std::abs(node.position[2] - centre) / half;
+    if (share <= 0.5 * (1. + same)) greatest.middle = std::max(greatest.middle, node.pressure);
+    if (share >= 1. - same) greatest.end = std::max(greatest.end, node.pressure);
+  }
+  return greatest;
+}
+
+}  // namespace geneva::fem

@@ -1,0 +1,59 @@
+#include "fem/discretisation/refined_mesh.h"
+
+#include <deal.II/distributed/solution_transfer.h>
+
+#include <utility>
+
+#include "fem/discretisation/distribution.h"
+#include "fem/discretisation/element.h"
+#include "fem/discretisation/numbering.h"
+#include "mesh/triangulation.h"
+
+namespace geneva::fem {
+
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+template <int dim>
+RefinedMesh<dim>::RefinedMesh(const MPI_Comm communicator, const mesh::MeshData<dim>& coarse,
+                              const double length)
+    : triangulation(mesh::make_triangulation(communicator, coarse, length)),
+      element(linear_element<dim>(dim)),
+      dof_handler(std::make_shared<dealii::DoFHandler<dim>>(*triangulation)) {
+  number();
+  moved_vertices_ = close_gaps(*triangulation);
+}
+
+template <int dim>
+void RefinedMesh<dim>::number() {
+  dof_handler->distribute_dofs(*element);
+  number_by_neighbours(*dof_handler);
+}
+
+template <int dim>
+Vector RefinedMesh<dim>::refine(Vector displacement) {
+  put_back(*triangulation, moved_vertices_);
+  triangulation->prepare_coarsening_and_refinement();
+  distribute_for_refinement(*triangulation, *dof_handler, displacement);
+  dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(*dof_handler);
+  transfer.prepare_for_coarsening_and_refinement(displacement);
+  triangulation->execute_coarsening_and_refinement();
+  number();
+  Vector finer(dof_handler->locally_owned_dofs(), dof_handler->get_communicator());
+  transfer.interpolate(finer);
+  moved_vertices_ = close_gaps(*triangulation);
+  return finer;
+}
+
+template <int dim>
+Vector RefinedMesh<dim>::refine_as(const SavedField<dim>& saved) {
+  put_back(*triangulation, moved_vertices_);
+  fem::refine_as(*triangulation, saved);
+  number();
+  moved_vertices_ = close_gaps(*triangulation);
+  return field_on(*dof_handler, saved);
+}
+
+template class RefinedMesh<2>;
+template class RefinedMesh<3>;
+
+}  // namespace geneva::fem

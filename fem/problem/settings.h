@@ -1,0 +1,24 @@
+#pragma once
+
+namespace geneva::fem {
+
+/// Which solver of linear systems is taken.
+enum class LinearSolver {
+  automatic,  ///< ours, and the library's where ours does not converge
+  own,
+  library  ///< Trilinos' ML
+};
+
+/// When to stop refining, and what limits the effort.
+struct Settings {
+  double accuracy = 0.005;          ///< wanted relative error of the peak contact pressure, > 0
+  unsigned int max_levels = 20;     ///< refinements of the coarse mesh
+  unsigned int max_dofs = 2000000;  ///< displacement unknowns
+  double max_memory = 16e9;         ///< peak resident memory of all ranks together [bytes]
+  double max_seconds = 86400.;      ///< wall time of the contact solve [s]
+  unsigned int max_active_set_steps = 50;
+  double linear_tolerance = 1e-11;  ///< of the conjugate gradients, relative to the load
+  LinearSolver linear_solver = LinearSolver::automatic;
+};
+
+}  // namespace geneva::fem

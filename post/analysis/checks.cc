@@ -1,0 +1,78 @@
+#include "post/analysis/checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geneva::post {
+
+namespace {
+
+/// Limits of what rounding, the linear solver and the active set leave behind.
+constexpr double balance_limit = 1e-6;
+constexpr double complementarity_limit = 1e-6;
+constexpr double penetration_limit = 1e-3;
+/// Chords in the mesh for the drawn wheel's arcs make 1.3e-4 (johnson-optimum-wheel).
+constexpr double torque_limit = 5e-3;
+
+/// How far the bodies approach each other, b p0/E: what a gap is measured with [m].
+template <int dim>
+double approach(const fem::Solution<dim>& solution, const fem::ContactResult<dim>& contact,
+                const double half_width) {
+  double modulus = std::numeric_limits<double>::max();
+  for (const fem::Body<dim>& body : solution.problem.bodies)
+    modulus = std::min(modulus, body.material.youngs_modulus);
+  return half_width * contact.peak_pressure / modulus;
+}
+
+/// Greatest of p |g|/(p0 approach) and -p/p0: 0 where no pressure pulls and none acts across a gap.
+template <int dim>
+double complementarity_defect(const fem::ContactResult<dim>& contact, const double approach) {
+  double defect = 0.;
+  for (const fem::ContactNode<dim>& node : contact.nodes) {
+    const double pressure = node.pressure / contact.peak_pressure;
+    defect = std::max({defect, std::abs(pressure * node.gap) / approach, -pressure});
+  }
+  return defect;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>& results,
+                          const RunReport& report) {
+  double complementarity = 0.;
+  double penetration = 0.;
+  for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
+    const fem::ContactResult<dim>& contact = solution.contacts[i];
+    const double scale = approach(solution, contact, half_width(contact, results.contacts[i]));
+    if (scale <= 0.) continue;  // one node at most is in contact
+    complementarity = std::max(complementarity, complementarity_defect(contact, scale));
+    penetration = std::max(penetration, contact.max_penetration / scale);
+  }
+  std::vector<Check> list{
+      {"balance of forces", "sum of all loads and reactions over the contact force",
+       results.equilibrium.force_defect, balance_limit},
+      {"balance of moments", "sum of all moments over contact force times extent of the model",
+       results.equilibrium.moment_defect, balance_limit}};
+  if (report.mechanism && report.mechanism->bore_torque)
+    list.push_back(
+        {report.mechanism->held_surface + " torque",
+         "its reaction against what the load asks for, relative difference",
+         std::abs(*report.mechanism->bore_torque / report.mechanism->expected_bore_torque - 1.),
+         torque_limit});
+  list.push_back({"complementarity",
+                  "greatest pressure times gap, and greatest tension, over peak pressure times "
+                  "approach",
+                  complementarity, complementarity_limit});
+  list.push_back({"penetration", "greatest overlap left open over the approach", penetration,
+                  penetration_limit});
+  list.push_back({"convergence", "estimated relative error of the pressure, and what was asked for",
+                  solution.error_estimate, report.accuracy});
+  return list;
+}
+
+template std::vector<Check> checks(const fem::Solution<2>&, const Results<2>&, const RunReport&);
+template std::vector<Check> checks(const fem::Solution<3>&, const Results<3>&, const RunReport&);
+
+}  // namespace geneva::post

@@ -1,0 +1,246 @@
+#include "post/analysis/comparison.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "post/analysis/safety.h"
+
+namespace geneva::post {
+
+using base::Dimension;
+using base::output_unit;
+using base::OutputUnit;
+using base::UnitSystem;
+
+namespace {
+
+ComparisonRow row_of(const std::string& name, const Dimension dimension, const double value,
+                     const std::optional<double>& closed_form, const std::optional<double>& error) {
+  return {name, dimension, value, error, true, closed_form, std::nullopt};
+}
+
+/// Of a figure that grows from mesh to mesh without bound.
+ComparisonRow unbounded_row(const std::string& name, const Dimension dimension,
+                            const std::optional<double>& closed_form) {
+  return {name, dimension, std::nullopt, std::nullopt, false, closed_form, std::nullopt};
+}
+
+std::vector<ComparisonRow> contact_rows(const fem::Solution<2>& solution,
+                                        const fem::ContactResult<2>& contact,
+                                        const ContactAnalysis<2>& analysis, const Figures& errors) {
+  const auto& form = analysis.hertz;
+  const auto closed = [&](const double value) {
+    return form ? std::optional(value) : std::nullopt;
+  };
+  const bool is_point = form && form->point;
+  const auto peak = closed(form ? form->peak_pressure() : 0.);
+  const auto shear = closed(form ? form->max_shear() : 0.);
+  const auto depth = closed(form ? form->max_shear_depth() : 0.);
+  const ComparisonRow width =
+      row_of(is_point ? "contact radius" : "half-width", Dimension::length, contact.half_width,
+             closed(form ? form->half_width() : 0.), value_of(errors, Figure::half_width));
+  if (!is_bounded(solution))
+    return {unbounded_row("peak contact pressure", Dimension::stress, peak), width,
+            unbounded_row("greatest shear", Dimension::stress, shear)};
+  return {row_of("peak contact pressure", Dimension::stress, contact.peak_pressure, peak,
+                 solution.error_estimate),
+          width,
+          row_of("greatest shear", Dimension::stress, analysis.max_shear.value, shear,
+                 value_of(errors, Figure::max_shear)),
+          row_of("its depth", Dimension::length, analysis.max_shear_depth, depth,
+                 value_of(errors, Figure::max_shear_depth))};
+}
+
+/// What a closed form in 3-D says of the figures; unknown without one.
+struct ClosedFigures {
+  std::optional<double> peak, width, length, shear, depth, line_load;
+};
+
+ClosedFigures closed_figures(const std::optional<ClosedFormInSpace>& form) {
+  if (!form) return {};
+  return {form->peak_pressure(),
+          form->half_width(),
+          form->half_length(),
+          form->max_shear(),
+          form->max_shear_depth(),
+          form->line ? std::optional(form->force / form->length) : std::nullopt};
+}
+
+/// Where an edge pressure is not bounded, the stress below the edge is not either: the shear is
+/// then that below the middle.
+std::vector<ComparisonRow> shear_rows(const fem::Solution<3>& solution,
+                                      const fem::ContactResult<3>& contact,
+                                      const ContactAnalysis<3>& analysis, const Figures& errors,
+                                      const ClosedFigures& closed) {
+  if (is_bounded(solution))
+    return {row_of("greatest shear", Dimension::stress, analysis.max_shear, closed.shear,
+                   value_of(errors, Figure::max_shear)),
+            row_of("its depth", Dimension::length, analysis.max_shear_depth, closed.depth,
+                   value_of(errors, Figure::max_shear_depth))};
+  if (analysis.sections.empty())
+    return {unbounded_row("greatest shear", Dimension::stress, closed.shear)};
+  const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
+  return {row_of("greatest shear, middle", Dimension::stress, middle.max_shear, closed.shear,
+                 value_of(errors, Figure::mid_length_shear)),
+          row_of("its depth", Dimension::length, middle.max_shear_depth, closed.depth,
+                 value_of(errors, Figure::mid_length_shear_depth))};
+}
+
+std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
+                                        const fem::ContactResult<3>& contact,
+                                        const ContactAnalysis<3>& analysis, const Figures& errors) {
+  const ClosedFigures closed = closed_figures(analysis.hertz);
+  const bool is_finite = is_bounded(solution);
+  std::vector<ComparisonRow> rows;
+  if (!analysis.sections.empty())
+    rows.push_back(
+        row_of("pressure in the middle", Dimension::stress,
+               (1. + solution.correction) *
+                   middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
+               closed.peak, value_of(errors, Figure::mid_length_pressure)));
+  rows.push_back(is_finite ? row_of("peak contact pressure", Dimension::stress,
+                                    contact.peak_pressure, closed.peak, solution.error_estimate)
+                           : unbounded_row("edge pressure", Dimension::stress, closed.peak));
+  rows.push_back(row_of("half-width", Dimension::length, analysis.half_width, closed.width,
+                        value_of(errors, Figure::half_width)));
+  if (analysis.hertz && analysis.hertz->ellipse)
+    rows.push_back(row_of("half-length", Dimension::length, analysis.half_length, closed.length,
+                          value_of(errors, Figure::half_length)));
+  for (const ComparisonRow& row : shear_rows(solution, contact, analysis, errors, closed))
+    rows.push_back(row);
+  if (closed.line_load && !analysis.sections.empty()) {
+    const LineLoad load = line_load(contact, analysis.frame, analysis.sections);
+    rows.push_back(row_of("line load, middle", Dimension::force_per_length, load.middle,
+                          closed.line_load, value_of(errors, Figure::line_load_middle)));
+    rows.push_back(is_finite
+                       ? row_of("line load, greater end", Dimension::force_per_length, load.end,
+                                closed.line_load, value_of(errors, Figure::line_load_end))
+                       : unbounded_row("line load, greater end", Dimension::force_per_length,
+                                       closed.line_load));
+  }
+  return rows;
+}
+
+/// Johnson's Eq. 2 for a pin that carries evenly, and by what factor bending, tilt and edges exceed
+/// it; where an edge pressure is not bounded there is no such factor.
+template <int dim>
+std::vector<ComparisonRow> even_load_rows([[maybe_unused]] const fem::Solution<dim>& solution,
+                                          [[maybe_unused]] const fem::ContactResult<dim>& contact,
+                                          [[maybe_unused]] const ContactAnalysis<dim>& analysis) {
+  if constexpr (dim == 3) {
+    if (!analysis.hertz) return {};
+    const double even = analysis.hertz->even.peak_pressure;
+    std::vector<ComparisonRow> rows{{"Johnson's Eq. 2, even load", Dimension::stress, std::nullopt,
+                                     std::nullopt, true, even, std::nullopt}};
+    if (is_bounded(solution))
+      rows.push_back(row_of("peak over Johnson's Eq. 2", Dimension::dimensionless,
+                            contact.peak_pressure / even, std::nullopt, solution.error_estimate));
+    return rows;
+  }
+  return {};
+}
+
+std::vector<ComparisonRow> pin_rows(const PinReport& pin, const Figures& errors) {
+  if (!pin.beam) return {};
+  return {row_of("pin deflection", Dimension::length, pin.bending.tip_deflection,
+                 pin.beam->tip_deflection, value_of(errors, Figure::tip_deflection)),
+          row_of("pin slope in the slot", Dimension::slope, pin.bending.slope,
+                 pin.beam->slope > 0. ? std::optional(pin.beam->slope) : std::nullopt,
+                 value_of(errors, Figure::slope)),
+          row_of("bending stress at the root", Dimension::stress, pin.bending.root_stress,
+                 pin.beam->root_stress, value_of(errors, Figure::root_stress))};
+}
+
+std::string cell(const std::optional<double>& value, const double factor) {
+  return value ? fmt::format("{:.5g}", *value * factor) : std::string("-");
+}
+
+std::string difference(const ComparisonRow& row) {
+  if (!row.computed || !row.closed_form || *row.closed_form == 0.) return "-";
+  const double percent = 100. * (*row.computed / *row.closed_form - 1.);
+  return std::abs(percent) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", percent);
+}
+
+/// Below a hundredth of a per cent only the solver's tolerance is left.
+std::string error_cell(const ComparisonRow& row) {
+  if (!row.error) return "";
+  if (!(*row.error < 1.)) return "+- ?";
+  const double percent = 100. * *row.error;
+  return percent < 0.005 ? "+- 0.00 %" : fmt::format("+- {:.2g} %", percent);
+}
+
+std::string line_of(const ComparisonRow& row, const UnitSystem units) {
+  const OutputUnit unit = output_unit(units, row.dimension);
+  const std::string name =
+      unit.name.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, unit.name);
+  return fmt::format("{:<32}{:>14} {:<11}{:>14}{:>14}{:>14}\n", name,
+                     row.is_bounded ? cell(row.computed, unit.factor) : "not bounded",
+                     error_cell(row), cell(row.closed_form, unit.factor),
+                     cell(row.published, unit.factor), difference(row));
+}
+
+/// The line on the error estimate, and what is said of the edges.
+template <int dim>
+std::string error_lines(const fem::Solution<dim>& solution, const RunReport& report) {
+  const bool is_edge = solution.stop.outcome == fem::Outcome::unbounded_edge;
+  const char* of = is_edge ? "pressure in the middle" : "peak contact pressure";
+  if (solution.error_estimate >= 1.)
+    return fmt::format("estimated error of the {}: unknown, the mesh is too coarse\n", of);
+  return fmt::format("estimated error of the {}: {:.2g} %\n", of, 100. * solution.error_estimate) +
+         (is_edge ? report.stop_message + "\n" : std::string());
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
+                                      const Results<dim>& results, const RunReport& report) {
+  const std::size_t leading = leading_contact(solution);
+  const fem::ContactResult<dim>& contact = solution.contacts[leading];
+  const ContactAnalysis<dim>& analysis = results.contacts[leading];
+  const auto& mechanism = report.mechanism;
+  const double parts = mechanism ? mechanism->parts : 1.;
+  const Figures& errors = report.errors.contacts[leading];
+  std::vector<ComparisonRow> rows{
+      row_of("contact force", Dimension::force, parts * fem::magnitude(contact.force),
+             mechanism ? std::optional(mechanism->load.force) : std::nullopt,
+             value_of(errors, Figure::force))};
+  const auto append = [&](const std::vector<ComparisonRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  append(contact_rows(solution, contact, analysis, errors));
+  for (ComparisonRow& row : rows)
+    if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
+  if (mechanism) append(even_load_rows(solution, contact, analysis));
+  if (mechanism && mechanism->pin) append(pin_rows(*mechanism->pin, report.errors.mechanism));
+  if (mechanism && mechanism->bore_torque)
+    rows.push_back(row_of(mechanism->held_surface + " torque", Dimension::moment,
+                          *mechanism->bore_torque, mechanism->expected_bore_torque,
+                          value_of(report.errors.mechanism, Figure::bore_torque)));
+  return rows;
+}
+
+template <int dim>
+std::string comparison_table(const fem::Solution<dim>& solution, const Results<dim>& results,
+                             const RunReport& report, const UnitSystem units) {
+  std::string table = fmt::format("{:<32}{:>14} {:<11}{:>14}{:>14}{:>14}\n", "", "this program",
+                                  "+- error", "closed form", "published", "difference");
+  for (const ComparisonRow& row : comparison(solution, results, report))
+    table += line_of(row, units);
+  return table + error_lines(solution, report) +
+         fmt::format("force balance: residual {:.1e} of the contact force\n",
+                     results.equilibrium.force_defect) +
+         safety_lines(safety(solution, results, report), units);
+}
+
+template std::vector<ComparisonRow> comparison(const fem::Solution<2>&, const Results<2>&,
+                                               const RunReport&);
+template std::vector<ComparisonRow> comparison(const fem::Solution<3>&, const Results<3>&,
+                                               const RunReport&);
+template std::string comparison_table(const fem::Solution<2>&, const Results<2>&, const RunReport&,
+                                      UnitSystem);
+template std::string comparison_table(const fem::Solution<3>&, const Results<3>&, const RunReport&,
+                                      UnitSystem);
+
+}  // namespace geneva::post

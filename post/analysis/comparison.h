@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/units.h"
+#include "post/analysis/results.h"
+#include "post/analysis/run_report.h"
+
+namespace geneva::post {
+
+/// One figure of a run beside what others say of it; SI units, what is missing does not exist.
+struct ComparisonRow {
+  std::string quantity;
+  base::Dimension dimension;
+  std::optional<double> computed;
+  std::optional<double> error;  ///< of it, estimated, relative
+  bool is_bounded;              ///< false: it grows from mesh to mesh, and there is no such value
+  std::optional<double> closed_form;
+  std::optional<double> published;
+};
+
+/// The figures of a run, the contact force first.
+template <int dim>
+std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
+                                      const Results<dim>& results, const RunReport& report);
+
+/// The table that ends a run: this program with its error, closed form, published value,
+/// difference, and below it the estimated error, the balance of forces and the safety factors.
+template <int dim>
+std::string comparison_table(const fem::Solution<dim>& solution, const Results<dim>& results,
+                             const RunReport& report, base::UnitSystem units);
+
+}  // namespace geneva::post

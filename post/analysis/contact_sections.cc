@@ -1,0 +1,200 @@
+#include "post/analysis/contact_sections.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "base/errors.h"
+#include "fem/discretisation/gather.h"
+
+namespace geneva::post {
+
+using dealii::Tensor;
+
+namespace {
+
+using Node = fem::ContactNode<3>;
+
+/// Nodes of one layer, in their order across the contact.
+using Layer = std::vector<const Node*>;
+
+/// Layers with a node in contact, by ascending z.
+std::vector<Layer> loaded_layers(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double same = 1e-9 * (highest - lowest);
+  Layer all;
+  for (const Node& node : contact.nodes) all.push_back(&node);
+  std::sort(all.begin(), all.end(),
+            [](const Node* a, const Node* b) { return a->position[2] < b->position[2]; });
+  std::vector<Layer> layers;
+  for (const Node* node : all) {
+    if (layers.empty() || node->position[2] - layers.back().front()->position[2] > same)
+      layers.emplace_back();
+    layers.back().push_back(node);
+  }
+  layers.erase(std::remove_if(layers.begin(), layers.end(),
+                              [](const Layer& layer) {
+                                return std::none_of(layer.begin(), layer.end(), [](const Node* n) {
+                                  return is_closed(n->status);
+                                });
+                              }),
+               layers.end());
+  for (Layer& layer : layers)
+    std::sort(layer.begin(), layer.end(), [&](const Node* a, const Node* b) {
+      return frame.distance_across(place_of(*a)) < frame.distance_across(place_of(*b));
+    });
+  return layers;
+}
+
+/// Integrals of the pressure across a layer by the trapezoidal rule, exact for linear pressure.
+ContactSection section_of(const Layer& layer, const ContactFrame& frame) {
+  ContactSection section{layer.front()->position[2], 0., 0., 0., 0., 0.};
+  double first = 0.;
+  double second = 0.;
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    section.peak_pressure = std::max(section.peak_pressure, layer[i]->pressure);
+    if (i == 0) continue;
+    const double length = place_of(*layer[i]).distance(place_of(*layer[i - 1]));
+    for (const Node* node : {layer[i - 1], layer[i]}) {
+      const double share = length / 2. * node->pressure;
+      const double s = frame.distance_across(place_of(*node));
+      section.line_load += share;
+      first += share * s;
+      second += share * s * s;
+    }
+  }
+  if (section.line_load <= 0.) return section;
+  const double mean = first / section.line_load;
+  section.half_width = 2. * std::sqrt(std::max(0., second / section.line_load - mean * mean));
+  return section;
+}
+
+/// The greatest shear in this rank's cells below a section, and its depth.
+using Shear = std::array<double, 2>;
+using ShearBySection = std::vector<Shear>;
+
+/// A cell counts for every section that passes through it.
+ShearBySection shear_below(const std::vector<ContactSection>& sections, const ContactFrame& frame,
+                           const std::vector<CellStress<3>>& cells) {
+  ShearBySection greatest(sections.size(), Shear{0., 0.});
+  double widest = 0.;
+  for (const ContactSection& section : sections) widest = std::max(widest, section.half_width);
+  for (const CellStress<3>& cell : cells) {
+    const double depth = frame.depth(cell.centre);
+    if (depth > 3. * widest || std::abs(frame.distance_across(cell.centre)) > 2. * widest) continue;
+    const double reach = 0.5 * cell.height * (1. + 1e-9);
+    const Shear entry{max_shear(principal_stresses(cell.stress)), depth};
+    const auto first = std::lower_bound(
+        sections.begin(), sections.end(), cell.centre[2] - reach,
+        [](const ContactSection& section, const double z) { return section.z < z; });
+    for (auto section = first; section != sections.end() && section->z <= cell.centre[2] + reach;
+         ++section) {
+      auto& found = greatest[static_cast<std::size_t>(section - sections.begin())];
+      found = std::max(found, entry);
+    }
+  }
+  return greatest;
+}
+
+void add_shear(std::vector<ContactSection>& sections, const MPI_Comm communicator,
+               const ShearBySection& local) {
+  const ShearBySection all = fem::gathered(communicator, local);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ContactSection& section = sections[i % sections.size()];
+    if (all[i][0] > section.max_shear) {
+      section.max_shear = all[i][0];
+      section.max_shear_depth = all[i][1];
+    }
+  }
+}
+
+/// The sections and their images beyond the plane of symmetry z = plane.
+std::vector<ContactSection> mirrored(const std::vector<ContactSection>& sections,
+                                     const double plane) {
+  std::vector<ContactSection> all = sections;
+  double length = 0.;
+  for (const ContactSection& section : sections)
+    length = std::max(length, std::abs(section.z - plane));
+  for (ContactSection section : sections) {
+    if (std::abs(section.z - plane) <= 1e-9 * length) continue;
+    section.z = 2. * plane - section.z;
+    all.push_back(section);
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  return all;
+}
+
+/// Linear between two sections.
+ContactSection between(const ContactSection& below, const ContactSection& above, const double z) {
+  const double share = (z - below.z) / (above.z - below.z);
+  const auto value = [&](double ContactSection::*figure) {
+    return (1. - share) * below.*figure + share * above.*figure;
+  };
+  using Section = ContactSection;
+  return {z,
+          value(&Section::line_load),
+          value(&Section::peak_pressure),
+          value(&Section::half_width),
+          value(&Section::max_shear),
+          value(&Section::max_shear_depth)};
+}
+
+}  // namespace
+
+std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
+                                             const fem::ContactResult<3>& contact,
+                                             const ContactFrame& frame,
+                                             const std::vector<CellStress<3>>& cells) {
+  std::vector<ContactSection> sections;
+  if (std::abs(frame.along * z_axis) < 1. - 1e-6) return sections;
+  const std::vector<Layer> layers = loaded_layers(contact, frame);
+  for (const Layer& layer : layers)
+    if (layer.size() > 1) sections.push_back(section_of(layer, frame));
+  if (2 * sections.size() < layers.size()) return {};
+  add_shear(sections, solution.dof_handler->get_communicator(),
+            shear_below(sections, frame, cells));
+  return frame.is_mirrored(z_axis) ? mirrored(sections, frame.centre[2]) : sections;
+}
+
+ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
+                          const double half_width, const std::vector<CellStress<3>>& cells) {
+  Shear greatest{};
+  for (const CellStress<3>& cell : cells) {
+    const double depth = frame.depth(cell.centre);
+    const double aside =
+        std::hypot(frame.distance_across(cell.centre), frame.distance_along(cell.centre));
+    if (depth > 3. * half_width || aside > 2. * half_width) continue;
+    greatest = std::max(greatest, Shear{max_shear(principal_stresses(cell.stress)), depth});
+  }
+  for (const Shear& of_rank : fem::gathered_one(solution.dof_handler->get_communicator(), greatest))
+    greatest = std::max(greatest, of_rank);
+  return {greatest[0], greatest[1]};
+}
+
+ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                              const std::vector<ContactSection>& sections) {
+  if (sections.empty()) throw base::InputError("a contact without load has no middle section");
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double middle = (lowest + highest) / 2.;
+  const auto above =
+      std::find_if(sections.begin(), sections.end(),
+                   [&](const ContactSection& section) { return section.z >= middle; });
+  if (above == sections.begin()) return sections.front();
+  if (above == sections.end()) return sections.back();
+  return between(*std::prev(above), *above, middle);
+}
+
+LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,
+                   const std::vector<ContactSection>& sections) {
+  if (sections.empty()) return {0., 0.};
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const double near = 1e-6 * (highest - lowest);
+  LineLoad load{middle_section(contact, frame, sections).line_load, 0.};
+  for (const ContactSection* end : {&sections.front(), &sections.back()})
+    if (end->z < lowest + near || end->z > highest - near)
+      load.end = std::max(load.end, end->line_load);
+  return load;
+}
+
+}  // namespace geneva::post

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_values.h"
+#include "base/units.h"
+#include "loads/motion/kinematics.h"
+#include "loads/pin/pin_beam.h"
+#include "post/analysis/figures.h"
+#include "post/analysis/pin_bending.h"
+
+namespace geneva::post {
+
+/// The pin of a mechanism in 3-D.
+struct PinReport {
+  PinBending bending;
+  std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
+  std::string profile;                     ///< as the case names it
+  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
+  double crown_radius;                     ///< [m]; 0: other ones
+};
+
+/// What the mechanism asks of the contact, SI units.
+struct MechanismReport {
+  loads::PinLoad load;
+  std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none unless a wheel is drawn
+  double inertia_used;                          ///< [kg m^2]
+  double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
+  std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
+  std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
+  std::optional<PinReport> pin;       ///< in 3-D
+  double parts;                       ///< of which the model is one: 2 of a half model
+  std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
+  double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin
+  loads::PlacedPeak cycle_pressure;  ///< greatest Hertz pressure of the cycle [Pa]
+  loads::PlacedPeak cycle_wear;  ///< greatest pressure times sliding speed of the cycle: Hertz's on
+                                 ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
+};
+
+/// What the case allows.
+struct Allowables {
+  std::optional<double> contact_pressure;         ///< [Pa]
+  std::optional<double> pressure_times_slip;      ///< contact pressure times slip speed [Pa m/s]
+  std::map<std::string, double> yield_strengths;  ///< [Pa] by body
+};
+
+/// What a run is about and what it cost.
+struct RunReport {
+  base::CaseHeader about;
+  double accuracy;                   ///< wanted, relative
+  std::vector<std::string> notices;  ///< what the user should know before trusting the figures
+  std::string stop_message;          ///< why the refinement ended early; empty if it converged
+  std::optional<MechanismReport> mechanism;
+  RunFigures errors;  ///< estimated, relative
+  Allowables allowed;
+  std::optional<double> published_peak_pressure;  ///< [Pa]
+  std::string published_source;
+  double mesh_seconds;
+  double solve_seconds;
+  double post_seconds;
+  double total_seconds;
+  double peak_memory;  ///< resident, all ranks [bytes]
+  unsigned int ranks;
+  std::string geneva_version;
+  std::string gmsh_version;
+};
+
+}  // namespace geneva::post

@@ -1,0 +1,266 @@
+#include "post/analysis/stress.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "fem/discretisation/element.h"
+#include "fem/discretisation/gather.h"
+#include "fem/elasticity/cell_element.h"
+#include "mesh/dense_algebra.h"
+
+namespace geneva::post {
+
+using dealii::Point;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+namespace {
+
+std::array<double, 4> components(const fem::PlaneStress& stress) {
+  return {stress.in_plane[0][0], stress.in_plane[1][1], stress.out_of_plane, stress.in_plane[0][1]};
+}
+std::array<double, 6> components(const dealii::SymmetricTensor<2, 3>& stress) {
+  return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[0][2], stress[1][2]};
+}
+
+/// The greatest of the ranks' peaks, with its place, on every rank.
+template <int dim>
+StressPeak<dim> greatest(const MPI_Comm communicator, const StressPeak<dim>& local) {
+  StressPeak<dim> peak = local;
+  for (const StressPeak<dim>& of_rank : fem::gathered_one(communicator, local))
+    if (of_rank.value > peak.value) peak = of_rank;
+  return peak;
+}
+
+/// A sample of the shear stress near its maximum.
+using Sample = std::array<double, 3>;  ///< x, y, value
+
+/// This rank's samples in one body, since the field of the other one is not continuous with it, and
+/// beyond an axis of revolution their images.
+std::vector<Sample> samples_around(const Point<2>& place, const double radius, const int body,
+                                   const std::vector<CellStress<2>>& stresses,
+                                   const bool has_axis) {
+  std::vector<Sample> samples;
+  for (const CellStress<2>& cell : stresses) {
+    if (static_cast<int>(cell.body) != body) continue;
+    const Point<2> image(-cell.centre[0], cell.centre[1]);
+    const double shear = in_plane_shear(cell.stress);
+    if (cell.centre.distance(place) < radius)
+      samples.push_back({cell.centre[0], cell.centre[1], shear});
+    if (has_axis && image.distance(place) < radius) samples.push_back({image[0], image[1], shear});
+  }
+  return samples;
+}
+
+/// Monomials x^i y^j up to a degree, and their derivatives by x and y.
+struct Monomials {
+  std::vector<double> value, by_x, by_y;
+};
+
+Monomials monomials(const double x, const double y, const int degree) {
+  const auto power = [](const double base, const int exponent) {
+    return exponent < 0 ? 0. : std::pow(base, exponent);
+  };
+  Monomials m;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) {
+      m.value.push_back(power(x, i) * power(y, j));
+      m.by_x.push_back(i * power(x, i - 1) * power(y, j));
+      m.by_y.push_back(j * power(x, i) * power(y, j - 1));
+    }
+  return m;
+}
+
+/// Top of the polynomial fitted to the samples within a radius of the greatest one, of a degree up
+/// to four as there are enough of them, or that sample itself if the polynomial has none nearby.
+StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>& peak,
+                         const double radius) {
+  const int degree = samples.size() >= 30 ? 4 : samples.size() >= 20 ? 3 : 2;
+  if (samples.size() < 9) return peak;
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  Eigen::MatrixXd matrix(n, (degree + 1) * (degree + 2) / 2);
+  Eigen::VectorXd values(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Sample& sample = samples[static_cast<std::size_t>(i)];
+    const Monomials m = monomials((sample[0] - peak.place[0]) / radius,
+                                  (sample[1] - peak.place[1]) / radius, degree);
+    matrix.row(i) = Eigen::Map<const Eigen::RowVectorXd>(m.value.data(), matrix.cols());
+    values(i) = sample[2] / peak.value;
+  }
+  const Eigen::VectorXd c = mesh::least_squares(matrix, values);
+  const auto gradient = [&](const Eigen::Vector2d& at) {
+    const Monomials m = monomials(at(0), at(1), degree);
+    return Eigen::Vector2d(Eigen::Map<const Eigen::RowVectorXd>(m.by_x.data(), c.size()).dot(c),
+                           Eigen::Map<const Eigen::RowVectorXd>(m.by_y.data(), c.size()).dot(c));
+  };
+  Eigen::Vector2d top(0., 0.);
+  for (int step = 0; step < 30; ++step) {
+    constexpr double h = 1e-5;
+    Eigen::Matrix2d hessian;
+    hessian.col(0) =
+        (gradient(top + Eigen::Vector2d(h, 0.)) - gradient(top - Eigen::Vector2d(h, 0.))) /
+        (2. * h);
+    hessian.col(1) =
+        (gradient(top + Eigen::Vector2d(0., h)) - gradient(top - Eigen::Vector2d(0., h))) /
+        (2. * h);
+    if (hessian(0, 0) >= 0. || hessian(0, 0) * hessian(1, 1) <= hessian(0, 1) * hessian(1, 0))
+      return peak;
+    const Eigen::Vector2d move = mesh::least_squares(hessian, -gradient(top));
+    top += move;
+    if (move.norm() < 1e-12) break;
+  }
+  if (!(top.norm() < 1.)) return peak;
+  const Monomials m = monomials(top(0), top(1), degree);
+  const double value = Eigen::Map<const Eigen::RowVectorXd>(m.value.data(), c.size()).dot(c);
+  return {value * peak.value, {peak.place[0] + radius * top(0), peak.place[1] + radius * top(1)}};
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution) {
+  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QMidpoint<dim>());
+  const double length = solution.scales.length;
+  std::vector<CellStress<dim>> stresses;
+  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    const Stress<dim> stress = evaluate(cell, solution.displacement).front();
+    stresses.push_back({Point<dim>(length * evaluate.values().quadrature_point(0)),
+                        std::pow(length, dim) * evaluate.values().JxW(0),
+                        length * cell->extent_in_direction(dim - 1), cell->material_id(), stress});
+  }
+  return stresses;
+}
+
+std::array<double, 3> principal_stresses(const fem::PlaneStress& stress) {
+  const double mean = 0.5 * (stress.in_plane[0][0] + stress.in_plane[1][1]);
+  const double radius =
+      std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
+  std::array<double, 3> principal{mean + radius, mean - radius, stress.out_of_plane};
+  std::sort(principal.rbegin(), principal.rend());
+  return principal;
+}
+
+std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress) {
+  return dealii::eigenvalues(stress);
+}
+
+double von_mises(const std::array<double, 3>& principal) {
+  const auto& [s1, s2, s3] = principal;
+  return std::sqrt(0.5 * ((s1 - s2) * (s1 - s2) + (s2 - s3) * (s2 - s3) + (s3 - s1) * (s3 - s1)));
+}
+
+double max_shear(const std::array<double, 3>& principal) {
+  return 0.5 * (principal[0] - principal[2]);
+}
+
+double in_plane_shear(const fem::PlaneStress& stress) {
+  return std::hypot(0.5 * (stress.in_plane[0][0] - stress.in_plane[1][1]), stress.in_plane[0][1]);
+}
+
+template <int dim>
+NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
+  NodalStress<dim> result;
+  result.element = fem::linear_element<dim>(n_stress_components<dim>);
+  result.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution.triangulation);
+  result.dof_handler->distribute_dofs(*result.element);
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  const dealii::IndexSet owned = result.dof_handler->locally_owned_dofs();
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(*result.dof_handler, relevant);
+  Vector sum;
+  Vector weight;
+  sum.reinit(owned, relevant, communicator, true);
+  weight.reinit(owned, relevant, communicator, true);
+
+  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QTrapezoid<dim>());
+  std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
+  dealii::Vector<double> values(result.element->n_dofs_per_cell());
+  dealii::Vector<double> weights(result.element->n_dofs_per_cell());
+  auto stress_cell = result.dof_handler->begin_active();
+  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
+    if (cell->is_locally_owned()) {
+      const auto stresses = evaluate(cell, solution.displacement);
+      const double measure = cell->measure();
+      stress_cell->get_dof_indices(dofs);
+      for (unsigned int i = 0; i < dofs.size(); ++i) {
+        const auto [component, vertex] = result.element->system_to_component_index(i);
+        values[i] = measure * components(stresses[vertex])[component];
+        weights[i] = measure;
+      }
+      sum.add(dofs, values);
+      weight.add(dofs, weights);
+    }
+    ++stress_cell;
+  }
+  sum.compress(dealii::VectorOperation::add);
+  weight.compress(dealii::VectorOperation::add);
+  Vector average(owned, communicator);
+  for (const auto dof : owned) average(dof) = sum(dof) / weight(dof);
+  average.compress(dealii::VectorOperation::insert);
+
+  dealii::AffineConstraints<double> hanging(relevant);
+  dealii::DoFTools::make_hanging_node_constraints(*result.dof_handler, hanging);
+  hanging.close();
+  hanging.distribute(average);
+  result.values.reinit(owned, relevant, communicator);
+  result.values = average;
+  return result;
+}
+
+template <int dim>
+StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
+                               const unsigned int body) {
+  StressPeak<dim> peak;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->material_id() != body) continue;
+    for (const unsigned int vertex : cell->vertex_indices()) {
+      const auto at_node = assembled_stress<dim>([&](const unsigned int component) {
+        return stress.values(cell->vertex_dof_index(vertex, component));
+      });
+      const double equivalent = von_mises(principal_stresses(at_node));
+      if (equivalent <= peak.value) continue;
+      peak.value = equivalent;
+      for (unsigned int i = 0; i < dim; ++i)
+        peak.place[i] = cell->vertex(vertex)[i] * solution.scales.length;
+    }
+  }
+  return greatest(solution.dof_handler->get_communicator(), peak);
+}
+
+StressPeak<2> peak_shear(const fem::Solution<2>& solution,
+                         const std::vector<CellStress<2>>& stresses, const Point<2>& around,
+                         const double distance) {
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  StressPeak<2> local;
+  int body = 0;
+  for (const CellStress<2>& cell : stresses) {
+    const double shear = in_plane_shear(cell.stress);
+    if (cell.centre.distance(around) >= distance || shear <= local.value) continue;
+    local = {shear, {cell.centre[0], cell.centre[1]}};
+    body = static_cast<int>(cell.body);
+  }
+  const StressPeak<2> peak = greatest(communicator, local);
+  const bool is_here = local.value == peak.value && local.place == peak.place;
+  body = dealii::Utilities::MPI::max(is_here ? body : -1, communicator);
+  const double radius = 0.15 * distance;
+  const auto samples =
+      samples_around(Point<2>(peak.place[0], peak.place[1]), radius, body, stresses,
+                     solution.problem.plane == fem::PlaneKind::axisymmetric);
+  return fitted_top(fem::gathered(communicator, samples), peak, radius);
+}
+
+template std::vector<CellStress<2>> cell_stresses(const fem::Solution<2>&);
+template std::vector<CellStress<3>> cell_stresses(const fem::Solution<3>&);
+template NodalStress<2> nodal_stress(const fem::Solution<2>&);
+template NodalStress<3> nodal_stress(const fem::Solution<3>&);
+template StressPeak<2> peak_von_mises(const fem::Solution<2>&, const NodalStress<2>&, unsigned int);
+template StressPeak<3> peak_von_mises(const fem::Solution<3>&, const NodalStress<3>&, unsigned int);
+
+}  // namespace geneva::post

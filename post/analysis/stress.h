@@ -1,0 +1,74 @@
+#pragma once
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "fem/elasticity/elasticity.h"
+#include "fem/solution.h"
+
+namespace geneva::post {
+
+using fem::assembled_stress;
+using fem::n_stress_components;
+using fem::Stress;
+
+/// Stress in the middle of a cell, where that of a bilinear element is most accurate; SI units.
+template <int dim>
+struct CellStress {
+  dealii::Point<dim> centre;  ///< [m]
+  double measure;             ///< area [m^2] or volume [m^3]
+  double height;              ///< extent along the last axis [m]
+  unsigned int body;
+  Stress<dim> stress;  ///< [Pa]
+};
+
+/// Stresses of this rank's cells.
+template <int dim>
+std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution);
+
+/// Principal stresses [same unit], greatest first; the out-of-plane stress is one of them.
+std::array<double, 3> principal_stresses(const fem::PlaneStress& stress);
+std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress);
+/// sqrt(((s1-s2)^2 + (s2-s3)^2 + (s3-s1)^2)/2)
+double von_mises(const std::array<double, 3>& principal);
+/// (s1 - s3)/2
+double max_shear(const std::array<double, 3>& principal);
+/// Greatest shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
+double in_plane_shear(const fem::PlaneStress& stress);
+
+/// Stress at the nodes [Pa], continuous within each body: the average of the cells' stresses at the
+/// node, weighted with their measure. Its components are in the order of fem::StressVector.
+template <int dim>
+struct NodalStress {
+  std::unique_ptr<dealii::FESystem<dim>> element;
+  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
+  dealii::TrilinosWrappers::MPI::Vector values;  ///< ghosted
+};
+
+template <int dim>
+NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution);
+
+/// A stress maximum and where it is; SI units.
+template <int dim>
+struct StressPeak {
+  double value = 0.;
+  std::array<double, static_cast<std::size_t>(dim)> place{};
+};
+
+/// Greatest von Mises stress at the nodes of a body, over all ranks.
+template <int dim>
+StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
+                               unsigned int body);
+
+/// Greatest in-plane shear stress within a distance of a point, over all ranks: the top of the
+/// paraboloid fitted to the cell middles around the greatest one.
+StressPeak<2> peak_shear(const fem::Solution<2>& solution,
+                         const std::vector<CellStress<2>>& stresses, const dealii::Point<2>& around,
+                         double distance);
+
+}  // namespace geneva::post

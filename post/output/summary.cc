@@ -1,0 +1,379 @@
+#include "post/output/summary.h"
+
+#include <deal.II/base/config.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/json_values.h"
+#include "post/analysis/checks.h"
+#include "post/analysis/comparison.h"
+#include "post/analysis/safety.h"
+
+namespace geneva::post {
+
+using base::case_section;
+using base::Dimension;
+using base::finite;
+using base::quantity;
+using base::versions_section;
+
+using nlohmann::json;
+
+namespace {
+
+template <std::size_t dim>
+json place(const std::array<double, dim>& at) {
+  json result;
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < dim; ++i) result[axes[i]] = quantity(at[i], "m");
+  return result;
+}
+
+json hertz_section(const ClosedForm& form) {
+  return {{"peak_pressure", quantity(form.peak_pressure(), "Pa")},
+          {"half_width", quantity(form.half_width(), "m")},
+          {"max_shear", quantity(form.max_shear(), "Pa")},
+          {"max_shear_depth", quantity(form.max_shear_depth(), "m")},
+          {"relative_radius", quantity(form.relative_radius, "m")},
+          {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
+}
+
+json hertz_section(const ClosedFormInSpace& form) {
+  json section{{"peak_pressure", quantity(form.peak_pressure(), "Pa")},
+               {"half_width", quantity(form.half_width(), "m")},
+               {"relative_radius", quantity(form.radius_across, "m")},
+               {"contact_modulus", quantity(form.contact_modulus, "Pa")}};
+  if (const auto shear = form.max_shear()) {
+    section["max_shear"] = quantity(*shear, "Pa");
+    section["max_shear_depth"] = quantity(*form.max_shear_depth(), "m");
+  }
+  if (form.line) {
+    section["length"] = quantity(form.length, "m");
+  } else {
+    section["relative_radius_along"] = quantity(form.radius_along, "m");
+    section["half_length"] = quantity(form.half_length(), "m");
+  }
+  return section;
+}
+
+/// The figure's estimated error, null where it has none.
+json error_value(const Figures& errors, const Figure figure) {
+  const std::optional<double> error = value_of(errors, figure);
+  return error ? finite(*error) : json();
+}
+
+/// Adds the errors of figures that grow without bound where a pressure does.
+template <int dim>
+void add_shear_errors(json& section, const fem::Solution<dim>& solution, const Figures& errors) {
+  const bool is_finite = is_bounded(solution);
+  section["max_shear_error"] = is_finite ? error_value(errors, Figure::max_shear) : json();
+  section["max_shear_depth_error"] =
+      is_finite ? error_value(errors, Figure::max_shear_depth) : json();
+}
+
+template <int dim>
+json common_contact_section(const fem::Solution<dim>& solution,
+                            const fem::ContactResult<dim>& contact, const Figures& errors,
+                            const double parts) {
+  return {{"source", contact.source},
+          {"target", contact.target},
+          {"force", quantity(parts * fem::magnitude(contact.force), "N")},
+          {"force_error", error_value(errors, Figure::force)},
+          {"lateral_force", quantity(fem::magnitude(contact.lateral_force), "N")},
+          {"peak_pressure", quantity(contact.peak_pressure, "Pa")},
+          {"peak_pressure_error", solution.error_estimate},
+          {"peak_pressure_correction", solution.correction},
+          {"max_penetration", quantity(contact.max_penetration, "m")},
+          {"active_nodes", contact.active_nodes}};
+}
+
+json contact_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
+                     const ContactAnalysis<3>& analysis, const Figures& errors,
+                     const double parts) {
+  json section = common_contact_section(solution, contact, errors, parts);
+  section["peak_pressure_place"] = place(analysis.peak_place);
+  section["half_width"] = quantity(analysis.half_width, "m");
+  section["half_width_error"] = error_value(errors, Figure::half_width);
+  section["half_length"] = quantity(analysis.half_length, "m");
+  section["half_length_error"] = error_value(errors, Figure::half_length);
+  section["max_shear"] = quantity(analysis.max_shear, "Pa");
+  section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
+  add_shear_errors(section, solution, errors);
+  if (!analysis.sections.empty()) {
+    const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
+    section["mid_length_pressure"] =
+        quantity((1. + solution.correction) * middle.peak_pressure, "Pa");
+    section["mid_length_pressure_error"] = error_value(errors, Figure::mid_length_pressure);
+    section["mid_length_shear"] = quantity(middle.max_shear, "Pa");
+    section["mid_length_shear_error"] = error_value(errors, Figure::mid_length_shear);
+    section["mid_length_shear_depth"] = quantity(middle.max_shear_depth, "m");
+    section["mid_length_shear_depth_error"] = error_value(errors, Figure::mid_length_shear_depth);
+  }
+  if (solution.edge)
+    section["edge"] = {{"bounded", solution.edge->is_bounded},
+                       {"growth_exponent", solution.edge->growth_exponent},
+                       {"pressure", quantity(solution.edge->pressure, "Pa")}};
+  return section;
+}
+
+json line_load_section(const LineLoad& load, const Figures& errors, const bool is_finite) {
+  return {{"end", quantity(load.end, "N/m")},
+          {"end_error", is_finite ? error_value(errors, Figure::line_load_end) : json()},
+          {"middle", quantity(load.middle, "N/m")},
+          {"middle_error", error_value(errors, Figure::line_load_middle)},
+          {"ratio", load.ratio()}};
+}
+
+/// The factor is null where an edge pressure is not bounded.
+json johnson_section(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact,
+                     const loads::HertzLine& even) {
+  const bool is_finite = is_bounded(solution);
+  return {{"peak_pressure", quantity(even.peak_pressure, "Pa")},
+          {"factor", is_finite ? json(contact.peak_pressure / even.peak_pressure) : json()}};
+}
+
+/// Only of a pin that is a beam: nothing bends one that is held at its core.
+json pin_section(const PinReport& pin, const Figures& errors) {
+  json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
+               {"tip_deflection_error", error_value(errors, Figure::tip_deflection)},
+               {"slope", quantity(pin.bending.slope, "rad")},
+               {"slope_error", error_value(errors, Figure::slope)},
+               {"root_stress", quantity(pin.bending.root_stress, "Pa")},
+               {"root_stress_error", error_value(errors, Figure::root_stress)}};
+  section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
+  section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
+  section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
+  return section;
+}
+
+json crown_section(const PinReport& pin) {
+  json section{{"profile", pin.profile}, {"amplitude", quantity(pin.amplitude, "m")}};
+  if (pin.crown_radius > 0.) section["radius"] = quantity(pin.crown_radius, "m");
+  return section;
+}
+
+json contact_section(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
+                     const ContactAnalysis<2>& analysis, const Figures& errors,
+                     const double parts) {
+  json section = common_contact_section(solution, contact, errors, parts);
+  section["half_width"] = quantity(contact.half_width, "m");
+  section["half_width_error"] = error_value(errors, Figure::half_width);
+  section["max_shear"] = quantity(analysis.max_shear.value, "Pa");
+  section["max_shear_depth"] = quantity(analysis.max_shear_depth, "m");
+  add_shear_errors(section, solution, errors);
+  if (analysis.difference) {
+    section["stress_difference_source"] = analysis.difference->source_body;
+    section["stress_difference_target"] = analysis.difference->target_body;
+  }
+  return section;
+}
+
+json load_section(const MechanismReport& mechanism) {
+  const loads::PinLoad& load = mechanism.load;
+  return {{"pin_type", mechanism.roller ? "roller" : "fixed"},
+          {"force", quantity(load.force, "N")},
+          {"moment", quantity(load.moment, "N m")},
+          {"driver_angle", quantity(load.driver_angle, "rad")},
+          {"driver_speed", quantity(load.driver_speed, "rad/s")},
+          {"driver_acceleration", quantity(load.driver_acceleration, "rad/s^2")},
+          {"wheel_angle", quantity(load.wheel_angle, "rad")},
+          {"wheel_acceleration", quantity(load.wheel_acceleration, "rad/s^2")},
+          {"wheel_speed", quantity(load.wheel_speed, "rad/s")},
+          {"pin_distance", quantity(load.pin_distance, "m")},
+          {"travel_speed", quantity(load.travel_speed, "m/s")},
+          {"pin_turn_speed", quantity(load.pin_turn_speed, "rad/s")},
+          {"slip_speed", quantity(load.slip_speed, "m/s")},
+          {"slip_speed_driving", quantity(load.slip_driving, "m/s")},
+          {"slip_speed_braking", quantity(load.slip_braking, "m/s")},
+          {"bore_speed", quantity(load.bore_speed, "m/s")}};
+}
+
+template <int dim>
+json bodies_section(const fem::Solution<dim>& solution, const Results<dim>& results) {
+  json bodies = json::object();
+  for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
+    bodies[solution.problem.bodies[i].name] = {
+        {"max_von_mises", quantity(results.max_von_mises[i].value, "Pa")},
+        {"max_von_mises_place", place(results.max_von_mises[i].place)}};
+  return bodies;
+}
+
+template <int dim>
+json wheel_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                   const MechanismReport& mechanism) {
+  json wheel{{"inertia_used", quantity(mechanism.inertia_used, "kg m^2")}};
+  if (mechanism.inertia_from_geometry)
+    wheel["inertia_from_geometry"] = quantity(*mechanism.inertia_from_geometry, "kg m^2");
+  for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
+    if (solution.problem.bodies[i].name == "wheel") {
+      wheel["max_von_mises"] = quantity(results.max_von_mises[i].value, "Pa");
+      wheel["max_von_mises_place"] = place(results.max_von_mises[i].place);
+    }
+  return wheel;
+}
+
+template <int dim>
+json equilibrium_section(const Results<dim>& results, const RunReport& report) {
+  json section{{"force_defect", results.equilibrium.force_defect},
+               {"moment_defect", results.equilibrium.moment_defect}};
+  if (report.mechanism && report.mechanism->bore_torque) {
+    section["bore_torque"] = quantity(*report.mechanism->bore_torque, "N m");
+    section["bore_torque_error"] = error_value(report.errors.mechanism, Figure::bore_torque);
+    section["expected_bore_torque"] = quantity(report.mechanism->expected_bore_torque, "N m");
+  }
+  return section;
+}
+
+json quantity_if(const std::optional<double>& value, const Dimension dimension) {
+  return value ? quantity(*value, dimension) : json();
+}
+
+template <int dim>
+json comparison_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                        const RunReport& report) {
+  json rows = json::array();
+  for (const ComparisonRow& row : comparison(solution, results, report)) {
+    rows.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"computed", quantity_if(row.computed, row.dimension)},
+                    {"error", row.error ? finite(*row.error) : json()},
+                    {"bounded", row.is_bounded},
+                    {"closed_form", quantity_if(row.closed_form, row.dimension)},
+                    {"published", quantity_if(row.published, row.dimension)}});
+  }
+  return rows;
+}
+
+template <int dim>
+json checks_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                    const RunReport& report) {
+  json list = json::array();
+  for (const Check& check : checks(solution, results, report))
+    list.push_back({{"name", check.name},
+                    {"meaning", check.meaning},
+                    {"value", finite(check.value)},
+                    {"limit", check.limit},
+                    {"passed", check.is_passed()}});
+  return list;
+}
+
+template <int dim>
+json safety_section(const fem::Solution<dim>& solution, const Results<dim>& results,
+                    const RunReport& report) {
+  json rows = json::array();
+  for (const SafetyRow& row : safety(solution, results, report)) {
+    const auto number_if = [](const std::optional<double>& value) {
+      return value ? json(*value) : json();
+    };
+    rows.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"computed", quantity_if(row.computed, row.dimension)},
+                    {"computed_factor", number_if(row.computed_factor())},
+                    {"cycle", row.cycle ? quantity(row.cycle->value, row.dimension) : json()},
+                    {"cycle_angle", row.cycle ? quantity(row.cycle->driver_angle, "rad") : json()},
+                    {"allowed", quantity(row.allowed, row.dimension)},
+                    {"factor", number_if(row.factor())},
+                    {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)}});
+  }
+  return rows;
+}
+
+json run_case_section(const RunReport& report, const int dimension) {
+  json section = case_section(report.about);
+  section["dimension"] = dimension;
+  section["accuracy"] = report.accuracy;
+  return section;
+}
+
+template <int dim>
+json solver_section(const fem::Solution<dim>& solution, const RunReport& report) {
+  json levels = json::array();
+  double assemble_and_solve = 0.;
+  for (const fem::LevelRecord& level : solution.history) {
+    levels.push_back({{"cells", level.cells},
+                      {"dofs", level.dofs},
+                      {"active_nodes", level.active_nodes},
+                      {"active_set_iterations", level.linear_iterations.size()},
+                      {"active_set_cycled", level.cycled},
+                      {"linear_iterations", level.linear_iterations},
+                      {"peak_pressure", quantity(level.peak_pressure, "Pa")},
+                      {"error_estimate", level.error_estimate},
+                      {"elapsed", quantity(level.seconds, "s")}});
+    assemble_and_solve = level.one_solve_seconds;
+  }
+  return {{"levels", levels},
+          {"converged", fem::is_success(solution.stop.outcome)},
+          {"message", report.stop_message},
+          {"finest_assembly_and_solve", quantity(assemble_and_solve, "s")}};
+}
+
+}  // namespace
+
+template <int dim>
+json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
+             const RunReport& report) {
+  const std::size_t leading = leading_contact(solution);
+  const double parts = report.mechanism ? report.mechanism->parts : 1.;
+  json result{
+      {"case", run_case_section(report, dim)},
+      {"contact", contact_section(solution, solution.contacts[leading], results.contacts[leading],
+                                  report.errors.contacts[leading], parts)},
+      {"bodies", bodies_section(solution, results)},
+      {"equilibrium", equilibrium_section(results, report)},
+      {"solver", solver_section(solution, report)},
+      {"comparison", comparison_section(solution, results, report)},
+      {"checks", checks_section(solution, results, report)},
+      {"safety", safety_section(solution, results, report)},
+      {"notices", report.notices}};
+  const fem::LevelRecord& finest = solution.history.back();
+  result["mesh"] = {
+      {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
+  json pairs = json::array();
+  for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
+    pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i],
+                                    report.errors.contacts[i], parts));
+    if (results.contacts[i].hertz)
+      pairs.back()["hertz"] = hertz_section(*results.contacts[i].hertz);
+  }
+  result["contact_pairs"] = pairs;
+  if (results.contacts[leading].hertz)
+    result["hertz"] = hertz_section(*results.contacts[leading].hertz);
+  if constexpr (dim == 3)
+    if (!results.contacts[leading].sections.empty())
+      result["line_load"] =
+          line_load_section(line_load(solution.contacts[leading], results.contacts[leading].frame,
+                                      results.contacts[leading].sections),
+                            report.errors.contacts[leading], is_bounded(solution));
+  if constexpr (dim == 3)
+    if (report.mechanism && results.contacts[leading].hertz)
+      result["johnson"] = johnson_section(solution, solution.contacts[leading],
+                                          results.contacts[leading].hertz->even);
+  if (report.mechanism && report.mechanism->pin) {
+    if (report.mechanism->pin->beam)
+      result["pin"] = pin_section(*report.mechanism->pin, report.errors.mechanism);
+    result["crown"] = crown_section(*report.mechanism->pin);
+  }
+  if (report.mechanism) {
+    result["load"] = load_section(*report.mechanism);
+    result["wheel"] = wheel_section(solution, results, *report.mechanism);
+  }
+  if (report.published_peak_pressure)
+    result["published"] = {{"peak_pressure", quantity(*report.published_peak_pressure, "Pa")},
+                           {"source", report.published_source}};
+  result["time"] = {{"mesh", quantity(report.mesh_seconds, "s")},
+                    {"solve", quantity(report.solve_seconds, "s")},
+                    {"post", quantity(report.post_seconds, "s")},
+                    {"total", quantity(report.total_seconds, "s")}};
+  result["memory"] = {{"peak", quantity(report.peak_memory, "byte")}, {"ranks", report.ranks}};
+  result["versions"] = versions_section(report.geneva_version);
+  result["versions"]["deal.II"] = DEAL_II_PACKAGE_VERSION;
+  result["versions"]["gmsh"] = report.gmsh_version;
+  return result;
+}
+
+template json summary(const fem::Solution<2>&, const Results<2>&, const RunReport&);
+template json summary(const fem::Solution<3>&, const Results<3>&, const RunReport&);
+
+}  // namespace geneva::post
