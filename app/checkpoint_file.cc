@@ -14,13 +14,13 @@
 #include <string_view>
 #include <type_traits>
 
-#include "app/parameters.h"
-#include "app/together.h"
 #include "app/version.h"
 #include "base/checksum.h"
 #include "base/directory_replacement.h"
 #include "base/errors.h"
 #include "base/input_file.h"
+#include "model/input/parameters.h"
+#include "model/together.h"
 
 namespace geneva::app {
 
@@ -74,9 +74,9 @@ std::string checksum_of(const mesh::MeshData<dim>& mesh) {
 /// The parameters that decide on the solution, "Section / Name", and their values.
 std::map<std::string, std::string> decisive_parameters(const std::string& completed) {
   std::set<std::string> others{"Title", "Output units"};
-  for (const Parameter& parameter : settings_parameters())
+  for (const model::Parameter& parameter : model::settings_parameters())
     if (parameter.name != "Dimension") others.insert(parameter.name);
-  const std::set<std::string> other_sections{names::published, names::allowable};
+  const std::set<std::string> other_sections{model::names::published, model::names::allowable};
   std::map<std::string, std::string> result;
   std::vector<std::string> sections;
   std::istringstream lines(completed);
@@ -103,7 +103,7 @@ std::string as_json_has_it(const std::string& text) {
 }
 
 /// Of the files that the case reads beside case.prm, by name.
-std::map<std::string, std::string> checksums_of_files(const Case& given) {
+std::map<std::string, std::string> checksums_of_files(const model::Case& given) {
   std::map<std::string, std::string> result;
   for (std::size_t i = 1; i < given.inputs.size(); ++i)
     result[given.inputs[i].filename().string()] = base::checksum(base::bytes_of(given.inputs[i]));
@@ -153,7 +153,7 @@ std::vector<post::RunFigures> read_meshes(const json& given) {
 
 /// The line of JSON, and the numbers behind it.
 struct Parts {
-  json header;
+  json header = json::object();
   std::string_view numbers;
 };
 
@@ -186,7 +186,7 @@ std::string difference(const std::map<std::string, std::string>& before,
   return "";
 }
 
-void check_same_case(const json& header, const Case& given) {
+void check_same_case(const json& header, const model::Case& given) {
   const auto refuse = [](const std::string& what) {
     throw base::InputError(fmt::format(
         "the checkpoint cannot be continued: {}; run the case without --continue", what));
@@ -224,7 +224,7 @@ fs::path unfinished_checkpoint(const fs::path& results) {
 }
 
 template <int dim>
-std::string checkpoint_text(const Case& given, const mesh::MeshData<dim>& mesh,
+std::string checkpoint_text(const model::Case& given, const mesh::MeshData<dim>& mesh,
                             const SavedRun<dim>& run) {
   const fem::SavedField<dim>& field = run.state.field;
   const json header{{"geneva", version},
@@ -245,9 +245,9 @@ std::string checkpoint_text(const Case& given, const mesh::MeshData<dim>& mesh,
 }
 
 std::string read_checkpoint(const MPI_Comm communicator, const fs::path& results,
-                            const Case& given) {
+                            const model::Case& given) {
   std::string text;
-  together(communicator, [&] {
+  model::together(communicator, [&] {
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0) return;
     const fs::path file = checkpoint_of(results);
     text = base::bytes_of(file);
@@ -288,8 +288,10 @@ SavedRun<dim> saved_run(const std::string& text, const mesh::MeshData<dim>& mesh
   return run;
 }
 
-template std::string checkpoint_text(const Case&, const mesh::MeshData<2>&, const SavedRun<2>&);
-template std::string checkpoint_text(const Case&, const mesh::MeshData<3>&, const SavedRun<3>&);
+template std::string checkpoint_text(const model::Case&, const mesh::MeshData<2>&,
+                                     const SavedRun<2>&);
+template std::string checkpoint_text(const model::Case&, const mesh::MeshData<3>&,
+                                     const SavedRun<3>&);
 template SavedRun<2> saved_run(const std::string&, const mesh::MeshData<2>&);
 template SavedRun<3> saved_run(const std::string&, const mesh::MeshData<3>&);
 

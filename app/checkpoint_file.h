@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "app/case_file.h"
 #include "fem/checkpoint.h"
 #include "mesh/mesh_data.h"
+#include "model/input/case_file.h"
 #include "post/analysis/figures.h"
 
 namespace geneva::app {
@@ -28,7 +28,7 @@ std::filesystem::path unfinished_checkpoint(const std::filesystem::path& results
 /// the numbers of cells, nodes and displacements.
 /// @param mesh coarse
 template <int dim>
-std::string checkpoint_text(const Case& given, const mesh::MeshData<dim>& mesh,
+std::string checkpoint_text(const model::Case& given, const mesh::MeshData<dim>& mesh,
                             const SavedRun<dim>& run);
 
 /// The unfinished checkpoint of a results directory or, if there is none, that within it; rank 0
@@ -36,7 +36,7 @@ std::string checkpoint_text(const Case& given, const mesh::MeshData<dim>& mesh,
 /// @throws base::InputError on all ranks if there is none, if it is damaged, of another program, or
 /// of a case that differs in more than accuracy, limits and names: naming the difference
 std::string read_checkpoint(MPI_Comm communicator, const std::filesystem::path& results,
-                            const Case& given);
+                            const model::Case& given);
 
 /// The run that a text of read_checkpoint() stands for.
 /// @throws base::InputError if the coarse mesh differs, or the text is not a run's

@@ -22,7 +22,7 @@ constexpr double a_while = 60.;
 
 }  // namespace
 
-CheckpointKeeper::CheckpointKeeper(const Case& given, fs::path results, std::string last,
+CheckpointKeeper::CheckpointKeeper(const model::Case& given, fs::path results, std::string last,
                                    std::string command)
     : mode_(given.checkpoints),
       is_in_space_(given.dimension == 3),
@@ -31,11 +31,12 @@ CheckpointKeeper::CheckpointKeeper(const Case& given, fs::path results, std::str
       command_(std::move(command)) {}
 
 bool CheckpointKeeper::is_wanted() const {
-  return mode_ == Checkpoints::always || (mode_ == Checkpoints::automatic && is_in_space_);
+  return mode_ == model::Checkpoints::always ||
+         (mode_ == model::Checkpoints::automatic && is_in_space_);
 }
 
 bool CheckpointKeeper::is_due(const double seconds) const {
-  return mode_ == Checkpoints::always || (is_wanted() && seconds > a_while);
+  return mode_ == model::Checkpoints::always || (is_wanted() && seconds > a_while);
 }
 
 std::string CheckpointKeeper::keep(std::string text) {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/case_file.h"
+#include "model/input/case_file.h"
 
 namespace geneva::app {
 
@@ -12,7 +12,7 @@ class CheckpointKeeper {
  public:
   /// @param last that of the run which this one continues; may be empty
   /// @param command that would continue the run: "geneva run --continue CASE"
-  CheckpointKeeper(const Case& given, std::filesystem::path results, std::string last,
+  CheckpointKeeper(const model::Case& given, std::filesystem::path results, std::string last,
                    std::string command);
 
   /// Whether the run may want one at all.
@@ -30,7 +30,7 @@ class CheckpointKeeper {
   [[nodiscard]] std::string advice() const;
 
  private:
-  Checkpoints mode_;
+  model::Checkpoints mode_;
   bool is_in_space_;
   std::filesystem::path file_;
   std::string last_;

@@ -10,20 +10,20 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/case_file.h"
 #include "app/mechanism_picture.h"
-#include "app/model.h"
-#include "app/naming.h"
 #include "app/output_directory.h"
-#include "app/pin_in_space.h"
 #include "app/progress.h"
 #include "app/report.h"
-#include "app/together.h"
 #include "app/version.h"
 #include "base/errors.h"
 #include "fem/contact_problem.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
+#include "model/input/case_file.h"
+#include "model/model.h"
+#include "model/naming.h"
+#include "model/pin_in_space.h"
+#include "model/together.h"
 #include "post/output/crown_output.h"
 
 namespace geneva::app {
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Profile = PinCase::Profile;
+using Profile = model::PinCase::Profile;
 
 /// The search needs the line load's shape only. On the scan's coarse meshes its greatest mean is
 /// off by up to 3 %, on those that follow by 0.1 %.
@@ -47,9 +47,9 @@ constexpr int furthest_step = 6;
 constexpr int search_bits = 6;
 constexpr std::uintmax_t most_steps = 10;
 
-void check(const Case& given) {
+void check(const model::Case& given) {
   if (!given.mechanism)
-    refuse_model(given, "there is no pin to crown", "geneva design --crown", "mechanism");
+    model::refuse_model(given, "there is no pin to crown", "geneva design --crown", "mechanism");
   if (!given.mechanism->space)
     throw base::InputError(
         "'Dimension' = '2': the crown acts along the pin; 'geneva design --crown' wants a case "
@@ -60,13 +60,13 @@ void check(const Case& given) {
         "wanted");
 }
 
-bool is_logarithmic(const Case& given) {
+bool is_logarithmic(const model::Case& given) {
   return given.mechanism->space->profile == Profile::logarithmic;
 }
 
-Case with_size(const Case& given, const double size) {
-  Case changed = given;
-  PinCase& pin = *changed.mechanism->space;
+model::Case with_size(const model::Case& given, const double size) {
+  model::Case changed = given;
+  model::PinCase& pin = *changed.mechanism->space;
   if (is_logarithmic(given)) {
     pin.profile_load.reset();
     pin.profile_amplitude = size;
@@ -77,18 +77,18 @@ Case with_size(const Case& given, const double size) {
   return changed;
 }
 
-double drop_at_faces(const Case& given) {
-  const MechanismState state = mechanism_state(*given.mechanism);
+double drop_at_faces(const model::Case& given) {
+  const model::MechanismState state = model::mechanism_state(*given.mechanism);
   loads::PinClearance profile_only;
-  profile_only.profile = pin_clearance(*given.mechanism, state).profile;
+  profile_only.profile = model::pin_clearance(*given.mechanism, state).profile;
   return profile_only.at(state.sizes.thickness / 2.);
 }
 
 /// The amplitude by which the logarithmic profile carries the pin force evenly on half-spaces, or
 /// the radius of a crown that drops three times as much at the wheel's faces.
-double first_size(const Case& given) {
-  const MechanismCase& mechanism = *given.mechanism;
-  const MechanismState state = mechanism_state(mechanism);
+double first_size(const model::Case& given) {
+  const model::MechanismCase& mechanism = *given.mechanism;
+  const model::MechanismState state = model::mechanism_state(mechanism);
   const double length = mechanism.space->profile_length.value_or(state.sizes.thickness);
   const double modulus =
       loads::contact_modulus({mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
@@ -100,10 +100,10 @@ double first_size(const Case& given) {
 }
 
 /// The least radius of a crown: the pin must not end beyond it.
-double least_size(const Case& given) {
+double least_size(const model::Case& given) {
   if (is_logarithmic(given)) return 0.;
-  const MechanismState state = mechanism_state(*given.mechanism);
-  const loads::PinClearance clearance = pin_clearance(*given.mechanism, state);
+  const model::MechanismState state = model::mechanism_state(*given.mechanism);
+  const loads::PinClearance clearance = model::pin_clearance(*given.mechanism, state);
   return 1.001 * std::max(-clearance.lower_end, clearance.upper_end);
 }
 
@@ -113,9 +113,9 @@ struct Solved {
   bool is_accurate;
 };
 
-Solved solve(const MPI_Comm communicator, const Case& given, const fem::Settings& settings,
+Solved solve(const MPI_Comm communicator, const model::Case& given, const fem::Settings& settings,
              std::optional<mesh::Mesher>& mesher) {
-  const Model<3> model = make_model<3>(communicator, given, mesher);
+  const model::Model<3> model = model::make_model<3>(communicator, given, mesher);
   const fem::Solution<3> solution =
       fem::solve_contact(communicator, model.mesh, model.problem, settings, {});
   return {post::load_evenness(solution, post::analyse(solution)),
@@ -157,10 +157,10 @@ double least_uneven(const std::pair<double, double>& logarithms, const Ratio& ra
   return std::exp(logarithm);
 }
 
-post::CrownReport search(const MPI_Comm communicator, const Case& given, ProgressDisplay& progress,
-                         std::optional<mesh::Mesher>& mesher) {
+post::CrownReport search(const MPI_Comm communicator, const model::Case& given,
+                         ProgressDisplay& progress, std::optional<mesh::Mesher>& mesher) {
   post::CrownReport report{};
-  report.about = header_of(given);
+  report.about = model::header_of(given);
   report.geneva_version = version;
   report.profile = is_logarithmic(given) ? "logarithmic" : "crown";
   report.parameter = is_logarithmic(given) ? "Profile amplitude" : "Crown radius";
@@ -187,7 +187,7 @@ post::CrownReport search(const MPI_Comm communicator, const Case& given, Progres
 }
 
 /// @return names of the files of other cases that it removed
-std::vector<std::string> write_crown(const Case& given, const post::CrownReport& report,
+std::vector<std::string> write_crown(const model::Case& given, const post::CrownReport& report,
                                      const fs::path& directory) {
   return write_results(directory, given, "crown",
                        {{"crown.json", post::crown_summary(report).dump(2) + "\n"},
@@ -201,25 +201,25 @@ std::vector<std::string> write_crown(const Case& given, const post::CrownReport&
 int design_crown(const MPI_Comm communicator, const fs::path& case_directory,
                  const fs::path& output, std::optional<mesh::Mesher>& mesher) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Case given = read_case(case_directory);
+  const model::Case given = model::read_case(case_directory);
   const fs::path directory = output.empty() ? given.directory / "results" : output;
-  return naming(given, [&] {
+  return model::naming(given, [&] {
     check(given);
-    together(communicator, [&] {
+    model::together(communicator, [&] {
       if (is_first) base::check_replaceable(directory);
     });
     ProgressDisplay progress(is_first, given.units);
     post::CrownReport report = search(communicator, given, progress, mesher);
     progress.line("solving both pins as accurately as the case asks");
     const Solved before = solve(communicator, given, given.settings, mesher);
-    const Case changed = with_size(given, report.size);
+    const model::Case changed = with_size(given, report.size);
     const Solved after = solve(communicator, changed, given.settings, mesher);
     report.before = before.load;
     report.after = after.load;
     report.drop = drop_at_faces(changed);
     progress.line("\n" + post::crown_table(report, given.units));
     std::vector<std::string> removed;
-    together(communicator, [&] {
+    model::together(communicator, [&] {
       if (is_first) removed = write_crown(given, report, directory);
     });
     if (!removed.empty()) progress.line(removal_notice(removed));

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/mechanism_picture.h"
-#include "app/model.h"
-#include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/report.h"
 #include "app/version.h"
 #include "base/errors.h"
+#include "model/model.h"
+#include "model/naming.h"
 
 namespace geneva::app {
 
@@ -25,23 +25,23 @@ constexpr double curve_start = 0.3;
 constexpr double curve_end = 3.;
 constexpr int curve_steps = 100;
 
-loads::Elastic elastic(const CaseMaterial& material) {
+loads::Elastic elastic(const model::CaseMaterial& material) {
   return {material.youngs_modulus, material.poissons_ratio};
 }
 
 /// The mechanism as the design looks at it: at the greatest wheel acceleration, with the shaft's
 /// inertia where it is to be added.
-MechanismCase designed_mechanism(const Case& given) {
+model::MechanismCase designed_mechanism(const model::Case& given) {
   if (!given.mechanism)
-    refuse_model(given, "there is no wheel to design", "geneva design", "mechanism");
-  MechanismCase mechanism = *given.mechanism;
-  if (mechanism.kind != MechanismCase::Kind::external ||
-      mechanism.motion.kind != DriverMotion::Kind::constant ||
+    model::refuse_model(given, "there is no wheel to design", "geneva design", "mechanism");
+  model::MechanismCase mechanism = *given.mechanism;
+  if (mechanism.kind != model::MechanismCase::Kind::external ||
+      mechanism.motion.kind != model::DriverMotion::Kind::constant ||
       mechanism.motion.acceleration != 0. || mechanism.pins != 1 || mechanism.pin_angles.size() > 1)
     throw base::InputError(
         "'geneva design' follows Johnson's equations, which are those of an external Geneva with "
         "one pin at constant driver speed; 'geneva kinematics' knows the others");
-  mechanism.angle_kind = MechanismCase::AngleKind::at_maximum_wheel_acceleration;
+  mechanism.angle_kind = model::MechanismCase::AngleKind::at_maximum_wheel_acceleration;
   mechanism.external_torque = 0.;
   mechanism.slot_friction = 0.;
   if (mechanism.design.adds_shaft_inertia)
@@ -49,14 +49,14 @@ MechanismCase designed_mechanism(const Case& given) {
   return mechanism;
 }
 
-loads::DesignInput design_input(const MechanismCase& mechanism) {
+loads::DesignInput design_input(const model::MechanismCase& mechanism) {
   return {mechanism.dimensions,    mechanism.design.given_lengths, mechanism.load,
           mechanism.motion.speed,  mechanism.wheel.density,        elastic(mechanism.pin),
           elastic(mechanism.wheel)};
 }
 
-loads::DesignedWheel own_wheel(const MechanismCase& mechanism) {
-  const MechanismState state = mechanism_state(mechanism);
+loads::DesignedWheel own_wheel(const model::MechanismCase& mechanism) {
+  const model::MechanismState state = model::mechanism_state(mechanism);
   const auto& wheel = std::get<loads::GenevaDimensions>(*state.wheel);
   return {wheel.wheel_diameter,
           wheel.pin_diameter,
@@ -69,7 +69,7 @@ loads::DesignedWheel own_wheel(const MechanismCase& mechanism) {
 }
 
 /// Johnson's vibration is that of the load alone, whether the shaft's inertia is added or not.
-std::optional<post::ShaftReport> shaft_report(const MechanismCase& given,
+std::optional<post::ShaftReport> shaft_report(const model::MechanismCase& given,
                                               const double exit_acceleration) {
   if (!given.design.shaft) return std::nullopt;
   const loads::Shaft& shaft = *given.design.shaft;
@@ -79,7 +79,7 @@ std::optional<post::ShaftReport> shaft_report(const MechanismCase& given,
 }
 
 /// What the user should know of the figures of the table.
-std::vector<std::string> notices_of(const Case& given, const post::DesignReport& report) {
+std::vector<std::string> notices_of(const model::Case& given, const post::DesignReport& report) {
   std::vector<std::string> notices;
   const loads::DrawnOptimum& drawn = report.drawn;
   if (!report.johnson)
@@ -98,16 +98,16 @@ std::vector<std::string> notices_of(const Case& given, const post::DesignReport&
       (given.mechanism->roller && given.mechanism->roller->friction != 0.);
   if (given.mechanism->external_torque != 0. || has_pin_friction)
     notices.emplace_back("external torque and friction of the pin are left out, as Johnson does");
-  if (given.mechanism->angle_kind != MechanismCase::AngleKind::at_maximum_wheel_acceleration)
+  if (given.mechanism->angle_kind != model::MechanismCase::AngleKind::at_maximum_wheel_acceleration)
     notices.emplace_back(
         "the design is that of the greatest wheel acceleration, not of the case's driver angle");
   return notices;
 }
 
 /// Where the files of each case go.
-std::vector<fs::path> directories(const std::vector<Case>& cases, const fs::path& output) {
+std::vector<fs::path> directories(const std::vector<model::Case>& cases, const fs::path& output) {
   std::vector<fs::path> result;
-  for (const Case& given : cases) {
+  for (const model::Case& given : cases) {
     const fs::path target = output.empty()      ? given.directory / "results"
                             : cases.size() == 1 ? output
                                                 : output / name_of(given);
@@ -124,11 +124,11 @@ std::vector<fs::path> directories(const std::vector<Case>& cases, const fs::path
 
 }  // namespace
 
-post::DesignReport make_design(const Case& given) {
-  const MechanismCase mechanism = designed_mechanism(given);
+post::DesignReport make_design(const model::Case& given) {
+  const model::MechanismCase mechanism = designed_mechanism(given);
   const loads::DesignInput input = design_input(mechanism);
   post::DesignReport report{};
-  report.about = header_of(given);
+  report.about = model::header_of(given);
   report.geneva_version = version;
   report.row = loads::johnson_row(mechanism.dimensions.stations);
   report.load = mechanism.load;
@@ -149,11 +149,11 @@ post::DesignReport make_design(const Case& given) {
 }
 
 int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
-  std::vector<Case> all;
+  std::vector<model::Case> all;
   std::vector<post::DesignReport> reports;
   for (const fs::path& directory : cases) {
-    all.push_back(read_case(directory));
-    reports.push_back(naming(all.back(), [&] { return make_design(all.back()); }));
+    all.push_back(model::read_case(directory));
+    reports.push_back(model::naming(all.back(), [&] { return make_design(all.back()); }));
   }
   const std::vector<fs::path> targets = directories(all, output);
   std::cout << post::design_table(reports, all.front().units);

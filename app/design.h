@@ -3,14 +3,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/case_file.h"
+#include "model/input/case_file.h"
 #include "post/output/design_output.h"
 
 namespace geneva::app {
 
 /// Johnson's design of wheel and shaft for the mechanism of a case (Johnson 1956, Eq. 1 to 16).
 /// @throws base::InputError if the case is no mechanism or has no best wheel
-post::DesignReport make_design(const Case& given);
+post::DesignReport make_design(const model::Case& given);
 
 /// Prints the designs of one or more cases side by side in the output units of the first, and
 /// writes design.json and design.csv for each.

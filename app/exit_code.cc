@@ -8,11 +8,11 @@
 #include <new>
 #include <string>
 
-#include "app/stop_message.h"
 #include "app/version.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "fem/problem/stop.h"
+#include "model/stop_message.h"
 
 namespace geneva::app {
 
@@ -33,7 +33,7 @@ int exit_code_of(const std::function<int()>& command, const std::string& about, 
   } catch (const base::InputError& error) {
     return failed(wrong_input, error.what());
   } catch (const fem::NotConverged& error) {
-    return failed(not_converged, message_of(error.stop));
+    return failed(not_converged, model::message_of(error.stop));
   } catch (const base::LimitReached& error) {
     return failed(not_converged, error.what());
   } catch (const std::filesystem::filesystem_error& error) {

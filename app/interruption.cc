@@ -9,7 +9,6 @@
 #include <chrono>
 #include <ctime>
 #include <exception>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -48,10 +47,8 @@ class DeadlockWatch {
   void look() {
     const auto now = std::chrono::steady_clock::now();
     if (!base::has_unsettled_allocation())
-      since_.reset();
-    else if (!since_)
-      since_ = now;
-    else if (now - *since_ > patience && begin_to_end_alone())
+      settled_at_ = now;
+    else if (now - settled_at_ > patience && begin_to_end_alone())
       end_for_memory();
   }
 
@@ -61,7 +58,7 @@ class DeadlockWatch {
 
   [[noreturn]] static void end_for_memory();
 
-  std::optional<std::chrono::steady_clock::time_point> since_;
+  std::chrono::steady_clock::time_point settled_at_ = std::chrono::steady_clock::now();
 };
 
 int next_interruption(const bool is_first) {

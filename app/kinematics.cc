@@ -6,21 +6,21 @@
 #include <nlohmann/json.hpp>
 
 #include "app/mechanism_picture.h"
-#include "app/mechanism_state.h"
-#include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/report.h"
 #include "app/version.h"
+#include "model/mechanism_state.h"
+#include "model/naming.h"
 
 namespace geneva::app {
 
-post::KinematicsReport make_kinematics(const Case& given, const int steps) {
+post::KinematicsReport make_kinematics(const model::Case& given, const int steps) {
   if (!given.mechanism)
-    refuse_model(given, "there is no Geneva mechanism", "geneva kinematics", "mechanism");
-  const MechanismCase& mechanism = *given.mechanism;
-  const MechanismDynamics dynamics = mechanism_dynamics(mechanism);
+    model::refuse_model(given, "there is no Geneva mechanism", "geneva kinematics", "mechanism");
+  const model::MechanismCase& mechanism = *given.mechanism;
+  const model::MechanismDynamics dynamics = model::mechanism_dynamics(mechanism);
   const loads::PinContact contact = pin_contact(mechanism, dynamics.sizes);
-  return {header_of(given),
+  return {model::header_of(given),
           version,
           dynamics.driven.mechanism().name,
           dynamics.train.roller.has_value(),
@@ -32,9 +32,9 @@ post::KinematicsReport make_kinematics(const Case& given, const int steps) {
 
 int kinematics_of_case(const std::filesystem::path& case_directory,
                        const std::filesystem::path& output, const int steps) {
-  const Case given = read_case(case_directory);
+  const model::Case given = model::read_case(case_directory);
   const post::KinematicsReport report =
-      naming(given, [&] { return make_kinematics(given, steps); });
+      model::naming(given, [&] { return make_kinematics(given, steps); });
   std::cout << name_of(given) << (given.title.empty() ? "" : ": " + given.title) << '\n'
             << post::kinematics_table(report, given.units);
   for (const std::string& notice : notices_of(*given.mechanism, given.units))

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/case_file.h"
+#include "model/input/case_file.h"
 #include "post/output/kinematics_output.h"
 
 namespace geneva::app {
@@ -10,7 +10,7 @@ namespace geneva::app {
 /// Kinematics and pin force of a mechanism case over its cycle.
 /// @param steps rows of the curves, 1 or more
 /// @throws base::InputError if the case has no mechanism, or where the loads room does
-post::KinematicsReport make_kinematics(const Case& given, int steps);
+post::KinematicsReport make_kinematics(const model::Case& given, int steps);
 
 /// Does what `geneva kinematics` does: prints the characteristic values and writes kinematics.json
 /// and kinematics.csv.

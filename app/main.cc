@@ -8,7 +8,6 @@
 #include <string>
 #include <variant>
 
-#include "app/case_file.h"
 #include "app/command_line.h"
 #include "app/crown.h"
 #include "app/design.h"
@@ -23,6 +22,7 @@
 #include "app/synthesis.h"
 #include "app/threads.h"
 #include "mesh/mesher.h"
+#include "model/input/case_file.h"
 
 namespace {
 
@@ -59,7 +59,7 @@ int main(int argc, char** argv) try {
   geneva::app::watch_for_termination(task);
   if (request.command == Request::Command::parameters) {
     std::ostringstream text;
-    geneva::app::print_parameters(text);
+    geneva::model::print_parameters(text);
     std::cout << text.str();
     return geneva::app::with_output_checked(0);
   }

@@ -16,13 +16,13 @@ namespace geneva::app {
 
 namespace {
 
-using Kind = MechanismCase::Kind;
+using Kind = model::MechanismCase::Kind;
 using loads::Place;
 
 constexpr int steps_of_cycle = 360;
 constexpr int steps_of_path = 240;
 
-std::vector<loads::Polyline> wheel_of(const MechanismDynamics& dynamics) {
+std::vector<loads::Polyline> wheel_of(const model::MechanismDynamics& dynamics) {
   if (!dynamics.wheel)
     return {loads::schematic_wheel(dynamics.driven.mechanism(), dynamics.sizes.pin_diameter)};
   if (const auto* external = std::get_if<loads::GenevaDimensions>(&*dynamics.wheel))
@@ -31,21 +31,22 @@ std::vector<loads::Polyline> wheel_of(const MechanismDynamics& dynamics) {
       loads::internal_wheel_outline(std::get<loads::InternalDimensions>(*dynamics.wheel)));
 }
 
-const loads::CommonDimensions* common_dimensions(const MechanismDynamics& dynamics) {
+const loads::CommonDimensions* common_dimensions(const model::MechanismDynamics& dynamics) {
   if (!dynamics.wheel) return nullptr;
   return std::visit([](const auto& wheel) -> const loads::CommonDimensions* { return &wheel; },
                     *dynamics.wheel);
 }
 
-std::optional<Place> driver_axis(const MechanismCase& given, const MechanismDynamics& dynamics) {
+std::optional<Place> driver_axis(const model::MechanismCase& given,
+                                 const model::MechanismDynamics& dynamics) {
   if (const auto* sizes = common_dimensions(dynamics)) return Place{sizes->centre_distance, 0., 0.};
   if (given.kind != Kind::spherical) return std::nullopt;
   return Place{given.sphere_radius * std::sin(given.shaft_angle), 0.,
                given.sphere_radius * std::cos(given.shaft_angle)};
 }
 
-std::vector<post::NamedLength> lengths_of(const MechanismCase& given,
-                                          const MechanismDynamics& dynamics) {
+std::vector<post::NamedLength> lengths_of(const model::MechanismCase& given,
+                                          const model::MechanismDynamics& dynamics) {
   std::vector<post::NamedLength> lengths{{"wheel diameter", dynamics.sizes.wheel_diameter},
                                          {"pin diameter", dynamics.sizes.pin_diameter},
                                          {"wheel thickness", dynamics.sizes.thickness}};
@@ -66,7 +67,7 @@ std::vector<post::NamedLength> lengths_of(const MechanismCase& given,
 /// midway and moves towards y there.
 class LinkagePicture {
  public:
-  explicit LinkagePicture(const MechanismCase& given)
+  explicit LinkagePicture(const model::MechanismCase& given)
       : linkage_(given.linkage),
         assembly_(given.assembly),
         geneva_(loads::four_bar_geneva(given.dimensions.stations, given.linkage, given.assembly,
@@ -116,9 +117,10 @@ class LinkagePicture {
 };
 
 /// Driver angles at which each of the pins is midway through its engagement.
-std::vector<double> middles_of(const MechanismCase& given, const loads::Mechanism& mechanism) {
+std::vector<double> middles_of(const model::MechanismCase& given,
+                               const loads::Mechanism& mechanism) {
   std::vector<double> middles;
-  for (const loads::Engagement& engagement : engagements_of(given, mechanism)) {
+  for (const loads::Engagement& engagement : model::engagements_of(given, mechanism)) {
     middles.resize(std::max(middles.size(), engagement.pin + 1));
     middles[engagement.pin] = engagement.middle;
   }
@@ -127,14 +129,15 @@ std::vector<double> middles_of(const MechanismCase& given, const loads::Mechanis
 
 }  // namespace
 
-loads::PinContact pin_contact(const MechanismCase& given, const MechanismSizes& sizes) {
+loads::PinContact pin_contact(const model::MechanismCase& given,
+                              const model::MechanismSizes& sizes) {
   return {loads::contact_modulus({given.pin.youngs_modulus, given.pin.poissons_ratio},
                                  {given.wheel.youngs_modulus, given.wheel.poissons_ratio}),
           sizes.thickness, sizes.pin_diameter};
 }
 
-post::MechanismDrawing mechanism_picture(const MechanismCase& given,
-                                         const MechanismDynamics& dynamics,
+post::MechanismDrawing mechanism_picture(const model::MechanismCase& given,
+                                         const model::MechanismDynamics& dynamics,
                                          const std::optional<loads::PinLoad>& analysed) {
   const loads::Mechanism& mechanism = dynamics.driven.mechanism();
   const std::vector<double> middles = middles_of(given, mechanism);
@@ -167,14 +170,15 @@ post::MechanismDrawing mechanism_picture(const MechanismCase& given,
   return drawing;
 }
 
-std::string mechanism_text(const MechanismCase& given) {
+std::string mechanism_text(const model::MechanismCase& given) {
   std::optional<loads::PinLoad> analysed;
   try {
-    analysed = mechanism_state(given).load;
+    analysed = model::mechanism_state(given).load;
   } catch (const std::invalid_argument&) {
     // Nothing presses on the driving wall there: a run refuses the case, its motion is sound.
   }
-  return post::mechanism_document(mechanism_picture(given, mechanism_dynamics(given), analysed))
+  return post::mechanism_document(
+             mechanism_picture(given, model::mechanism_dynamics(given), analysed))
              .dump() +
          "\n";
 }

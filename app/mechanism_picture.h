@@ -2,23 +2,24 @@
 
 #include <string>
 
-#include "app/case_file.h"
-#include "app/mechanism_state.h"
+#include "model/input/case_file.h"
+#include "model/mechanism_state.h"
 #include "post/output/mechanism_output.h"
 
 namespace geneva::app {
 
 /// The mechanism over its cycle.
 /// @param analysed the load of the instant that a run computes; none for the motion alone
-post::MechanismDrawing mechanism_picture(const MechanismCase& given,
-                                         const MechanismDynamics& dynamics,
+post::MechanismDrawing mechanism_picture(const model::MechanismCase& given,
+                                         const model::MechanismDynamics& dynamics,
                                          const std::optional<loads::PinLoad>& analysed);
 
 /// mechanism.json of a case whose contact is not solved, with the instant that a run of it computes
 /// where there is one.
-std::string mechanism_text(const MechanismCase& given);
+std::string mechanism_text(const model::MechanismCase& given);
 
 /// Pin and wheel of a mechanism where they touch.
-loads::PinContact pin_contact(const MechanismCase& given, const MechanismSizes& sizes);
+loads::PinContact pin_contact(const model::MechanismCase& given,
+                              const model::MechanismSizes& sizes);
 
 }  // namespace geneva::app

@@ -1,7 +1,8 @@
 #include "app/mechanism_results.h"
 
 #include "app/mechanism_picture.h"
-#include "app/pin_in_space.h"
+#include "app/pin_results.h"
+#include "model/pin_in_space.h"
 
 namespace geneva::app {
 
@@ -13,13 +14,14 @@ double about_z(const double moment) { return moment; }
 double about_z(const dealii::Tensor<1, 3>& moment) { return moment[2]; }
 
 /// Of how many equal parts the model is one.
-double parts(const MechanismCase& mechanism, const int dim) {
-  return dim == 3 && is_half_model(mechanism) ? 2. : 1.;
+double parts(const model::MechanismCase& mechanism, const int dim) {
+  return dim == 3 && model::is_half_model(mechanism) ? 2. : 1.;
 }
 
 /// Moment that a whole wheel's shaft takes [N m].
 template <int dim>
-std::optional<double> bore_torque(const Model<dim>& model, const MechanismCase& mechanism,
+std::optional<double> bore_torque(const model::Model<dim>& model,
+                                  const model::MechanismCase& mechanism,
                                   const fem::Solution<dim>& solution) {
   if (!model.mechanism->wheel || mechanism.is_local) return std::nullopt;
   for (const fem::Reaction<dim>& reaction : solution.reactions)
@@ -32,11 +34,11 @@ std::optional<double> bore_torque(const Model<dim>& model, const MechanismCase& 
 
 template <int dim>
 std::optional<post::MechanismReport> mechanism_report(
-    const Model<dim>& model, const Case& given, const fem::Solution<dim>& solution,
+    const model::Model<dim>& model, const model::Case& given, const fem::Solution<dim>& solution,
     [[maybe_unused]] const post::Results<dim>& results) {
   if (!model.mechanism) return std::nullopt;
-  const MechanismCase& mechanism = *given.mechanism;
-  const MechanismState& state = *model.mechanism;
+  const model::MechanismCase& mechanism = *given.mechanism;
+  const model::MechanismState& state = *model.mechanism;
   const loads::PinContact contact = pin_contact(mechanism, state.sizes);
   const loads::Characteristics cycle = loads::characteristics(state.driven, state.train, contact);
   post::MechanismReport report{
@@ -57,7 +59,7 @@ std::optional<post::MechanismReport> mechanism_report(
 }
 
 template <int dim>
-post::RunFigures run_figures(const Model<dim>& model, const Case& given,
+post::RunFigures run_figures(const model::Model<dim>& model, const model::Case& given,
                              const fem::Solution<dim>& solution) {
   const std::vector<post::CellStress<dim>> cells = post::cell_stresses(solution);
   post::RunFigures figures = post::contact_figures(solution, cells);
@@ -74,13 +76,17 @@ post::RunFigures run_figures(const Model<dim>& model, const Case& given,
   return figures;
 }
 
-template std::optional<post::MechanismReport> mechanism_report(const Model<2>&, const Case&,
+template std::optional<post::MechanismReport> mechanism_report(const model::Model<2>&,
+                                                               const model::Case&,
                                                                const fem::Solution<2>&,
                                                                const post::Results<2>&);
-template std::optional<post::MechanismReport> mechanism_report(const Model<3>&, const Case&,
+template std::optional<post::MechanismReport> mechanism_report(const model::Model<3>&,
+                                                               const model::Case&,
                                                                const fem::Solution<3>&,
                                                                const post::Results<3>&);
-template post::RunFigures run_figures(const Model<2>&, const Case&, const fem::Solution<2>&);
-template post::RunFigures run_figures(const Model<3>&, const Case&, const fem::Solution<3>&);
+template post::RunFigures run_figures(const model::Model<2>&, const model::Case&,
+                                      const fem::Solution<2>&);
+template post::RunFigures run_figures(const model::Model<3>&, const model::Case&,
+                                      const fem::Solution<3>&);
 
 }  // namespace geneva::app

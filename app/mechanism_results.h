@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/case_file.h"
-#include "app/model.h"
+#include "model/input/case_file.h"
+#include "model/model.h"
 #include "post/analysis/figures.h"
 #include "post/analysis/run_report.h"
 
@@ -11,13 +11,14 @@ namespace geneva::app {
 
 /// What the report says of the mechanism; nothing for a geometry of the user's.
 template <int dim>
-std::optional<post::MechanismReport> mechanism_report(const Model<dim>& model, const Case& given,
+std::optional<post::MechanismReport> mechanism_report(const model::Model<dim>& model,
+                                                      const model::Case& given,
                                                       const fem::Solution<dim>& solution,
                                                       const post::Results<dim>& results);
 
 /// The figures of the closing table on one mesh of a run.
 template <int dim>
-post::RunFigures run_figures(const Model<dim>& model, const Case& given,
+post::RunFigures run_figures(const model::Model<dim>& model, const model::Case& given,
                              const fem::Solution<dim>& solution);
 
 }  // namespace geneva::app

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Whether a document in a directory is of a case, and in this program's format.
-bool is_of_case(const fs::path& directory, const std::string& document, const Case& given) {
+bool is_of_case(const fs::path& directory, const std::string& document, const model::Case& given) {
   using nlohmann::json;
   std::ifstream stream(directory / (document + ".json"));
   const json found = json::parse(stream, nullptr, false);
@@ -38,7 +38,7 @@ bool is_of_case(const fs::path& directory, const std::string& document, const Ca
 }
 
 /// Whether a file is one that the case reads: its directory may hold the results.
-bool is_input(const fs::path& file, const Case& given) {
+bool is_input(const fs::path& file, const model::Case& given) {
   std::error_code ignored;
   return std::any_of(given.inputs.begin(), given.inputs.end(),
                      [&](const fs::path& input) { return fs::equivalent(file, input, ignored); });
@@ -50,7 +50,7 @@ struct Stale {
   std::vector<std::string> of_others;  ///< those that belonged to other documents
 };
 
-Stale stale_files(const fs::path& directory, const Case& given, const std::string& document,
+Stale stale_files(const fs::path& directory, const model::Case& given, const std::string& document,
                   const std::set<std::string>& written) {
   Stale stale;
   if (!fs::is_directory(directory)) return stale;
@@ -107,7 +107,7 @@ std::string shown_path(const fs::path& path) {
   return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
-std::vector<std::string> write_results(const fs::path& directory, const Case& given,
+std::vector<std::string> write_results(const fs::path& directory, const model::Case& given,
                                        const std::string& document,
                                        const std::map<std::string, std::string>& texts,
                                        const std::function<void(const fs::path&)>& complete) {
@@ -123,8 +123,8 @@ std::string removal_notice(const std::vector<std::string>& removed) {
                      fmt::join(removed, ", "));
 }
 
-OutputDirectory::OutputDirectory(const fs::path& final, const Case& given, std::string document,
-                                 const bool is_owner)
+OutputDirectory::OutputDirectory(const fs::path& final, const model::Case& given,
+                                 std::string document, const bool is_owner)
     : given_(given), document_(std::move(document)), working_(base::working_directory_of(final)) {
   if (!is_owner) return;
   base::check_replaceable(final);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/case_file.h"
 #include "base/directory_replacement.h"
+#include "model/input/case_file.h"
 
 namespace geneva::app {
 
@@ -25,7 +25,7 @@ std::string shown_path(const std::filesystem::path& path);
 /// @return names of the files removed that belonged to other documents
 /// @throws base::InputError if something cannot be written; the directory is then as it was
 std::vector<std::string> write_results(
-    const std::filesystem::path& directory, const Case& given, const std::string& document,
+    const std::filesystem::path& directory, const model::Case& given, const std::string& document,
     const std::map<std::string, std::string>& texts,
     const std::function<void(const std::filesystem::path&)>& complete);
 
@@ -41,8 +41,8 @@ class OutputDirectory {
   /// @param document that is going to be written there, as in result_files()
   /// @param is_owner whether this rank makes, fills and removes directories
   /// @throws base::InputError if the directory cannot be replaced, or another run does so
-  OutputDirectory(const std::filesystem::path& final, const Case& given, std::string document,
-                  bool is_owner);
+  OutputDirectory(const std::filesystem::path& final, const model::Case& given,
+                  std::string document, bool is_owner);
 
   /// Where its files are written.
   [[nodiscard]] const std::filesystem::path& working() const { return working_; }
@@ -55,7 +55,7 @@ class OutputDirectory {
       const std::function<void(const std::filesystem::path&)>& complete);
 
  private:
-  const Case& given_;
+  const model::Case& given_;
   std::string document_;
   std::filesystem::path working_;
   std::optional<base::DirectoryReplacement> replacement_;  ///< of the owner

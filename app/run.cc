@@ -10,25 +10,25 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/case_file.h"
 #include "app/checkpoint_file.h"
 #include "app/checkpoint_keeper.h"
 #include "app/mechanism_picture.h"
 #include "app/mechanism_results.h"
-#include "app/model.h"
-#include "app/naming.h"
 #include "app/output_directory.h"
-#include "app/parameters.h"
 #include "app/progress.h"
 #include "app/report.h"
-#include "app/stop_message.h"
-#include "app/together.h"
 #include "app/version.h"
 #include "base/allocation.h"
 #include "base/output_file.h"
 #include "fem/adaptivity/resource_limits.h"
 #include "fem/contact_problem.h"
 #include "loads/pi.h"
+#include "model/input/case_file.h"
+#include "model/input/parameters.h"
+#include "model/model.h"
+#include "model/naming.h"
+#include "model/stop_message.h"
+#include "model/together.h"
 #include "post/analysis/comparison.h"
 #include "post/analysis/results.h"
 #include "post/output/contact_output.h"
@@ -44,7 +44,7 @@ namespace fs = std::filesystem;
 namespace {
 
 template <int dim>
-std::string heading(const Case& given, const Model<dim>& model) {
+std::string heading(const model::Case& given, const model::Model<dim>& model) {
   const auto length = base::output_unit(given.units, base::Dimension::length);
   const auto force = base::output_unit(given.units, base::Dimension::force);
   std::string text = name_of(given);
@@ -118,19 +118,20 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
       error < 1. ? fmt::format("{:.2g} %", 100. * error) : std::string("not even 100 %");
   const std::string message =
       fmt::format("not converged: the accuracy reached is {}, wanted is {:.2g} %: {}", reached,
-                  100. * accuracy, message_of(solution.stop));
+                  100. * accuracy, model::message_of(solution.stop));
   const double offered = rounded_up(error);
-  if (solution.stop.outcome == fem::Outcome::unbounded_pressure || offered > greatest_accuracy)
+  if (solution.stop.outcome == fem::Outcome::unbounded_pressure ||
+      offered > model::greatest_accuracy)
     return message;
   return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
 }
 
 /// What the safety factors over the cycle leave out: impacts, which no torque balance knows.
-std::vector<std::string> impact_notices(const Case& given) {
+std::vector<std::string> impact_notices(const model::Case& given) {
   const bool has_limit = given.allowed.contact_pressure || given.allowed.pressure_times_slip;
   if (!given.mechanism || !has_limit) return {};
   std::vector<std::string> notices;
-  for (const loads::Unbounded& place : driven_mechanism(*given.mechanism).unbounded())
+  for (const loads::Unbounded& place : model::driven_mechanism(*given.mechanism).unbounded())
     if (place.quantity == "wheel acceleration")
       notices.push_back(
           fmt::format("the wheel's speed jumps at a driver angle of {:.6g} deg: the safety factors "
@@ -157,7 +158,7 @@ std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
 
 /// What the user should know of the solution.
 template <int dim>
-std::vector<std::string> notices_of(const Case& given, const fem::Solution<dim>& solution,
+std::vector<std::string> notices_of(const model::Case& given, const fem::Solution<dim>& solution,
                                     const post::Results<dim>& results) {
   std::vector<std::string> notices = validity_notices(solution);
   for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
@@ -172,16 +173,17 @@ std::vector<std::string> notices_of(const Case& given, const fem::Solution<dim>&
 
 /// What the report says beside the solution; times are added as they become known.
 template <int dim>
-post::RunReport make_report(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
-                            const fem::Solution<dim>& solution, const post::Results<dim>& results) {
+post::RunReport make_report(const MPI_Comm communicator, const model::Case& given,
+                            const model::Model<dim>& model, const fem::Solution<dim>& solution,
+                            const post::Results<dim>& results) {
   post::RunReport report{};
-  report.about = header_of(given);
+  report.about = model::header_of(given);
   report.mechanism = mechanism_report(model, given, solution, results);
   report.accuracy = given.settings.accuracy;
   report.notices = model.notices;
   for (const std::string& notice : notices_of(given, solution, results))
     report.notices.push_back(notice);
-  report.stop_message = message_of(solution.stop);
+  report.stop_message = model::message_of(solution.stop);
   report.allowed = given.allowed;
   report.published_peak_pressure = given.published_peak_pressure;
   report.published_source = given.published_source;
@@ -194,7 +196,7 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given, cons
 
 /// Says what the user should know of the solution, then the table.
 template <int dim>
-void present(const Case& given, const fem::Solution<dim>& solution,
+void present(const model::Case& given, const fem::Solution<dim>& solution,
              const post::Results<dim>& results, const post::RunReport& report,
              ProgressDisplay& progress) {
   for (const std::string& notice : notices_of(given, solution, results))
@@ -207,9 +209,9 @@ void present(const Case& given, const fem::Solution<dim>& solution,
 /// Writes what rank 0 writes alone, and puts everything in its place.
 /// @return names of the files of other cases that it removed
 template <int dim>
-std::vector<std::string> publish(const Case& given, const fem::Solution<dim>& solution,
+std::vector<std::string> publish(const model::Case& given, const fem::Solution<dim>& solution,
                                  const post::Results<dim>& results, const post::RunReport& report,
-                                 const Model<dim>& model, const nlohmann::json& view,
+                                 const model::Model<dim>& model, const nlohmann::json& view,
                                  const std::string& log, const CheckpointKeeper& checkpoints,
                                  OutputDirectory& directory) {
   const fs::path& working = directory.working();
@@ -250,9 +252,10 @@ struct Solved {
 /// The contact problem solved, from the beginning or from a checkpoint.
 /// @param saved text of the checkpoint; empty: from the beginning
 template <int dim>
-Solved<dim> solve(const MPI_Comm communicator, const Case& given, const Model<dim>& model,
-                  const std::string& saved, const dealii::Timer& total,
-                  CheckpointKeeper& checkpoints, ProgressDisplay& progress) {
+Solved<dim> solve(const MPI_Comm communicator, const model::Case& given,
+                  const model::Model<dim>& model, const std::string& saved,
+                  const dealii::Timer& total, CheckpointKeeper& checkpoints,
+                  ProgressDisplay& progress) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   std::optional<fem::Checkpoint<dim>> start;
   std::vector<post::RunFigures> figures;
@@ -277,7 +280,7 @@ Solved<dim> solve(const MPI_Comm communicator, const Case& given, const Model<di
           checkpoints.keep(checkpoint_text(given, model.mesh, SavedRun<dim>{state, figures}));
       if (!trouble.empty()) progress.warning("note: " + trouble);
     };
-  fem::Solution<dim> solution = naming(given, [&] {
+  fem::Solution<dim> solution = model::naming(given, [&] {
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings, watch,
                               start);
   });
@@ -287,13 +290,13 @@ Solved<dim> solve(const MPI_Comm communicator, const Case& given, const Model<di
 
 /// Mesh, solution, results and files of a case.
 template <int dim>
-int run(const MPI_Comm communicator, const Case& given, const RunRequest& request,
+int run(const MPI_Comm communicator, const model::Case& given, const RunRequest& request,
         const dealii::Timer& total, std::optional<mesh::Mesher>& mesher) {
   const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const fs::path output = request.output.empty() ? given.directory / "results" : request.output;
   const std::string command = command_to_continue(given.directory, request);
   std::optional<OutputDirectory> directory;
-  together(communicator, [&] {
+  model::together(communicator, [&] {
     directory.emplace(output, given, "summary", is_first);
     constexpr double few_unknowns = dim == 2 ? 5e3 : 5e4;  // the least that a case takes
     directory->check_space(size_of_results(few_unknowns));
@@ -303,8 +306,8 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   CheckpointKeeper checkpoints(given, output, saved, command);
   ProgressDisplay progress(is_first, given.units);
   dealii::Timer timer;
-  const Model<dim> model =
-      naming(given, [&] { return make_model<dim>(communicator, given, mesher); });
+  const model::Model<dim> model =
+      model::naming(given, [&] { return model::make_model<dim>(communicator, given, mesher); });
   const double mesh_seconds = timer.wall_time();
   progress.line(heading(given, model));
   for (const std::string& notice : model.notices) progress.line("note: " + notice);
@@ -323,7 +326,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   post::RunReport report = make_report(communicator, given, model, solution, results);
   report.errors = post::figure_errors(solution, figures);
   present(given, solution, results, report, progress);
-  together(communicator, [&] {
+  model::together(communicator, [&] {
     directory->check_space(size_of_results(static_cast<double>(solution.history.back().dofs)));
   });
   post::write_fields(solution, results, given.units, directory->working());
@@ -333,7 +336,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
   report.post_seconds = timer.wall_time();
   report.total_seconds = total.wall_time();
   std::vector<std::string> removed;
-  together(communicator, [&] {
+  model::together(communicator, [&] {
     allocations.require_none();
     if (!is_first) return;
     removed = publish(given, solution, results, report, model, view, progress.log(), checkpoints,
@@ -353,7 +356,7 @@ int run(const MPI_Comm communicator, const Case& given, const RunRequest& reques
 int run_case(const MPI_Comm communicator, const fs::path& case_directory, const RunRequest& request,
              std::optional<mesh::Mesher>& mesher) {
   const dealii::Timer total;
-  const Case given = read_case(case_directory);
+  const model::Case given = model::read_case(case_directory);
   return given.dimension == 3 ? run<3>(communicator, given, request, total, mesher)
                               : run<2>(communicator, given, request, total, mesher);
 }

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <variant>
 
-#include "app/naming.h"
 #include "app/output_directory.h"
 #include "app/version.h"
 #include "base/errors.h"
 #include "loads/pi.h"
+#include "model/naming.h"
 
 namespace geneva::app {
 
@@ -58,7 +58,7 @@ post::CrankRockerReport make_crank_rocker(const loads::CrankRockerInput& input) 
 }
 
 /// What the loads room still refuses are the points.
-post::PathReport make_path(const PathCase& given) {
+post::PathReport make_path(const model::PathCase& given) {
   try {
     return {given.task, loads::synthesise_path(given.task)};
   } catch (const std::invalid_argument& error) {
@@ -70,7 +70,7 @@ struct Maker {
   using Result = decltype(post::SynthesisReport::result);
   Result operator()(const loads::QuickReturnInput& input) const { return make_quick_return(input); }
   Result operator()(const loads::CrankRockerInput& input) const { return make_crank_rocker(input); }
-  Result operator()(const PathCase& input) const { return make_path(input); }
+  Result operator()(const model::PathCase& input) const { return make_path(input); }
 };
 
 /// Why there is no linkage, and what to try; empty if there is one.
@@ -91,16 +91,16 @@ std::string shortfall(const post::SynthesisReport& report, const base::UnitSyste
 
 }  // namespace
 
-post::SynthesisReport make_synthesis(const Case& given) {
+post::SynthesisReport make_synthesis(const model::Case& given) {
   if (!given.synthesis)
-    refuse_model(given, "there is no linkage to find", "geneva synthesize", "synthesis");
+    model::refuse_model(given, "there is no linkage to find", "geneva synthesize", "synthesis");
   return {name_of(given), given.title, version, std::visit(Maker{}, *given.synthesis)};
 }
 
 int synthesize_case(const std::filesystem::path& case_directory,
                     const std::filesystem::path& output) {
-  const Case given = read_case(case_directory);
-  const post::SynthesisReport report = naming(given, [&] { return make_synthesis(given); });
+  const model::Case given = model::read_case(case_directory);
+  const post::SynthesisReport report = model::naming(given, [&] { return make_synthesis(given); });
   std::cout << report.case_name << (report.title.empty() ? "" : ": " + report.title) << '\n'
             << post::synthesis_table(report, given.units);
   const std::filesystem::path target = output.empty() ? given.directory / "results" : output;

@@ -2,14 +2,14 @@
 
 #include <filesystem>
 
-#include "app/case_file.h"
+#include "model/input/case_file.h"
 #include "post/output/synthesis_output.h"
 
 namespace geneva::app {
 
 /// Dimensions of the linkage that a case asks for (Lecture 4).
 /// @throws base::InputError if the case has another model, or where the loads room does
-post::SynthesisReport make_synthesis(const Case& given);
+post::SynthesisReport make_synthesis(const model::Case& given);
 
 /// Does what `geneva synthesize` does: prints the linkage or linkages and writes synthesis.json and
 /// synthesis.csv.

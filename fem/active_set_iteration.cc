@@ -114,18 +114,8 @@ class SystemOfSets {
   /// @return number of iterations
   /// @throws dealii::SolverControl::NoConvergence
   unsigned int solve(Vector& displacement, const double reduction) {
-    if (is_smoothing_) return system_->smooth(displacement);
-    const Vector guess(displacement);
-    try {
-      return system_->solve(displacement, settings_.linear_tolerance, reduction);
-    } catch (const dealii::SolverControl::NoConvergence& failure) {
-      const bool is_own = method_ != Method::library_multigrid;
-      if (settings_.linear_solver != LinearSolver::automatic || !is_own || failure.last_step == 0)
-        throw;
-    }
-    set_up(Method::library_multigrid);
-    displacement = guess;
-    return system_->solve(displacement, settings_.linear_tolerance, reduction);
+    return is_smoothing_ ? system_->smooth(displacement)
+                         : system_->solve(displacement, settings_.linear_tolerance, reduction);
   }
 
   /// Time of the assembly and the preconditioner.
@@ -153,7 +143,6 @@ class SystemOfSets {
   void set_up(const Method method) {
     const dealii::Timer timer;
     system_->set_up(dof_handler_, method);
-    method_ = method;
     is_set_up_ = true;
     assembly_seconds_ += timer.wall_time();
   }
@@ -165,7 +154,6 @@ class SystemOfSets {
   unsigned int n_smoothing_steps_ = 0;
   bool is_smoothing_ = false;
   bool is_set_up_ = false;
-  Method method_ = Method::multigrid;
   double assembly_seconds_ = 0.;
 };
 

@@ -107,7 +107,7 @@ void visit_state(State& state, const Visit& visit) {
 }
 
 json written(const LevelRecord& record) {
-  json result;
+  json result = json::object();
   visit_record(record, [&](const char* name, const auto& value) { result[name] = written(value); });
   return result;
 }
@@ -120,7 +120,7 @@ void read(const json& given, LevelRecord& record) {
 
 template <int dim>
 json json_of(const Checkpoint<dim>& checkpoint) {
-  json refinement;
+  json refinement = json::object();
   visit_state(checkpoint.refinement,
               [&](const char* name, const auto& value) { refinement[name] = written(value); });
   return {{"source_origins", written(checkpoint.origins.source)},

@@ -90,21 +90,40 @@ std::variant<LevelState, Stop> Equilibrium<dim>::advance(const State<dim>& from,
                                                          const Settings& settings,
                                                          const StepObserver& observer) {
   set_load(load);
+  auto result = solve(from, settings, observer);
+  const auto* const stop = std::get_if<Stop>(&result);
+  if (stop == nullptr || stop->outcome != Outcome::linear_solver) return result;
+  check_that_contact_holds();
+  if (settings.linear_solver != LinearSolver::automatic) return result;
+  Settings by_library = settings;
+  by_library.linear_solver = LinearSolver::library;
+  return solve(from, by_library, observer);
+}
+
+template <int dim>
+std::variant<LevelState, Stop> Equilibrium<dim>::solve(const State<dim>& from,
+                                                       const Settings& settings,
+                                                       const StepObserver& observer) {
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
     if (state) return std::move(*state);
     return Stop{Outcome::active_set_limit, 0., static_cast<double>(settings.max_active_set_steps),
                 n_unknowns_};
   } catch (const dealii::SolverControl::NoConvergence& failure) {
-    if (const auto open = open_pair(level_);
-        open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
-      throw base::InputError(
-          fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
-                      "check the direction of the load",
-                      quoted(problem_.pairs[*open])));
     return Stop{Outcome::linear_solver, static_cast<double>(failure.last_step), 0., n_unknowns_,
                 failure.last_residual};
   }
+}
+
+/// @throws base::InputError if a body moves freely since a contact is open
+template <int dim>
+void Equilibrium<dim>::check_that_contact_holds() const {
+  if (const auto open = open_pair(level_);
+      open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
+    throw base::InputError(
+        fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
+                    "check the direction of the load",
+                    quoted(problem_.pairs[*open])));
 }
 
 template <int dim>

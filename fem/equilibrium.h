@@ -74,6 +74,9 @@ class Equilibrium {
  private:
   void make_level(const State<dim>& state);
   void set_load(const Load& load);
+  std::variant<LevelState, Stop> solve(const State<dim>& from, const Settings& settings,
+                                       const StepObserver& observer);
+  void check_that_contact_holds() const;
 
   MPI_Comm communicator_;
   mesh::MeshData<dim> coarse_;

@@ -75,7 +75,7 @@ json answer_to(const json& request) {
   const json& limits = request.at("limits");
   mesher::limit({limits.at("memory").get<double>(), limits.at("seconds").get<double>()});
   const bool is_enclosed = mesher::enclose(task.value("directory", ""));
-  json answer;
+  json answer = json::object();
   try {
     answer = result_of(task);
   } catch (const std::bad_alloc&) {

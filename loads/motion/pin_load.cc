@@ -59,12 +59,15 @@ struct Stretch {
 };
 
 /// The time of a greatest value found at the edge of a stretch: the edge itself, unless the
-/// quantity has another value there.
+/// quantity has another value there, or just beyond, where roundings of an angle may lead.
 double time_at_edge(const std::function<double(double)>& at_time, const Peak& inside,
                     const double edge) {
   constexpr double rounding = 1e-9;
-  const bool is_jump = std::abs(at_time(edge) - inside.value) > rounding * std::abs(inside.value);
-  return is_jump ? inside.time : edge;
+  const auto is_other = [&](const double time) {
+    return std::abs(at_time(time) - inside.value) > rounding * std::abs(inside.value);
+  };
+  const double beyond = 2. * edge - inside.time;
+  return is_other(edge) || is_other(beyond) ? inside.time : edge;
 }
 
 /// The greatest value on a stretch, on which the quantity is smooth.

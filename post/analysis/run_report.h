@@ -7,6 +7,7 @@
 
 #include "base/json_values.h"
 #include "base/units.h"
+#include "loads/allowables.h"
 #include "loads/motion/kinematics.h"
 #include "loads/pin/pin_beam.h"
 #include "post/analysis/figures.h"
@@ -40,13 +41,6 @@ struct MechanismReport {
                                  ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
 };
 
-/// What the case allows.
-struct Allowables {
-  std::optional<double> contact_pressure;         ///< [Pa]
-  std::optional<double> pressure_times_slip;      ///< contact pressure times slip speed [Pa m/s]
-  std::map<std::string, double> yield_strengths;  ///< [Pa] by body
-};
-
 /// What a run is about and what it cost.
 struct RunReport {
   base::CaseHeader about;
@@ -55,7 +49,7 @@ struct RunReport {
   std::string stop_message;          ///< why the refinement ended early; empty if it converged
   std::optional<MechanismReport> mechanism;
   RunFigures errors;  ///< estimated, relative
-  Allowables allowed;
+  loads::Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
   double mesh_seconds;

@@ -32,7 +32,7 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
     return is_bounded(solution) ? std::optional(value) : std::nullopt;
   };
   const double pressure = solution.contacts[leading_contact(solution)].peak_pressure;
-  const Allowables& allowed = report.allowed;
+  const loads::Allowables& allowed = report.allowed;
   const auto& mechanism = report.mechanism;
   const std::optional<double> analysed =
       mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt;

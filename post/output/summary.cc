@@ -25,7 +25,7 @@ namespace {
 
 template <std::size_t dim>
 json place(const std::array<double, dim>& at) {
-  json result;
+  json result = json::object();
   const std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t i = 0; i < dim; ++i) result[axes[i]] = quantity(at[i], "m");
   return result;

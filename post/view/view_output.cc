@@ -281,7 +281,7 @@ json view_document(const fem::Solution<dim>& solution, const Results<dim>& resul
   meshes.back()["fields"].update(pressure_fields(contact, analysis, pressure, scale.stress));
   json bodies = json::array();
   for (const fem::Body<dim>& body : solution.problem.bodies) bodies.push_back(body.name);
-  json view;
+  json view = json::object();
   view["dimension"] = dim;
   view["length_unit"] = length.name;
   view["stress_unit"] = stress.name;

@@ -17,14 +17,14 @@
 #include <iostream>
 #include <optional>
 
-#include "app/case_file.h"
-#include "app/model.h"
 #include "app/threads.h"
 #include "fem/contact_problem.h"
 #include "fem/level.h"
 #include "fem/linear/constraints.h"
 #include "fem/linear/linear_system.h"
 #include "fem/problem/scaling.h"
+#include "model/input/case_file.h"
+#include "model/model.h"
 
 namespace {
 
@@ -102,8 +102,8 @@ double peak_memory() {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
-void measure(const app::Case& given, const double accuracy, std::optional<mesh::Mesher>& mesher) {
-  const app::Model<3> model = app::make_model<3>(MPI_COMM_WORLD, given, mesher);
+void measure(const model::Case& given, const double accuracy, std::optional<mesh::Mesher>& mesher) {
+  const model::Model<3> model = model::make_model<3>(MPI_COMM_WORLD, given, mesher);
   fem::Settings settings = given.settings;
   settings.accuracy = accuracy;
   settings.max_memory = 24e9;
@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: space_benchmark CASE_DIR ACCURACY...\n";
     return 1;
   }
-  const app::Case given = app::read_case(argv[1]);
+  const model::Case given = model::read_case(argv[1]);
   std::optional<mesh::Mesher> mesher(std::in_place, MESHER);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << fmt::format("{:>9}{:>8}{:>9}{:>10}{:>9}{:>6}{:>9}{:>9}{:>12}{:>9}\n", "unknowns",

@@ -1,4 +1,4 @@
-#include "app/case_file.h"
+#include "model/input/case_file.h"
 #include "base/errors.h"
 #include "tests/fuzz/reader.h"
 #include "tests/support/private_directory.h"
@@ -17,7 +17,7 @@ class Room {
 
   void read(const std::string& text) const {
     (void)directory_.write("case.prm", text);
-    (void)geneva::app::read_case(directory_.path());
+    (void)geneva::model::read_case(directory_.path());
   }
 
  private:

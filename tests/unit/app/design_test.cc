@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/app/case_directory.h"
+#include "tests/unit/model/case_directory.h"
 
 namespace {
 
-using namespace geneva::app::test;
-using geneva::app::Case;
+using namespace geneva::model::test;
 using geneva::app::make_design;
 using geneva::base::UnitSystem;
 using geneva::loads::GivenLengths;
+using geneva::model::Case;
 using geneva::post::DesignReport;
 
 namespace fs = std::filesystem;

@@ -10,21 +10,21 @@
 
 #include "app/design.h"
 #include "app/kinematics.h"
-#include "app/parameter_rule.h"
 #include "loads/pi.h"
-#include "tests/unit/app/case_directory.h"
+#include "model/input/parameter_rule.h"
+#include "tests/unit/model/case_directory.h"
 
 namespace {
 
-using namespace geneva::app::test;
-using geneva::app::Case;
+using namespace geneva::model::test;
 using geneva::app::make_synthesis;
-using geneva::app::PathCase;
 using geneva::base::UnitSystem;
 using geneva::loads::CrankRockerInput;
 using geneva::loads::PathDimension;
 using geneva::loads::pi;
 using geneva::loads::QuickReturnInput;
+using geneva::model::Case;
+using geneva::model::PathCase;
 using geneva::post::SynthesisReport;
 
 /// The parameters of a synthesis begin in line 3.
@@ -191,7 +191,7 @@ TEST(SynthesisCase, WhatIsNoTableOfPointsIsRefused) {
   EXPECT_NE(path_refusal("x [s], y [mm]\n").find("points.csv, line 1: "), std::string::npos);
   for (const char* row : {"1, nan", "1, inf", "1, ", "1e999, 1", "one, 1"})
     EXPECT_EQ(path_refusal(std::string("x [mm], y [mm]\n") + row + "\n"),
-              "DIR/points.csv, line 2: '" + geneva::app::trimmed(row) +
+              "DIR/points.csv, line 2: '" + geneva::model::trimmed(row) +
                   "' is not two numbers separated by a comma");
   EXPECT_EQ(path_refusal("x [mm], y [mm]\n1, 2, 3\n"),
             "DIR/points.csv, line 2: '1, 2, 3' is not two columns separated by a comma");

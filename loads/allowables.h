@@ -1,0 +1,16 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace geneva::loads {
+
+/// What the case allows.
+struct Allowables {
+  std::optional<double> contact_pressure;         ///< [Pa]
+  std::optional<double> pressure_times_slip;      ///< contact pressure times slip speed [Pa m/s]
+  std::map<std::string, double> yield_strengths;  ///< [Pa] by body
+};
+
+}  // namespace geneva::loads

@@ -1,0 +1,45 @@
+#include "model/contact_geometry.h"
+
+#include <stdexcept>
+
+#include "loads/wheel/internal_outline.h"
+#include "loads/wheel/local_outline.h"
+
+namespace geneva::model {
+
+namespace {
+
+/// The peak pressure changes by less than 0.1 % with larger blocks.
+constexpr double block_width_over_pin = 4.;
+constexpr double block_depth_over_pin = 2.;
+
+ContactGeometry local_geometry(const MechanismCase& mechanism, const MechanismSizes& sizes) {
+  const double d = sizes.pin_diameter;
+  const loads::LocalDimensions dimensions{d, mechanism.dimensions.pin_core_radius.value_or(d / 4.),
+                                          mechanism.block_width.value_or(block_width_over_pin * d),
+                                          mechanism.block_depth.value_or(block_depth_over_pin * d)};
+  return {loads::local_outlines(dimensions), mesh::default_sizing(dimensions), "back"};
+}
+
+ContactGeometry geometry_of(const loads::GenevaDimensions& wheel, const double pin_distance) {
+  return {{loads::wheel_outline(wheel), loads::pin_outline(wheel, pin_distance)},
+          mesh::default_sizing(wheel, pin_distance),
+          "bore"};
+}
+
+ContactGeometry geometry_of(const loads::InternalDimensions& wheel, const double pin_distance) {
+  return {{loads::internal_wheel_outline(wheel), loads::internal_pin_outline(wheel, pin_distance)},
+          mesh::default_sizing(wheel, pin_distance),
+          "rim"};
+}
+
+}  // namespace
+
+ContactGeometry contact_geometry(const MechanismCase& mechanism, const MechanismState& state) {
+  if (mechanism.is_local) return local_geometry(mechanism, state.sizes);
+  if (!state.wheel) throw std::logic_error("the whole wheel of this type is not drawn");
+  return std::visit([&](const auto& wheel) { return geometry_of(wheel, state.load.pin_distance); },
+                    *state.wheel);
+}
+
+}  // namespace geneva::model

@@ -1,0 +1,233 @@
+#include "model/input/case_file.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+#include <ostream>
+#include <system_error>
+
+#include "base/errors.h"
+#include "base/printable.h"
+#include "model/input/case_content.h"
+#include "model/input/case_models.h"
+#include "model/input/case_values.h"
+#include "model/input/parameter_text.h"
+#include "model/input/parameters.h"
+
+namespace geneva::model {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The directory without a slash at its end.
+fs::path checked_directory(const fs::path& directory) {
+  if (directory.empty())
+    throw base::InputError("the case directory has no name: name a directory with a case.prm");
+  std::error_code error;
+  const std::string name = directory.string();
+  if (!fs::exists(directory, error))
+    throw base::InputError(fmt::format("{}: there is no such directory", name));
+  if (!fs::is_directory(directory, error))
+    throw base::InputError(
+        fmt::format("{}: this is not a directory; name the directory that holds case.prm", name));
+  if (!fs::exists(directory / "case.prm", error))
+    throw base::InputError(fmt::format("{}: there is no file case.prm in this directory", name));
+  return directory.has_filename() ? directory : directory.parent_path();
+}
+
+/// The model that the file asks for.
+std::string model_of(const ParameterText& text) {
+  const ChoiceRule rule = model_rule();
+  const Assignment* found = text.find({}, "Model");
+  if (found == nullptr) return rule.words.front();
+  if (refusal(rule, found->value))
+    refuse(text, *found, fmt::format("one of {} is wanted", listed(rule.words)));
+  return found->value;
+}
+
+/// Refuses a subsection that belongs to another model than the case has.
+void check_sections(const ParameterText& text, const std::string& model) {
+  const std::map<std::string, std::vector<std::string>> models{
+      {names::mechanism, {"mechanism"}},
+      {names::geometry, {"geometry"}},
+      {names::synthesis, {"synthesis"}},
+      {names::published, {"mechanism", "geometry"}},
+      {names::allowable, {"mechanism", "geometry"}}};
+  for (const OpenedSection& section : text.sections) {
+    const auto known = models.find(section.path.front());
+    if (known == models.end()) continue;
+    const auto& allowed = known->second;
+    if (std::find(allowed.begin(), allowed.end(), model) == allowed.end())
+      throw base::InputError(fmt::format(
+          "{}, line {}: the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
+          text.file, section.line, known->first, fmt::join(allowed, " or "), model,
+          text.find({}, "Model") == nullptr ? " (default)" : ""));
+  }
+}
+
+std::vector<Parameter> parameters_of(const ParameterText& text, const std::string& model,
+                                     const fs::path& directory) {
+  std::vector<Parameter> parameters = general_parameters();
+  const auto append = [&](const std::vector<Parameter>& more) {
+    parameters.insert(parameters.end(), more.begin(), more.end());
+  };
+  if (model == "synthesis") {
+    append(synthesis_parameters());
+    return parameters;
+  }
+  append(settings_parameters());
+  append(model == "mechanism" ? mechanism_parameters() : geometry_parameters_of(text, directory));
+  append(published_parameters());
+  append(allowable_parameters());
+  return parameters;
+}
+
+fem::LinearSolver read_linear_solver(const CaseSection& section) {
+  const std::string word = section.text("Linear solver");
+  if (word == "own") return fem::LinearSolver::own;
+  return word == "ML" ? fem::LinearSolver::library : fem::LinearSolver::automatic;
+}
+
+fem::Settings read_settings(const CaseSection& section, const int dimension) {
+  const double accuracy_by_dimension = dimension == 3 ? 0.05 : 0.005;
+  fem::Settings settings;
+  settings.accuracy = section.optional_value("Accuracy").value_or(accuracy_by_dimension);
+  settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
+  settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
+  settings.max_memory = section.value("Maximum memory");
+  settings.max_seconds = section.value("Maximum time");
+  settings.max_active_set_steps =
+      static_cast<unsigned int>(section.value("Maximum active-set steps"));
+  settings.linear_tolerance = section.value("Linear tolerance");
+  settings.linear_solver = read_linear_solver(section);
+  return settings;
+}
+
+Checkpoints read_checkpoints(const CaseSection& section) {
+  const std::string word = section.text("Checkpoint");
+  if (word == "true") return Checkpoints::always;
+  return word == "false" ? Checkpoints::never : Checkpoints::automatic;
+}
+
+/// Names of the bodies and the subsections of their materials.
+std::map<std::string, SectionPath> materials_of(const Case& given) {
+  if (given.mechanism)
+    return {{"pin", {names::mechanism, names::pin_material}},
+            {"wheel", {names::mechanism, names::wheel_material}}};
+  std::map<std::string, SectionPath> sections;
+  std::visit(
+      [&](const auto& problem) {
+        for (const auto& body : problem.bodies) sections[body.name] = body_section(body.name);
+      },
+      given.geometry->problem);
+  return sections;
+}
+
+/// Files of the case directory that the case names.
+std::vector<fs::path> named_files(const CaseValues& values, const Case& given) {
+  std::vector<fs::path> files;
+  const auto add = [&](const SectionPath& section, const char* parameter) {
+    const std::string name = CaseSection(values, section).text(parameter);
+    if (!name.empty()) files.push_back(given.directory / name);
+  };
+  if (given.mechanism) {
+    add({names::mechanism}, "Motion table");
+    add({names::mechanism, names::pin}, "Profile table");
+  }
+  if (given.geometry) files.push_back(given.geometry->file);
+  if (given.synthesis)
+    if (const auto* path = std::get_if<PathCase>(&*given.synthesis)) files.push_back(path->file);
+  return files;
+}
+
+loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
+  const CaseSection section(values, {names::allowable});
+  loads::Allowables result{section.optional_value("Contact pressure"),
+                           section.optional_value("Pressure times slip speed"),
+                           {}};
+  if (result.pressure_times_slip && !given.mechanism)
+    section.refuse("Pressure times slip speed",
+                   "a geometry knows no slip speed; it is for Model = mechanism");
+  for (const auto& [body, path] : materials_of(given))
+    if (const auto yield = CaseSection(values, path).optional_value("Yield strength"))
+      result.yield_strengths[body] = *yield;
+  return result;
+}
+
+}  // namespace
+
+Case read_case(const fs::path& directory) {
+  Case result{};
+  result.directory = checked_directory(directory);
+  const ParameterText text = read_parameter_text(result.directory / "case.prm");
+  const std::string model = model_of(text);
+  check_sections(text, model);
+  const CaseValues values(parameters_of(text, model, result.directory), text);
+
+  const CaseSection general(values, {});
+  result.title = base::without_controls(general.text("Title"));
+  result.units = base::unit_system_named(general.text("Output units"));
+  if (model == "synthesis") {
+    result.synthesis = read_synthesis(values, result.directory);
+  } else {
+    result.dimension = general.text("Dimension") == "3" ? 3 : 2;
+    result.settings = read_settings(general, result.dimension);
+    result.checkpoints = read_checkpoints(general);
+    const CaseSection published(values, {names::published});
+    result.published_peak_pressure = published.optional_value("Peak pressure");
+    result.published_source = published.text("Source");
+    if (model == "mechanism")
+      result.mechanism = read_mechanism(values, result.directory);
+    else
+      result.geometry = read_geometry_case(values, result.directory, result.dimension);
+    result.allowed = read_allowables(values, result);
+  }
+  result.completed = values.completed();
+  const std::vector<fs::path> others = named_files(values, result);
+  result.inputs = {result.directory / "case.prm"};
+  result.inputs.insert(result.inputs.end(), others.begin(), others.end());
+  result.content = content_of(result.completed, model, others);
+  return result;
+}
+
+std::string name_of(const Case& given) {
+  const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
+  return path.parent_path().filename().string();
+}
+
+base::CaseHeader header_of(const Case& given) {
+  return {name_of(given), given.title,
+          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units,
+          given.content};
+}
+
+void refuse_model(const Case& given, const std::string& reason, const std::string& command,
+                  const std::string& wanted) {
+  const std::string model = given.mechanism  ? "mechanism"
+                            : given.geometry ? "geometry"
+                                             : "synthesis";
+  throw base::InputError(
+      fmt::format("'Model' = '{}': {}; '{}' wants a case with Model = {}{}", model, reason, command,
+                  wanted, given.synthesis ? ", this one is for 'geneva synthesize'" : ""));
+}
+
+void print_parameters(std::ostream& out) {
+  dealii::ParameterHandler handler;
+  declare(handler, general_parameters());
+  declare(handler, settings_parameters());
+  declare(handler, mechanism_parameters());
+  declare(handler, geometry_parameters({"NAME"}, {"NAME"}, ""));
+  declare(handler, synthesis_parameters());
+  declare(handler, published_parameters());
+  declare(handler, allowable_parameters());
+  handler.print_parameters(
+      out, dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
+                                                 dealii::ParameterHandler::KeepDeclarationOrder));
+}
+
+}  // namespace geneva::model

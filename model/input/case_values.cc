@@ -1,0 +1,281 @@
+#include "model/input/case_values.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/patterns.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "base/errors.h"
+#include "model/input/nearest_word.h"
+#include "model/input/quantity_pattern.h"
+
+namespace geneva::model {
+
+namespace {
+
+/// Stands in a subsection of the handler as long as it lives.
+class EnteredSection {
+ public:
+  EnteredSection(dealii::ParameterHandler& handler, const SectionPath& path)
+      : handler_(handler), depth_(path.size()) {
+    for (const std::string& name : path) handler_.enter_subsection(name);
+  }
+  EnteredSection(const EnteredSection&) = delete;
+  EnteredSection& operator=(const EnteredSection&) = delete;
+  ~EnteredSection() {
+    for (std::size_t i = 0; i < depth_; ++i) handler_.leave_subsection();
+  }
+
+ private:
+  dealii::ParameterHandler& handler_;
+  std::size_t depth_;
+};
+
+std::unique_ptr<dealii::Patterns::PatternBase> pattern_of(const Rule& rule) {
+  if (const auto* quantity = std::get_if<QuantityRule>(&rule))
+    return std::make_unique<QuantityPattern>(*quantity);
+  if (const auto* choice = std::get_if<ChoiceRule>(&rule)) {
+    std::string words;
+    for (const std::string& word : choice->words) words += (words.empty() ? "" : "|") + word;
+    return std::make_unique<dealii::Patterns::Selection>(words);
+  }
+  return std::make_unique<dealii::Patterns::Anything>();
+}
+
+/// The handler wants a default that its pattern matches: a required parameter may be left out as
+/// far as it is concerned.
+Rule declared_rule(const Parameter& parameter) {
+  Rule rule = parameter.rule;
+  if (parameter.required)
+    if (auto* quantity = std::get_if<QuantityRule>(&rule)) quantity->words.emplace_back();
+  return rule;
+}
+
+/// "Wheel material/Density": without the model's section, which goes without saying.
+std::string shown_name(const SectionPath& section, const std::string& name) {
+  std::string shown;
+  for (std::size_t i = 1; i < section.size(); ++i) shown += section[i] + "/";
+  return "'" + shown + name + "'";
+}
+
+std::string wanted_text(const Rule& rule) {
+  std::string text = allowed(rule);
+  text.pop_back();
+  text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+  if (const auto* quantity = std::get_if<QuantityRule>(&rule))
+    if (!quantity->whole) text += "; for example " + base::example_of(quantity->dimension);
+  return text;
+}
+
+std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
+                                     const SectionPath& path) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : parameters) {
+    const SectionPath& section = parameter.section;
+    if (section.size() <= path.size() || !std::equal(path.begin(), path.end(), section.begin()))
+      continue;
+    const std::string& name = section[path.size()];
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+[[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
+  throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
+}
+
+[[noreturn]] void refuse_unknown_section(const std::vector<Parameter>& parameters,
+                                         const ParameterText& text, const OpenedSection& opened) {
+  const SectionPath parent(opened.path.begin(), opened.path.end() - 1);
+  const std::string& name = opened.path.back();
+  const std::vector<std::string> known = sections_in(parameters, parent);
+  std::string reason = fmt::format("there is no subsection {}{}", base::in_quotes(name),
+                                   parent.empty() ? "" : " in " + base::in_quotes(parent.back()));
+  for (const Parameter& parameter : parameters)
+    if (parameter.section.size() == 2 && parent.empty() && parameter.section.back() == name)
+      refuse_line(text, opened.line,
+                  fmt::format("the subsection {} belongs into the subsection {}",
+                              base::in_quotes(name), base::in_quotes(parameter.section.front())));
+  if (const auto nearest = nearest_word(name, known))
+    reason += "; did you mean " + base::in_quotes(*nearest) + "?";
+  else if (!known.empty())
+    reason += "; there are " + listed(known);
+  refuse_line(text, opened.line, reason);
+}
+
+std::string section_phrase(const SectionPath& section) {
+  return section.empty() ? "outside of all subsections"
+                         : "in the subsection " + base::in_quotes(section.back());
+}
+
+[[noreturn]] void refuse_unknown_name(const std::vector<Parameter>& parameters,
+                                      const ParameterText& text, const Assignment& found) {
+  std::string reason = fmt::format("there is no parameter {} {}", base::in_quotes(found.name),
+                                   section_phrase(found.section));
+  std::vector<std::string> here;
+  for (const Parameter& parameter : parameters)
+    if (parameter.section == found.section) here.push_back(parameter.name);
+  if (const auto nearest = nearest_word(found.name, here))
+    refuse_line(text, found.line, reason + "; did you mean " + base::in_quotes(*nearest) + "?");
+  for (const Parameter& parameter : parameters)
+    if (parameter.name == found.name)
+      refuse_line(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));
+  refuse_line(text, found.line, reason + (here.empty() ? "" : "; there are " + listed(here)));
+}
+
+using ParameterKey = std::pair<SectionPath, std::string>;
+
+void check_names(const std::vector<Parameter>& parameters, const ParameterText& text) {
+  std::set<SectionPath> sections;
+  std::map<ParameterKey, const Parameter*> known;
+  for (const Parameter& parameter : parameters) {
+    known.emplace(ParameterKey{parameter.section, parameter.name}, &parameter);
+    for (SectionPath path = parameter.section; !path.empty(); path.pop_back())
+      sections.insert(path);
+  }
+  for (const OpenedSection& opened : text.sections)
+    if (sections.count(opened.path) == 0) refuse_unknown_section(parameters, text, opened);
+  for (const Assignment& found : text.assignments) {
+    const auto parameter = known.find({found.section, found.name});
+    if (parameter == known.end()) refuse_unknown_name(parameters, text, found);
+    if (parameter->second->required && found.value.empty()) continue;
+    if (const auto reason = refusal(parameter->second->rule, found.value))
+      refuse_line(text, found.line,
+                  fmt::format("{} = {}", shown_name(found.section, found.name), *reason));
+  }
+}
+
+}  // namespace
+
+void declare(dealii::ParameterHandler& handler, const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    const EnteredSection section(handler, parameter.section);
+    handler.declare_entry(parameter.name, parameter.default_value,
+                          *pattern_of(declared_rule(parameter)),
+                          (parameter.required ? "Required. " : "") + parameter.help + " [" +
+                              allowed(parameter.rule) + "]");
+  }
+}
+
+void refuse(const ParameterText& text, const Assignment& found, const std::string& reason) {
+  refuse_line(text, found.line,
+              fmt::format("{} = {}: {}", shown_name(found.section, found.name),
+                          base::in_quotes(found.value), reason));
+}
+
+CaseValues::CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text)
+    : parameters_(parameters), text_(text), handler_(std::make_unique<dealii::ParameterHandler>()) {
+  check_names(parameters, text);
+  declare(*handler_, parameters);
+  for (const Assignment& found : text.assignments) {
+    const EnteredSection section(*handler_, found.section);
+    handler_->set(found.name, found.value);
+  }
+  for (const Parameter& parameter : parameters)
+    if (parameter.required && this->text(parameter.section, parameter.name).empty())
+      refuse_missing(parameter.section, parameter.name, "it takes " + wanted_text(parameter.rule));
+}
+
+CaseValues::~CaseValues() = default;
+
+std::string CaseValues::text(const SectionPath& section, const std::string& name) const {
+  const EnteredSection entered(*handler_, section);
+  return handler_->get(name);
+}
+
+const Parameter& CaseValues::parameter(const SectionPath& section, const std::string& name) const {
+  const auto found =
+      std::find_if(parameters_.begin(), parameters_.end(), [&](const Parameter& parameter) {
+        return parameter.section == section && parameter.name == name;
+      });
+  if (found == parameters_.end())
+    throw std::logic_error("parameter '" + name + "' is not declared");
+  return *found;
+}
+
+std::vector<double> CaseValues::values(const SectionPath& section, const std::string& name) const {
+  const auto& rule = std::get<QuantityRule>(parameter(section, name).rule);
+  const std::string found = text(section, name);
+  return is_word(rule, found) ? std::vector<double>{} : model::values(rule, found);
+}
+
+std::optional<double> CaseValues::value(const SectionPath& section, const std::string& name) const {
+  const std::vector<double> all = values(section, name);
+  return all.empty() ? std::nullopt : std::optional<double>(all.front());
+}
+
+bool CaseValues::is_changed(const SectionPath& section, const std::string& name) const {
+  return text(section, name) != parameter(section, name).default_value;
+}
+
+void CaseValues::refuse(const SectionPath& section, const std::string& name,
+                        const std::string& reason) const {
+  if (const Assignment* found = text_.find(section, name)) model::refuse(text_, *found, reason);
+  throw base::InputError(fmt::format("{}: {} = {} (default): {}", text_.file,
+                                     shown_name(section, name),
+                                     base::in_quotes(text(section, name)), reason));
+}
+
+void CaseValues::refuse_missing(const SectionPath& section, const std::string& name,
+                                const std::string& reason) const {
+  throw base::InputError(fmt::format("{}: {} is missing {}: {}", text_.file, base::in_quotes(name),
+                                     section_phrase(section), reason));
+}
+
+void CaseValues::refuse_section(const SectionPath& section, const std::string& reason) const {
+  throw base::InputError(
+      fmt::format("{}: subsection {}: {}", text_.file, base::in_quotes(section.back()), reason));
+}
+
+std::string CaseValues::completed() const {
+  std::ostringstream stream;
+  handler_->print_parameters(
+      stream, dealii::ParameterHandler::OutputStyle(
+                  dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder));
+  return stream.str();
+}
+
+CaseSection::CaseSection(const CaseValues& values, SectionPath path)
+    : values_(&values), path_(std::move(path)) {}
+
+std::string CaseSection::text(const std::string& name) const { return values_->text(path_, name); }
+
+bool CaseSection::is_changed(const std::string& name) const {
+  return values_->is_changed(path_, name);
+}
+
+bool CaseSection::is_given(const std::string& name) const { return !text(name).empty(); }
+
+double CaseSection::value(const std::string& name) const {
+  if (const auto found = optional_value(name)) return *found;
+  refuse_missing(name, "a value is wanted");
+}
+
+std::optional<double> CaseSection::optional_value(const std::string& name) const {
+  return values_->value(path_, name);
+}
+
+std::vector<double> CaseSection::values(const std::string& name) const {
+  return values_->values(path_, name);
+}
+
+void CaseSection::refuse(const std::string& name, const std::string& reason) const {
+  values_->refuse(path_, name, reason);
+}
+
+void CaseSection::refuse_missing(const std::string& name, const std::string& reason) const {
+  values_->refuse_missing(path_, name, reason);
+}
+
+void CaseSection::refuse(const std::string& reason) const {
+  values_->refuse_section(path_, reason);
+}
+
+}  // namespace geneva::model

@@ -1,0 +1,355 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "model/input/case_models.h"
+#include "model/input/case_path.h"
+#include "model/input/motion_table.h"
+#include "model/mechanism_motion.h"
+#include "model/mechanism_state.h"
+
+namespace geneva::model {
+
+namespace {
+
+using Kind = MechanismCase::Kind;
+
+Kind read_kind(const CaseSection& section) {
+  const std::string type = section.text("Type");
+  if (type == names::internal) return Kind::internal;
+  if (type == names::spherical) return Kind::spherical;
+  if (type == names::four_bar) return Kind::four_bar;
+  return type == names::long_dwell ? Kind::long_dwell : Kind::external;
+}
+
+/// Refuses parameters that belong to other types.
+void refuse_given(const CaseSection& section, const std::vector<const char*>& parameters,
+                  const std::string& only_with) {
+  for (const char* name : parameters)
+    if (section.is_given(name))
+      section.refuse(name, fmt::format("this has an effect with {} only", only_with));
+}
+
+/// Sizes of which a type wants exactly one.
+std::vector<std::string> sizes_for(const Kind kind) {
+  if (kind == Kind::spherical) return {"Sphere radius"};
+  if (kind == Kind::long_dwell) return {"Crank radius"};
+  if (kind == Kind::four_bar) return {};
+  return {"Wheel diameter", "Crank radius", "Centre distance"};
+}
+
+void check_sizes(const CaseSection& section, const Kind kind) {
+  const std::vector<std::string> sizes = sizes_for(kind);
+  std::vector<std::string> given;
+  for (const char* name : {"Wheel diameter", "Crank radius", "Centre distance", "Sphere radius"}) {
+    const bool is_place = kind == Kind::four_bar && std::string(name) == "Centre distance";
+    if (!section.is_given(name) || is_place) continue;
+    if (std::find(sizes.begin(), sizes.end(), name) == sizes.end())
+      section.refuse(name, fmt::format("this has no effect with Type = {}: its size is given by {}",
+                                       section.text("Type"),
+                                       sizes.empty() ? "the subsection 'Linkage'" : listed(sizes)));
+    given.emplace_back(name);
+  }
+  if (given.size() == 1 || sizes.empty()) return;
+  if (sizes.size() == 1)
+    section.refuse_missing(sizes.front(),
+                           fmt::format("'Type' = '{}' needs it", section.text("Type")));
+  section.refuse(fmt::format("exactly one of {} is wanted; given: {}", listed(sizes),
+                             given.empty() ? "none" : listed(given)));
+}
+
+/// Refuses lengths of a drawing that is not made.
+void check_drawn_lengths(const CaseSection& section, const Kind kind) {
+  std::vector<const char*> unused;
+  if (kind == Kind::external) unused = {"Rim radius"};
+  if (kind == Kind::internal) unused = {"Bore radius"};
+  if (kind != Kind::external && kind != Kind::internal)
+    unused = {"Slot clearance", "Slot width",  "Slot depth",
+              "Locking radius", "Bore radius", "Rim radius"};
+  for (const char* name : unused)
+    if (section.optional_value(name))
+      section.refuse(name, fmt::format("this has no effect with Type = {}: no such length is drawn",
+                                       section.text("Type")));
+}
+
+loads::GenevaDimensionsInput read_dimensions(const CaseSection& section, const Kind kind) {
+  check_sizes(section, kind);
+  check_drawn_lengths(section, kind);
+  loads::GenevaDimensionsInput input{};
+  input.stations = static_cast<int>(section.value("Stations"));
+  input.wheel_diameter = section.optional_value("Wheel diameter");
+  input.crank_radius = section.optional_value("Crank radius");
+  input.centre_distance = section.optional_value("Centre distance");
+  input.pin_diameter = section.optional_value("Pin diameter");
+  input.thickness = section.optional_value("Wheel thickness");
+  input.slot_clearance = section.optional_value("Slot clearance");
+  input.slot_width = section.optional_value("Slot width");
+  input.slot_depth = section.optional_value("Slot depth");
+  input.locking_radius = section.optional_value("Locking radius");
+  input.bore_radius = section.optional_value("Bore radius");
+  input.pin_core_radius = section.optional_value("Pin core radius");
+  return input;
+}
+
+/// Runs a check of the loads room and names in what it refuses the parameter that is to blame, or
+/// the subsection if none is given.
+template <typename Check>
+void checked(const CaseSection& section, const char* parameter, const Check& check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& error) {
+    if (parameter != nullptr) section.refuse(parameter, error.what());
+    section.refuse(error.what());
+  }
+}
+
+/// Step by step, so that a refusal names the parameter.
+void check_motion(const CaseSection& section, const CaseSection& linkage,
+                  const MechanismCase& given) {
+  const bool is_linkage = given.kind == Kind::four_bar;
+  checked(is_linkage ? linkage : section, given.kind == Kind::spherical ? "Shaft angle" : nullptr,
+          [&] { mechanism_of(given); });
+  checked(section, nullptr, [&] { check_drawing(given); });
+  checked(section, given.pin_angles.empty() ? "Pins" : "Pin angles",
+          [&] { engagements_of(given, mechanism_of(given)); });
+  const char* motion = given.motion.kind == DriverMotion::Kind::constant ? "Driver acceleration"
+                       : given.motion.kind == DriverMotion::Kind::table  ? "Motion table"
+                                                                         : "Driver motion";
+  checked(section, motion, [&] { driven_mechanism(given); });
+}
+
+/// Width of the drawn wheel's slot; none where a block stands for the wheel.
+std::optional<double> slot_width(const MechanismCase& given, const MechanismDynamics& dynamics) {
+  if (given.is_local || !dynamics.wheel) return std::nullopt;
+  return std::visit([](const auto& wheel) { return wheel.slot_width; }, *dynamics.wheel);
+}
+
+void check_dynamics(const CaseValues& values, const MechanismCase& given) {
+  const CaseSection section(values, {names::mechanism});
+  const MechanismDynamics dynamics = mechanism_dynamics(given);
+  if (given.roller)
+    checked(section, "Roller bore diameter",
+            [&] { loads::check(*given.roller, dynamics.sizes.pin_diameter); });
+  checked(section, given.roller ? "Roller bore friction" : "Slot friction",
+          [&] { loads::check(dynamics.train, dynamics.driven); });
+  if (given.space) check_pin(values, given, dynamics.sizes, slot_width(given, dynamics));
+}
+
+void read_linkage(const CaseValues& values, MechanismCase& result) {
+  const CaseSection section(values, {names::mechanism, names::linkage});
+  const bool is_linkage = result.kind == Kind::four_bar;
+  for (const char* name : {"Crank", "Coupler", "Rocker", "Frame"}) {
+    if (is_linkage && !section.is_given(name))
+      section.refuse_missing(name, "'Type' = 'four-bar' needs it");
+    if (!is_linkage && section.is_given(name))
+      section.refuse(name, "this has an effect with Type = four-bar only");
+  }
+  if (!is_linkage) return;
+  result.linkage = {{0., 0.},
+                    {section.value("Frame"), 0.},
+                    section.value("Crank"),
+                    section.value("Coupler"),
+                    section.value("Rocker"),
+                    section.value("Coupler point distance"),
+                    section.value("Coupler point angle")};
+  result.assembly =
+      section.text("Assembly") == "open" ? loads::Assembly::open : loads::Assembly::crossed;
+  result.wheel_place = {section.value("Wheel direction"), result.dimensions.centre_distance};
+}
+
+std::vector<double> read_pin_angles(const CaseSection& section) {
+  std::vector<double> angles;
+  if (!section.is_given("Pin angles")) return angles;
+  if (section.value("Pins") != 1.)
+    section.refuse("Pins", "'Pin angles' places the pins already: give one of the two");
+  for (const std::string& part : split_list(section.text("Pin angles"))) {
+    try {
+      angles.push_back(base::parse_quantity(part, base::Dimension::angle));
+    } catch (const std::invalid_argument& error) {
+      section.refuse("Pin angles", error.what());
+    }
+  }
+  if (std::abs(angles.front()) > 1e-12)
+    section.refuse("Pin angles",
+                   "the first is 0 deg: the driver angle is counted from the first pin");
+  return angles;
+}
+
+DriverMotion read_motion(const CaseSection& section, const Kind kind,
+                         const std::filesystem::path& directory) {
+  using Motion = DriverMotion::Kind;
+  const std::string word = section.text("Driver motion");
+  DriverMotion motion{};
+  const bool on_cross = word == names::cycloidal_cross || word == names::harmonic_cross;
+  motion.kind = word == names::constant ? Motion::constant
+                : word == names::table  ? Motion::table
+                : on_cross              ? Motion::law_on_cross
+                                        : Motion::law_on_carrier;
+  motion.law = word == names::cycloidal_carrier || word == names::cycloidal_cross
+                   ? loads::MotionLaw::cycloidal
+                   : loads::MotionLaw::harmonic;
+  if (on_cross && kind != Kind::external && kind != Kind::internal)
+    section.refuse("Driver motion",
+                   "a law on the cross is for Type = external or internal; for others it can be "
+                   "set on the carrier, or given as a table");
+  const std::string needed = fmt::format("'Driver motion' = '{}' needs it", word);
+  const bool is_constant = motion.kind == Motion::constant;
+  const bool is_table = motion.kind == Motion::table;
+  if (!is_constant) refuse_given(section, {"Driver speed"}, "Driver motion = constant");
+  if (is_constant || is_table) refuse_given(section, {"Motion time"}, "a law of motion");
+  if (!is_table) refuse_given(section, {"Motion table"}, "Driver motion = table");
+  motion.acceleration = section.value("Driver acceleration");
+  if (!is_constant && motion.acceleration != 0.)
+    section.refuse("Driver acceleration", "this has an effect with Driver motion = constant only");
+  if (is_constant) {
+    if (!section.is_given("Driver speed")) section.refuse_missing("Driver speed", needed);
+    motion.speed = section.value("Driver speed");
+  } else if (is_table) {
+    if (!section.is_given("Motion table")) section.refuse_missing("Motion table", needed);
+    MotionTable table = read_motion_table(file_in_directory(section, "Motion table", directory));
+    motion.times = std::move(table.times);
+    motion.angles = std::move(table.angles);
+  } else {
+    if (!section.is_given("Motion time")) section.refuse_missing("Motion time", needed);
+    motion.motion_time = section.value("Motion time");
+  }
+  return motion;
+}
+
+void read_angle(const CaseSection& section, const loads::DrivenMechanism& driven,
+                MechanismCase& result) {
+  using AngleKind = MechanismCase::AngleKind;
+  result.driver_angle = 0.;
+  const auto angle = section.optional_value("Driver angle");
+  if (!angle) {
+    result.angle_kind = section.text("Driver angle") == names::at_maximum_force
+                            ? AngleKind::at_maximum_pin_force
+                            : AngleKind::at_maximum_wheel_acceleration;
+    return;
+  }
+  try {
+    static_cast<void>(driven.at_engaged_angle(*angle));
+  } catch (const std::invalid_argument& error) {
+    section.refuse("Driver angle", error.what());
+  }
+  result.angle_kind = AngleKind::given;
+  result.driver_angle = *angle;
+}
+
+void read_contact_model(const CaseSection& section, MechanismCase& result) {
+  result.is_local = section.text("Contact model") == names::local;
+  result.block_width = section.optional_value("Block width");
+  result.block_depth = section.optional_value("Block depth");
+  for (const char* name : {"Block width", "Block depth"})
+    if (!result.is_local && section.optional_value(name))
+      section.refuse(name, "this has an effect with Contact model = local only");
+  if (!result.is_local && !result.is_drawn())
+    section.refuse("Contact model",
+                   fmt::format("the whole wheel is drawn with Type = external or internal only; "
+                               "Type = {} needs 'Contact model = {}'",
+                               section.text("Type"), names::local));
+}
+
+void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
+  using InertiaKind = MechanismCase::InertiaKind;
+  const auto inertia = section.optional_value("Wheel inertia");
+  const bool is_johnson = section.text("Wheel inertia") == names::johnson;
+  result.inertia_kind = inertia      ? InertiaKind::given
+                        : is_johnson ? InertiaKind::johnson
+                                     : InertiaKind::from_geometry;
+  result.wheel_inertia = inertia.value_or(0.);
+  const int stations = result.dimensions.stations;
+  if (is_johnson && (result.kind != Kind::external || !loads::johnson_row(stations).k5))
+    section.refuse(
+        "Wheel inertia",
+        fmt::format(
+            "Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
+            "is {} and has {}; {} is wanted",
+            section.text("Type"), stations,
+            result.is_drawn() ? fmt::format("'{}' or a value", names::from_geometry) : "a value"));
+  if (!inertia && !result.is_drawn())
+    section.refuse("Wheel inertia",
+                   fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
+                               section.text("Type"), base::example_of(base::Dimension::inertia)));
+}
+
+double read_load_inertia(const CaseSection& section) {
+  const std::array<const char*, 3> cylinder{"Load diameter", "Load length", "Load density"};
+  const auto inertia = section.optional_value("Load inertia");
+  for (const char* name : cylinder) {
+    if (inertia && section.is_given(name))
+      section.refuse(name, fmt::format("this has no effect unless 'Load inertia' = '{}'",
+                                       names::solid_cylinder));
+    if (!inertia && !section.is_given(name))
+      section.refuse_missing(name,
+                             fmt::format("'Load inertia' = '{}' needs it", names::solid_cylinder));
+  }
+  if (inertia) return *inertia;
+  return loads::solid_cylinder_inertia(section.value("Load diameter"), section.value("Load length"),
+                                       section.value("Load density"));
+}
+
+/// A roller has friction in its bore, a fixed pin on the wall.
+std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
+  if (section.text("Pin type") != names::roller) {
+    for (const char* name : {"Roller bore diameter", "Roller bore friction"})
+      if (section.is_changed(name))
+        section.refuse(name, "this has an effect with Pin type = roller only");
+    return std::nullopt;
+  }
+  if (section.is_changed("Slot friction"))
+    section.refuse("Slot friction",
+                   "this has an effect with Pin type = fixed only: a roller does not slide on the "
+                   "wall but in its bore; give 'Roller bore friction'");
+  if (!section.is_given("Roller bore diameter"))
+    section.refuse_missing("Roller bore diameter", "'Pin type' = 'roller' needs it");
+  return loads::RollerBore{section.value("Roller bore diameter"),
+                           section.value("Roller bore friction")};
+}
+
+CaseMaterial read_material(const CaseSection& section) {
+  return {section.value("Young's modulus"), section.value("Poisson's ratio"),
+          section.value("Density")};
+}
+
+}  // namespace
+
+MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory) {
+  const CaseSection section(values, {names::mechanism});
+  MechanismCase result{};
+  result.kind = read_kind(section);
+  result.dimensions = read_dimensions(section, result.kind);
+  result.rim_radius = section.optional_value("Rim radius");
+  read_linkage(values, result);
+  result.shaft_angle = section.value("Shaft angle");
+  result.sphere_radius = section.optional_value("Sphere radius").value_or(0.);
+  result.sprocket_spacing = section.value("Sprocket spacing");
+  result.sprocket_line = section.text("Sprocket line") == names::across
+                             ? loads::SprocketLine::across_line_of_centres
+                             : loads::SprocketLine::along_line_of_centres;
+  result.pins = static_cast<int>(section.value("Pins"));
+  result.pin_angles = read_pin_angles(section);
+  result.motion = read_motion(section, result.kind, directory);
+  result.load = {read_load_inertia(section), section.value("Friction moment")};
+  result.external_torque = section.value("External torque");
+  result.slot_friction = section.value("Slot friction");
+  result.roller = read_roller(section);
+  read_contact_model(section, result);
+  check_motion(section, {values, {names::mechanism, names::linkage}}, result);
+  read_angle(section, driven_mechanism(result), result);
+  read_wheel_inertia(section, result);
+  result.pin = read_material({values, {names::mechanism, names::pin_material}});
+  result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
+  if (CaseSection(values, {}).text("Dimension") == "3")
+    result.space = read_pin(values, directory);
+  else
+    check_no_pin(values);
+  result.design = read_design(values);
+  check_dynamics(values, result);
+  return result;
+}
+
+}  // namespace geneva::model

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "model/input/case_models.h"
+#include "model/input/case_path.h"
+#include "model/input/column_file.h"
+#include "model/pin_in_space.h"
+
+namespace geneva::model {
+
+namespace {
+
+using Hold = PinCase::Hold;
+using Profile = PinCase::Profile;
+
+Hold read_hold(const CaseSection& section) {
+  const std::string word = section.text("Held at");
+  if (word == names::both_ends) return Hold::both_ends;
+  return word == names::core ? Hold::core : Hold::one_end;
+}
+
+Profile read_profile(const CaseSection& section) {
+  const std::string word = section.text("Profile");
+  if (word == names::crown) return Profile::crown;
+  if (word == names::table) return Profile::table;
+  return word == names::logarithmic ? Profile::logarithmic : Profile::cylindrical;
+}
+
+/// A parameter that one word of another one needs and the others do not know.
+void check_partner(const CaseSection& section, const char* parameter, const char* chooser,
+                   const bool is_wanted, const bool is_needed, const std::string& words) {
+  if (is_wanted && is_needed && !section.is_given(parameter))
+    section.refuse_missing(parameter,
+                           fmt::format("'{}' = '{}' needs it", chooser, section.text(chooser)));
+  if (!is_wanted && section.is_changed(parameter))
+    section.refuse(parameter, fmt::format("this has an effect with {} = {} only", chooser, words));
+}
+
+void check_profile(const CaseSection& section, const Profile profile) {
+  check_partner(section, "Crown radius", "Profile", profile == Profile::crown, true, names::crown);
+  check_partner(section, "Profile table", "Profile", profile == Profile::table, true, names::table);
+  for (const char* name : {"Profile load", "Profile amplitude", "Profile length"})
+    check_partner(section, name, "Profile", profile == Profile::logarithmic, false,
+                  names::logarithmic);
+  if (section.optional_value("Profile load") && section.is_given("Profile amplitude"))
+    section.refuse("Profile amplitude", "the profile load gives it already: give one of the two");
+}
+
+loads::ProfileTable read_table(const CaseSection& section, const std::filesystem::path& directory) {
+  auto [places, heights] =
+      read_two_columns(file_in_directory(section, "Profile table", directory),
+                       {{{"z", base::Dimension::length}, {"height", base::Dimension::length}}},
+                       "z [mm], height [um]");
+  for (double& height : heights) height = -height;
+  loads::ProfileTable table{std::move(places), std::move(heights)};
+  try {
+    loads::check(table, 0.);
+  } catch (const std::invalid_argument& error) {
+    section.refuse("Profile table", error.what());
+  }
+  return table;
+}
+
+loads::EdgeBreak read_edge(const CaseSection& section) {
+  const std::string word = section.text("Slot edge");
+  const bool is_broken = word != names::sharp;
+  check_partner(section, "Slot edge size", "Slot edge", is_broken, true,
+                fmt::format("{} or {}", names::chamfered, names::rounded));
+  if (!is_broken) return {};
+  return {
+      word == names::rounded ? loads::EdgeBreak::Kind::rounded : loads::EdgeBreak::Kind::chamfered,
+      section.value("Slot edge size")};
+}
+
+}  // namespace
+
+PinCase read_pin(const CaseValues& values, const std::filesystem::path& directory) {
+  const CaseSection section(values, {names::mechanism, names::pin});
+  PinCase pin{};
+  pin.hold = read_hold(section);
+  pin.root_gap = section.optional_value("Root gap");
+  pin.overhang = section.optional_value("Overhang");
+  pin.length = section.optional_value("Length");
+  if (pin.length && pin.overhang)
+    section.refuse("Length", "the overhang gives it already: give one of the two");
+  if (pin.hold == Hold::core && pin.root_gap)
+    section.refuse("Root gap", "this has no effect with Held at = core: the pin has no root");
+  for (const char* name : {"Overhang", "Length", "End chamfer"})
+    if (pin.hold == Hold::both_ends && section.is_changed(name))
+      section.refuse(name, "this has no effect with Held at = both ends: the pin has no free end");
+  pin.end_chamfer = section.value("End chamfer");
+  pin.profile = read_profile(section);
+  check_profile(section, pin.profile);
+  pin.crown_radius = section.optional_value("Crown radius").value_or(0.);
+  pin.profile_load = section.optional_value("Profile load");
+  pin.profile_amplitude = section.optional_value("Profile amplitude");
+  pin.profile_length = section.optional_value("Profile length");
+  if (pin.profile == Profile::table) pin.table = read_table(section, directory);
+  pin.tilt = section.value("Tilt");
+  pin.slot_edge = read_edge(section);
+  return pin;
+}
+
+void check_no_pin(const CaseValues& values) {
+  const CaseSection section(values, {names::mechanism, names::pin});
+  for (const Parameter& parameter : mechanism_parameters())
+    if (parameter.section == SectionPath{names::mechanism, names::pin} &&
+        section.is_changed(parameter.name))
+      section.refuse(parameter.name, "this has an effect with Dimension = 3 only");
+}
+
+void check_pin(const CaseValues& values, const MechanismCase& given, const MechanismSizes& sizes,
+               const std::optional<double> slot_width) {
+  const CaseSection section(values, {names::mechanism, names::pin});
+  const PinCase& pin = *given.space;
+  const PinLengths lengths = pin_lengths(pin, sizes);
+  const auto mm = [](const double length) { return 1e3 * length; };
+  if (pin.length && lengths.overhang < 0.)
+    section.refuse("Length",
+                   fmt::format("the pin ends within the slot: root gap {:.6g} mm and wheel "
+                               "thickness {:.6g} mm make {:.6g} mm; make the pin longer",
+                               mm(lengths.root_gap), mm(sizes.thickness),
+                               mm(lengths.root_gap + sizes.thickness)));
+  const double half = sizes.thickness / 2.;
+  if (pin.slot_edge.size > half)
+    section.refuse("Slot edge size", fmt::format("it is more than half of the wheel's thickness, "
+                                                 "{:.6g} mm: nothing is left of the slot's wall",
+                                                 mm(half)));
+  if (pin.profile == Profile::crown) {
+    const double reach = half + std::max(lengths.overhang, lengths.root_gap);
+    if (pin.crown_radius < reach)
+      section.refuse("Crown radius",
+                     fmt::format("it must be at least the {:.6g} mm from the middle of the wheel "
+                                 "to the pin's end",
+                                 mm(reach)));
+  }
+  if (!slot_width) return;
+  const double room = *slot_width - sizes.pin_diameter;
+  const double lean = std::tan(std::abs(pin.tilt)) * sizes.thickness;
+  if (lean > room * (1. + 1e-9) && pin.tilt != 0.)
+    section.refuse("Tilt", fmt::format("the pin touches the other wall: over the wheel's thickness "
+                                       "it leans by {:.6g} mm, the slot clearance is {:.6g} mm; "
+                                       "tilt it less or give a larger 'Slot clearance'",
+                                       mm(lean), mm(room)));
+}
+
+}  // namespace geneva::model

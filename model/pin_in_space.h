@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "loads/pin/pin_beam.h"
+#include "loads/pin/pin_profile.h"
+#include "mesh/extrusion.h"
+#include "model/mechanism_state.h"
+
+namespace geneva::model {
+
+/// Lengths of the pin beside the wheel, whose middle plane is z = 0; the pin is held above it.
+struct PinLengths {
+  double root_gap;  ///< [m], >= 0
+  double overhang;  ///< [m]; negative if the pin ends within the slot; 0 if held at both ends
+};
+
+PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
+
+/// Whether one half of pin and wheel is solved, z > 0: the pin is held at both ends and nothing
+/// tells them apart.
+bool is_half_model(const MechanismCase& mechanism);
+
+/// What profile, tilt and edge breaks add to the gap.
+/// @throws base::InputError where the loads room does
+loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state);
+
+/// The pin as a beam; none if its core is held.
+std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
+
+/// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
+/// "pin tip"; of a half model "wheel middle" and "pin middle".
+/// @param cell greatest size of the plane cells at the contact [m]
+/// @return by the names of the bodies
+std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
+                                        const MechanismCase& mechanism, const MechanismState& state,
+                                        double cell);
+
+/// Of the layers towards the wheel's faces, or to where its broken edges begin; none with a crown
+/// whose Hertz contact is shorter, nor with a logarithmic profile, which unloads its ends.
+std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state);
+
+/// Name of the surface that holds the pin: "pin root" or "pin core".
+std::string pin_holder(const PinCase& pin);
+
+}  // namespace geneva::model

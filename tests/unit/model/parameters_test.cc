@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "model/input/case_file.h"
+#include "model/input/nearest_word.h"
+#include "model/input/parameters.h"
+#include "model/input/quantity_pattern.h"
+
+namespace {
+
+using namespace geneva::model;
+using geneva::base::Dimension;
+
+std::string printed() {
+  std::ostringstream stream;
+  print_parameters(stream);
+  return stream.str();
+}
+
+std::vector<Parameter> all_parameters() {
+  std::vector<Parameter> all = general_parameters();
+  for (const auto& more :
+       {settings_parameters(), mechanism_parameters(), geometry_parameters({"a"}, {"b"}, ""),
+        synthesis_parameters(), published_parameters()})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(Parameters, ThePrintedFileIsAlwaysTheSameAndHasNoPaths) {
+  const std::string text = printed();
+  EXPECT_EQ(printed(), text);
+  EXPECT_EQ(text.find(std::filesystem::current_path().string()), std::string::npos);
+  EXPECT_EQ(text.find("/home"), std::string::npos);
+  EXPECT_EQ(text.find("/tmp"), std::string::npos);
+}
+
+TEST(Parameters, ThePrintedFileHasEverySubsection) {
+  const std::string text = printed();
+  for (const char* line :
+       {"\nsubsection Mechanism\n", "\n  subsection Pin material\n",
+        "\n  subsection Wheel material\n", "\n  subsection Design\n", "\nsubsection Geometry\n",
+        "\n  subsection Body NAME\n", "\n  subsection Load NAME\n", "\nsubsection Synthesis\n",
+        "\nsubsection Published\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+}
+
+TEST(Parameters, EveryParameterHasAnExplanationAndADefaultThatItsRuleAllows) {
+  for (const Parameter& parameter : all_parameters()) {
+    EXPECT_FALSE(parameter.help.empty()) << parameter.name;
+    EXPECT_EQ(parameter.help.back(), '.') << parameter.name;
+    EXPECT_EQ(parameter.help.find_first_of("\\"), std::string::npos) << parameter.name;
+    if (parameter.required)
+      EXPECT_TRUE(parameter.default_value.empty()) << parameter.name;
+    else
+      EXPECT_FALSE(refusal(parameter.rule, parameter.default_value)) << parameter.name;
+  }
+}
+
+TEST(Parameters, RulesSayWhatTheyAllow) {
+  QuantityRule rule;
+  rule.dimension = Dimension::length;
+  EXPECT_EQ(allowed(rule), "A length with its unit.");
+  rule.range = greater_than_zero();
+  EXPECT_EQ(allowed(rule), "A length with its unit, greater than 0.");
+  rule.words = {"", "default"};
+  EXPECT_EQ(allowed(rule), "A length with its unit, greater than 0; or 'default'.");
+  rule.count = 2;
+  EXPECT_EQ(allowed(rule),
+            "2 values separated by commas, each a length with its unit, greater than 0; or "
+            "'default'.");
+  EXPECT_EQ(allowed(ChoiceRule{{"a", "b"}}), "One of 'a', 'b'.");
+  EXPECT_EQ(allowed(TextRule{"any text"}), "Any text.");
+}
+
+TEST(Parameters, AQuantityPatternMatchesWhatItsRuleAllows) {
+  QuantityRule rule;
+  rule.dimension = Dimension::length;
+  rule.range = greater_than_zero();
+  rule.words = {"default"};
+  const auto pattern = QuantityPattern(rule).clone();
+  for (const char* text : {"5 mm", "4.53 in", "default"}) EXPECT_TRUE(pattern->match(text)) << text;
+  for (const char* text : {"", "5", "0 mm", "-5 mm", "5 s", "Default", "5 mm, 5 mm"})
+    EXPECT_FALSE(pattern->match(text)) << text;
+  EXPECT_EQ(pattern->description(), allowed(rule));
+}
+
+TEST(Parameters, TheNearestWordIsTheOneWithTheLeastEdits) {
+  const std::vector<std::string> words{"Slot width", "Slot depth", "Stations"};
+  EXPECT_EQ(nearest_word("Slot wdith", words), "Slot width");
+  EXPECT_EQ(nearest_word("slot depth", words), "Slot depth");
+  EXPECT_EQ(nearest_word("station", words), "Stations");
+  EXPECT_FALSE(nearest_word("Colour", words));
+  EXPECT_FALSE(nearest_word("", words));
+  EXPECT_FALSE(nearest_word(std::string(1000, 'a'), words));
+}
+
+}  // namespace
