@@ -89,6 +89,18 @@ TEST(Equilibrium, IsWhereASolveThatStartsFromItEnds) {
   expect_same_pressures(first, second);
 }
 
+TEST(Equilibrium, IsTheSameByTheLibrarysSolver) {
+  Settings settings;
+  settings.linear_solver = LinearSolver::own;
+  Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
+  const auto own =
+      std::get<LevelState>(equilibrium.advance(equilibrium.at_rest(), {}, settings, ignore_steps));
+  settings.linear_solver = LinearSolver::library;
+  Equilibrium<2> other = equilibrium_of(heavy(false));
+  expect_same_pressures(
+      own, std::get<LevelState>(other.advance(other.at_rest(), {}, settings, ignore_steps)));
+}
+
 /// Without friction the way there does not matter.
 TEST(Equilibrium, DependsOnTheLoadOfItsInstantAlone) {
   const LineContact contact = heavy(false);
