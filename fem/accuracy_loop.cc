@@ -6,6 +6,8 @@
 
 #include "fem/adaptivity/error_estimate.h"
 #include "fem/adaptivity/stopping_rule.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact/zone.h"
 #include "fem/mesh_result.h"
 
 namespace geneva::fem {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <set>
 
+#include "fem/contact/active_set.h"
+#include "fem/contact/conditions.h"
 #include "fem/linear/constraints.h"
 
 namespace geneva::fem {

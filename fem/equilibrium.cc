@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "fem/conditioning.h"
+#include "fem/contact/active_set.h"
 #include "fem/rigid_motion.h"
 
 namespace geneva::fem {

@@ -8,6 +8,9 @@
 #include <utility>
 
 #include "fem/conditioning.h"
+#include "fem/contact/active_set.h"
+#include "fem/contact/conditions.h"
+#include "fem/contact/mortar.h"
 #include "fem/contact/surface_in_space.h"
 #include "fem/elasticity/elasticity.h"
 #include "fem/linear/constraints.h"

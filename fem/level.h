@@ -5,9 +5,11 @@
 #include <set>
 #include <vector>
 
-#include "fem/contact/active_set.h"
+#include "fem/contact/interface.h"
 #include "fem/contact_problem.h"
 #include "fem/elasticity/cell_systems.h"
+#include "fem/elasticity/surface_forces.h"
+#include "fem/linear/constraints.h"
 #include "fem/linear/linear_system.h"
 
 namespace geneva::fem {

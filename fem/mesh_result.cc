@@ -5,7 +5,9 @@
 
 #include "fem/adaptivity/lengthwise_pressure.h"
 #include "fem/adaptivity/refinement.h"
+#include "fem/contact/active_set.h"
 #include "fem/contact/result.h"
+#include "fem/contact/zone.h"
 #include "fem/resultants.h"
 #include "fem/symmetry.h"
 

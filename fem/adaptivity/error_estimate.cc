@@ -1,4 +1,5 @@
 #include "fem/adaptivity/error_estimate.h"
+#include "fem/contact/zone.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fem/adaptivity/level_record.h"
-#include "fem/contact/active_set.h"
+#include "fem/contact/interface.h"
 
 namespace geneva::fem {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fem/adaptivity/refinement_zone.h"
-#include "fem/contact/active_set.h"
+#include "fem/contact/interface.h"
 #include "fem/problem/problem.h"
 
 namespace geneva::fem {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/contact/active_set.h"
+#include "fem/contact/zone.h"
 
 namespace geneva::fem {
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "fem/contact/active_set.h"
 #include "fem/contact/surface_in_space.h"
 #include "mesh/dense_algebra.h"
 

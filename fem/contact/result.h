@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "fem/contact/active_set.h"
 #include "fem/contact/contact_result.h"
+#include "fem/contact/interface.h"
 #include "fem/problem/scaling.h"
 
 namespace geneva::fem {

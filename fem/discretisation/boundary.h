@@ -11,6 +11,8 @@
 
 namespace geneva::fem {
 
+using dealii::types::global_dof_index;
+
 /// A vertex of the boundary with the numbers of its displacement components.
 template <int dim>
 struct BoundaryNode {

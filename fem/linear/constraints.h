@@ -13,8 +13,6 @@
 
 namespace geneva::fem {
 
-using dealii::types::global_dof_index;
-
 /// u_dof = sum of coefficient * u_entry + inhomogeneity.
 struct ConstraintLine {
   global_dof_index dof;

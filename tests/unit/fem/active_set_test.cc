@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "fem/adaptivity/error_estimate.h"
+#include "fem/contact/conditions.h"
 #include "fem/contact/result.h"
+#include "fem/contact/zone.h"
 #include "tests/unit/fem/hand_made.h"
 
 namespace geneva::fem::test {

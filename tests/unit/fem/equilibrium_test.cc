@@ -7,6 +7,7 @@
 
 #include "fem/active_set_iteration.h"
 #include "fem/contact/result.h"
+#include "fem/contact/zone.h"
 #include "fem/contact_problem.h"
 #include "fem/equilibrium.h"
 #include "tests/support/line_contact.h"

@@ -1,0 +1,173 @@
+#include "fem/contact/conditions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace geneva::fem {
+
+namespace {
+
+/// The component to solve a line for; none if all are held.
+/// @param direction of the relative displacement that the line constrains
+template <int dim>
+int pivot_component(const dealii::Tensor<1, dim>& direction, const SurfaceNode<dim>& node,
+                    const std::set<global_dof_index>& held) {
+  int pivot = -1;
+  for (unsigned int component = 0; component < dim; ++component) {
+    const double share = std::abs(direction[component]);
+    if (held.count(node.dofs[component]) == 0 && share > 1e-6 &&
+        (pivot < 0 || share > std::abs(direction[static_cast<unsigned int>(pivot)])))
+      pivot = static_cast<int>(component);
+  }
+  return pivot;
+}
+
+/// direction . (D u_j - sum_k M_jk u_k) + constant = 0.
+template <int dim>
+ConstraintLine contact_line(const ContactInterface<dim>& interface, const ContactRow<dim>& row,
+                            const dealii::Tensor<1, dim>& direction, const double constant,
+                            const unsigned int pivot) {
+  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
+  const double diagonal = row.weight * direction[pivot];
+  ConstraintLine line{node.dofs[pivot], {}, -constant / diagonal};
+  for (unsigned int other = 0; other < dim; ++other)
+    if (other != pivot && direction[other] != 0.)
+      line.entries.emplace_back(node.dofs[other], -direction[other] / direction[pivot]);
+  for (const auto& [target_node, coupling] : row.coupling)
+    for (unsigned int component = 0; component < dim; ++component)
+      if (direction[component] != 0.)
+        line.entries.emplace_back(interface.target.nodes[target_node].dofs[component],
+                                  coupling * direction[component] / diagonal);
+  return line;
+}
+
+template <int dim>
+bool is_zero(const Components<dim>& components) {
+  return components == Components<dim>{};
+}
+
+/// Components along the frame as a vector.
+template <int dim>
+dealii::Tensor<1, dim> vector_along(const ContactFrame<dim>& frame,
+                                    const Components<dim>& components) {
+  dealii::Tensor<1, dim> result = components[0] * frame.normal;
+  for (std::size_t i = 1; i < dim; ++i) result += components[i] * frame.tangents[i - 1];
+  return result;
+}
+
+/// Of a surface's nodes.
+template <int dim>
+using Displacements = std::vector<dealii::Tensor<1, dim>>;
+
+template <int dim>
+Displacements<dim> displacements_of(const Surface<dim>& surface,
+                                    const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+  Displacements<dim> result(surface.nodes.size());
+  for (std::size_t node = 0; node < result.size(); ++node)
+    for (unsigned int component = 0; component < dim; ++component)
+      result[node][component] = displacement(surface.nodes[node].dofs[component]);
+  return result;
+}
+
+/// How far the source's node moved against the target.
+template <int dim>
+dealii::Tensor<1, dim> relative_displacement(const ContactRow<dim>& row,
+                                             const Displacements<dim>& source,
+                                             const Displacements<dim>& target) {
+  dealii::Tensor<1, dim> relative = row.weight * source[row.node];
+  for (const auto& [node, coupling] : row.coupling) relative -= coupling * target[node];
+  return relative / row.weight;
+}
+
+template <int dim>
+Tangential tangential(const ContactFrame<dim>& frame, const dealii::Tensor<1, dim>& vector) {
+  Tangential result{};
+  for (std::size_t i = 0; i < frame.tangents.size(); ++i) result[i] = vector * frame.tangents[i];
+  return result;
+}
+
+/// Of the components that no support holds.
+template <int dim>
+double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
+                   const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+  double force = 0.;
+  double normal_square = 0.;
+  for (unsigned int component = 0; component < dim; ++component) {
+    if (held.count(node.dofs[component]) > 0) continue;
+    force += forces(node.dofs[component]) * row.frame.normal[component];
+    normal_square += row.frame.normal[component] * row.frame.normal[component];
+  }
+  return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
+}
+
+/// None where a support holds a component, whose force it takes.
+template <int dim>
+Tangential friction_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
+                       const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+  dealii::Tensor<1, dim> force;
+  for (unsigned int component = 0; component < dim; ++component) {
+    if (held.count(node.dofs[component]) > 0) return {};
+    force[component] = forces(node.dofs[component]);
+  }
+  return tangential(row.frame, force / row.weight);
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
+                                          std::set<global_dof_index>& held) {
+  std::vector<ConstraintLine> lines;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const ContactRow<dim>& row = interface.rows[i];
+    // the equations are linear: it does not matter where they are taken
+    const auto equations = interface.law->equations({interface.status[i], {}, {}});
+    for (std::size_t e = 0; e < dim; ++e) {
+      const Components<dim>& by_gap = equations.by_gap[e];
+      if (is_zero<dim>(by_gap) || !is_zero<dim>(equations.by_traction[e])) continue;
+      const dealii::Tensor<1, dim> direction = vector_along(row.frame, by_gap);
+      const int pivot = pivot_component(direction, interface.source.nodes[row.node], held);
+      if (pivot < 0) continue;
+      const double constant = by_gap[0] * row.initial_gap + row.weight * equations.residual[e];
+      lines.push_back(
+          contact_line(interface, row, direction, constant, static_cast<unsigned int>(pivot)));
+      held.insert(lines.back().dof);
+    }
+  }
+  return lines;
+}
+
+template <int dim>
+ContactState evaluate(const ContactInterface<dim>& interface,
+                      const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                      const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+  const auto source = displacements_of(interface.source, displacement);
+  const auto target = displacements_of(interface.target, displacement);
+  ContactState state;
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const ContactRow<dim>& row = interface.rows[i];
+    const SurfaceNode<dim>& node = interface.source.nodes[row.node];
+    const dealii::Tensor<1, dim> relative = relative_displacement(row, source, target);
+    const bool touches = is_closed(interface.status[i]);
+    state.gap.push_back(row.initial_gap / row.weight + row.frame.normal * relative);
+    state.approach = std::max(state.approach, std::abs(row.frame.normal * relative));
+    state.slip.push_back(tangential(row.frame, relative));
+    state.pressure.push_back(touches ? pressure_of(node, row, forces, held) : 0.);
+    state.friction.push_back(touches ? friction_of(node, row, forces, held) : Tangential{});
+  }
+  return state;
+}
+
+template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
+                                                   std::set<global_dof_index>&);
+template ContactState evaluate(const ContactInterface<2>&,
+                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
+                               const std::set<global_dof_index>&);
+template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
+                                                   std::set<global_dof_index>&);
+template ContactState evaluate(const ContactInterface<3>&,
+                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
+                               const std::set<global_dof_index>&);
+
+}  // namespace geneva::fem

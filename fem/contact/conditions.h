@@ -1,0 +1,31 @@
+#pragma once
+
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <set>
+#include <vector>
+
+#include "fem/contact/interface.h"
+#include "fem/elasticity/surface_forces.h"
+#include "fem/linear/constraints.h"
+
+namespace geneva::fem {
+
+/// The equations of the pair's law that are constraints, such as gap_j(u) = 0, solved for the
+/// displacement component with the greatest share of their direction that no support holds. Those
+/// whose components are all held are left out.
+/// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
+/// are added
+template <int dim>
+std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
+                                          std::set<global_dof_index>& held);
+
+/// Gap and slip from the displacement; pressure and friction from the forces K u - f, divided by D
+/// (no differentiation).
+/// @param held dofs whose forces hold reactions of supports
+template <int dim>
+ContactState evaluate(const ContactInterface<dim>& interface,
+                      const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                      const SurfaceForces& forces, const std::set<global_dof_index>& held);
+
+}  // namespace geneva::fem
