@@ -3,12 +3,20 @@
 #include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace geneva::post {
 
+// What is made of lists has constructors: g++ 12 destroys members of nested aggregates twice where
+// making one of them throws.
+
 /// An axis of a chart: "contact pressure [psi]".
 struct ChartAxis {
+  ChartAxis() = default;
+  ChartAxis(std::string text, const bool logarithmic = false)
+      : label(std::move(text)), is_logarithmic(logarithmic) {}
+
   std::string label;
   bool is_logarithmic = false;
 };
@@ -17,6 +25,10 @@ enum class SeriesStyle { line, dashed, markers };
 
 /// Points (x, y) joined in their order; a line is interrupted where y is not a number.
 struct ChartSeries {
+  ChartSeries(std::string its_name, const SeriesStyle its_style,
+              std::vector<std::array<double, 2>> its_points)
+      : name(std::move(its_name)), style(its_style), points(std::move(its_points)) {}
+
   std::string name;
   SeriesStyle style;
   std::vector<std::array<double, 2>> points;
@@ -24,6 +36,16 @@ struct ChartSeries {
 
 /// A chart of the report; the browser draws it.
 struct Chart {
+  Chart() = default;
+  Chart(std::string its_id, std::string its_title, std::string its_summary, ChartAxis its_x,
+        ChartAxis its_y, std::vector<ChartSeries> its_series)
+      : id(std::move(its_id)),
+        title(std::move(its_title)),
+        summary(std::move(its_summary)),
+        x(std::move(its_x)),
+        y(std::move(its_y)),
+        series(std::move(its_series)) {}
+
   std::string id;
   std::string title;
   std::string summary;  ///< what the chart shows, in words, for who cannot see it
