@@ -16,14 +16,13 @@
 
 namespace geneva::app {
 
-namespace {
-
-/// The rank that a launcher of parallel programs gave this process; none without one.
-const char* launched_rank() {
+bool is_launched_as_first_rank() {
   for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (const char* const rank = std::getenv(name)) return rank;
-  return nullptr;
+    if (const char* const rank = std::getenv(name)) return std::string(rank) == "0";
+  return true;
 }
+
+namespace {
 
 void check_address_space() {
   constexpr rlim_t least = 1'000'000'000;  // with 0.6 GB the start of MPI hung
@@ -44,16 +43,6 @@ void check_current_directory() {
 }
 
 }  // namespace
-
-bool is_launched_as_first_rank() {
-  const char* const rank = launched_rank();
-  return rank == nullptr || std::string(rank) == "0";
-}
-
-void start_mpi_without_daemon() {
-  constexpr int keep = 0;  // what the user has set
-  if (launched_rank() == nullptr) ::setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
-}
 
 void check_that_mpi_can_start() {
   check_address_space();

@@ -12,10 +12,6 @@ bool is_launched_as_first_rank();
 /// its current directory is no more
 void check_that_mpi_can_start();
 
-/// Lets MPI start without the daemon that it else starts beside a process that nothing launched,
-/// which takes 0.1 s.
-void start_mpi_without_daemon();
-
 /// What is to be done, as the user wrote it.
 std::string command_text(int argc, char** argv);
 

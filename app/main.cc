@@ -54,7 +54,6 @@ int main(int argc, char** argv) try {
   if (const int* code = std::get_if<int>(&asked)) return geneva::app::with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
   geneva::app::check_that_mpi_can_start();
-  geneva::app::start_mpi_without_daemon();
   const std::string task = geneva::app::command_text(argc, argv);
   geneva::app::watch_for_interruption();
   geneva::app::watch_for_termination(task);
