@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <system_error>
 
+#include "base/allocation.h"
 #include "base/errors.h"
 #include "base/output_file.h"
 
@@ -197,7 +199,8 @@ void DirectoryReplacement::put_away(const fs::path& old) const {
     for (const fs::path& entry : entries_of(old))
       if (const fs::path place = final_ / entry.filename(); !is_regular(entry) && !is_there(place))
         move(entry, place);
-  fs::remove_all(old, ignored);
+  // Again where memory ran out, which is an ignored error.
+  for (int i = 0; i < 2 && is_there(old); ++i) fs::remove_all(old, ignored);
 }
 
 void DirectoryReplacement::exchange() const {
@@ -234,10 +237,21 @@ void DirectoryReplacement::commit() {
   const auto whole = not_to_be_interrupted();
   exchange();
   undo_.reset();
+  AllocationWatch watch;
+  try {
+    finish();
+  } catch (const std::exception&) {  // memory that ran out has many names
+    watch.forget();
+    finish();
+  }
+}
+
+/// The new directory is in its place.
+void DirectoryReplacement::finish() const {
   try {
     synchronise(final_.parent_path());
   } catch (const InputError&) {
-    // The new directory is in its place: what is left to chance is a breakdown of the machine now.
+    // What is left to chance is a breakdown of the machine now.
   }
   for (const fs::path& old : {aside_, working_})
     if (is_there(old)) put_away(old);

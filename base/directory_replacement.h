@@ -46,6 +46,7 @@ class DirectoryReplacement {
   void make_parents();
   void remove_parents() const;
   void exchange() const;
+  void finish() const;
 
   std::filesystem::path final_;
   std::filesystem::path working_;
