@@ -9,7 +9,8 @@
 
 namespace geneva::fem {
 
-/// What is known of one node in contact, in the directions of its frame: normal, then tangents.
+/// What is known of one node in contact, in the directions of its frame: normal, then tangents; in
+/// the units of the triangulation.
 template <int dim>
 struct NodeContact {
   NodeStatus status;

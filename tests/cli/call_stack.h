@@ -7,30 +7,33 @@
 #include <cstring>
 #include <initializer_list>
 
-/// Whether one of the functions that are being run has all these words in its symbol.
-inline bool is_within(const std::initializer_list<const char*> words) {
+/// Whether one of the functions that are being run is as asked for.
+template <typename Question>
+bool is_any_call(const Question& question) {
   constexpr int depth = 64;
   void* calls[depth];
   const int found = ::backtrace(calls, depth);
   return std::any_of(calls, calls + found, [&](const void* const call) {
     Dl_info info;
-    if (::dladdr(call, &info) == 0 || info.dli_sname == nullptr) return false;
-    return std::all_of(words.begin(), words.end(), [&](const char* const word) {
-      return std::strstr(info.dli_sname, word) != nullptr;
-    });
+    return ::dladdr(call, &info) != 0 && question(info);
+  });
+}
+
+/// Whether one of them has all these words in its symbol.
+inline bool is_within(const std::initializer_list<const char*> words) {
+  return is_any_call([&](const Dl_info& info) {
+    return info.dli_sname != nullptr &&
+           std::all_of(words.begin(), words.end(), [&](const char* const word) {
+             return std::strstr(info.dli_sname, word) != nullptr;
+           });
   });
 }
 
 /// Whether a function of a library is being run.
 /// @param name part of its file's name
 inline bool is_within_library(const char* const name) {
-  constexpr int depth = 64;
-  void* calls[depth];
-  const int found = ::backtrace(calls, depth);
-  return std::any_of(calls, calls + found, [&](const void* const call) {
-    Dl_info info;
-    return ::dladdr(call, &info) != 0 && info.dli_fname != nullptr &&
-           std::strstr(info.dli_fname, name) != nullptr;
+  return is_any_call([&](const Dl_info& info) {
+    return info.dli_fname != nullptr && std::strstr(info.dli_fname, name) != nullptr;
   });
 }
 

@@ -18,7 +18,8 @@ class DirectSolver {
  public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// Unknowns up to which every rank has all factors: in 3-D some 200 MB.
+  /// Unknowns up to which every rank has all factors: the coarsest level of four million unknowns
+  /// has as many.
   static constexpr int most_on_every_rank = 20000;
 
   /// Of E^T A E for constrained unknowns; their own equations have A's diagonal alone.
