@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/directory.h"
 #include "base/errors.h"
 #include "base/json_values.h"
 #include "base/output_file.h"
@@ -54,15 +55,13 @@ Stale stale_files(const fs::path& directory, const model::Case& given, const std
                   const std::set<std::string>& written) {
   Stale stale;
   if (!fs::is_directory(directory)) return stale;
-  std::set<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(directory)) files.insert(entry.path());
   // A case.prm alone is a user's, not the copy that a run makes.
   const bool has_run = document == "summary" || fs::exists(directory / "summary.json");
   std::set<std::string> kept;
   for (const post::ResultFiles& results : post::result_files())
     if (results.document != document && is_of_case(directory, results.document, given))
       kept.insert(results.document);
-  for (const fs::path& file : files) {
+  for (const fs::path& file : base::entries_of(directory)) {
     const std::string name = file.filename().string();
     if (written.count(name) > 0 || is_input(file, given) || (name == "case.prm" && !has_run))
       continue;
@@ -79,17 +78,17 @@ Stale stale_files(const fs::path& directory, const model::Case& given, const std
 /// Nothing else than a file may have the name of one that is going to be written.
 void check_names(const fs::path& directory, const std::string& document) {
   std::error_code error;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
-       entry.increment(error))
+  if (!fs::is_directory(directory, error)) return;
+  for (const fs::path& entry : base::entries_of(directory))
     for (const post::ResultFiles& results : post::result_files())
-      if (const std::string name = entry->path().filename().string();
-          !entry->is_regular_file(error) &&
+      if (const std::string name = entry.filename().string();
+          !fs::is_regular_file(entry, error) &&
           (post::is_shared_file(name) ||
            (results.document == document && post::belongs_to(results, name))))
         throw base::InputError(
             fmt::format("{} is to be written, but it is not a file; move it away, or give another "
                         "directory with --output",
-                        entry->path().string()));
+                        entry.string()));
 }
 
 void check_own_case(const fs::path& directory) {
@@ -148,8 +147,8 @@ std::vector<std::string> OutputDirectory::publish(
     const std::function<void(const fs::path&)>& complete) {
   if (!replacement_) return {};
   std::set<std::string> written;
-  for (const auto& entry : fs::directory_iterator(working_))
-    written.insert(entry.path().filename().string());
+  for (const fs::path& entry : base::entries_of(working_))
+    written.insert(entry.filename().string());
   const Stale stale = stale_files(replacement_->final(), given_, document_, written);
   replacement_->keep([&](const std::string& name) { return stale.names.count(name) == 0; });
   if (complete) complete(working_);

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "base/allocation.h"
+#include "base/directory.h"
 #include "base/errors.h"
 #include "base/output_file.h"
 
@@ -81,18 +82,6 @@ void link_or_copy(const fs::path& from, const fs::path& to) {
   if (error) throw InputError(fmt::format("cannot keep {}: {}", from.string(), error.message()));
 }
 
-std::vector<fs::path> entries_of(const fs::path& directory) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
-       entry.increment(error))
-    entries.push_back(entry->path());
-  if (error)
-    throw InputError(fmt::format("cannot read {}: {}", directory.string(), error.message()));
-  std::sort(entries.begin(), entries.end());
-  return entries;
-}
-
 bool is_regular(const fs::path& path) {
   std::error_code ignored;
   return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
@@ -153,8 +142,7 @@ DirectoryReplacement::DirectoryReplacement(const fs::path& final)
 }
 
 DirectoryReplacement::~DirectoryReplacement() {
-  std::error_code ignored;
-  if (undo_) fs::remove_all(working_, ignored);
+  if (undo_) remove_tree(working_);
   undo_.reset();
   lock_.reset();
   remove_parents();
@@ -165,8 +153,7 @@ void DirectoryReplacement::begin() {
   lock_.emplace(beside(final_, "lock"), fmt::format("results directory {}", final_.string()));
   mend();
   undo_.emplace([working = working_] {
-    std::error_code ignored;
-    for (int i = 0; i < 2; ++i) fs::remove_all(working, ignored);  // others may still write there
+    for (int i = 0; i < 2 && !remove_tree(working); ++i) continue;  // others may still write there
   });
   if (::mkdir(working_.c_str(), 0777) != 0)
     refuse_by_system(fmt::format("results directory {} cannot be written", final_.string()));
@@ -199,8 +186,7 @@ void DirectoryReplacement::put_away(const fs::path& old) const {
     for (const fs::path& entry : entries_of(old))
       if (const fs::path place = final_ / entry.filename(); !is_regular(entry) && !is_there(place))
         move(entry, place);
-  // Again where memory ran out, which is an ignored error.
-  for (int i = 0; i < 2 && is_there(old); ++i) fs::remove_all(old, ignored);
+  remove_tree(old);
 }
 
 void DirectoryReplacement::exchange() const {

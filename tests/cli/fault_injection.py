@@ -5,9 +5,11 @@ and its allocations, and makes the n-th fail. GENEVA_FAULTS=all tries every call
 first with each stack of calls; GENEVA_FAULTS=1000 tries a thousand of each, evenly chosen; else a few do.
 """
 
+import concurrent.futures
 import errno
 import os
 import pathlib
+import queue
 import signal
 import subprocess
 import sys
@@ -19,7 +21,7 @@ from geneva_cli import CliTest, read_summary
 SHIM = pathlib.Path()
 FAULTS = os.environ.get("GENEVA_FAULTS", "12")
 TRIES = None if FAULTS == "all" else int(FAULTS)
-TIME_LIMIT = 60
+TIME_LIMIT = 120
 
 
 def some_of(count, tries=TRIES):
@@ -29,15 +31,16 @@ def some_of(count, tries=TRIES):
     return sorted({1 + i * (count - 1) // (tries - 1) for i in range(tries)})
 
 
-class Faults(CliTest):
+class Victim:
+    """A case with old results that a run is going to replace, and what a run that failed has left of them."""
 
-    def setUp(self):
-        super().setUp()
-        self.case = self.copy_case("hertz-line-contact", "case")
+    def __init__(self, test, name):
+        self.test = test
+        self.case = test.copy_case("hertz-line-contact", name)
         text = (self.case / "case.prm").read_text()
         self.text = geneva_cli.set_parameter(text, "Accuracy", "5 %")
         self.titled("old")
-        self.run_case(self.case)
+        test.run_case(self.case)
         self.old = self.content()
         self.titled("new")
 
@@ -51,16 +54,23 @@ class Faults(CliTest):
         environment = {**geneva_cli.environment(), "LD_PRELOAD": str(SHIM), "GENEVA_FAULT_PATH": str(self.case)}
         for name, value in faults.items():
             environment[f"GENEVA_FAULT_{name.upper()}"] = str(value)
-        return subprocess.run([str(self.program), "run", str(self.case)], env=environment, capture_output=True,
+        return subprocess.run([str(self.test.program), "run", str(self.case)], env=environment, capture_output=True,
                               text=True, timeout=TIME_LIMIT, check=False)
+
+    def run_on_three_ranks(self, failing, allocation):
+        command = ["mpirun", "--allow-run-as-root", "--oversubscribe"]
+        for rank in range(3):
+            fault = ["-x", f"LD_PRELOAD={SHIM}", "-x", f"GENEVA_FAULT_NEW={allocation}"] if rank == failing else []
+            command += ["-n", "1", *fault, str(self.test.program), "run", str(self.case), ":"]
+        return subprocess.run(command[:-1], env=geneva_cli.environment(), capture_output=True, text=True,
+                              timeout=TIME_LIMIT, check=False)
 
     def counted(self):
         """The number of calls of a run that succeeds, and that of the first allocation in each place of the program, in
         ascending order; its results are taken back."""
-        count, places = self.directory / "count", self.directory / "places"
+        count, places = self.test.directory / "count", self.test.directory / "places"
         run = self.run_failing(count=count, places=places)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        self.new_names = {path.name for path in (self.case / "results").iterdir()}
+        self.test.assertEqual(run.returncode, 0, run.stderr)
         self.put_back()
         calls = max(int(line.split()[0]) for line in count.read_text().splitlines())  # Open MPI's daemon counts, too
         return calls, sorted(map(int, places.read_text().split()))
@@ -79,82 +89,103 @@ class Faults(CliTest):
         is_new = read_summary(self.case / "results")["case"]["title"] == "new"
         if is_new:
             names = {path.name for path in (self.case / "results").iterdir()}
-            self.assertEqual(names - {"solution.1.vtu", "solution.2.vtu"}, self.new_names)  # pieces of other ranks
+            self.test.assertEqual(names - {"solution.1.vtu", "solution.2.vtu"}, set(self.old))  # pieces of other ranks
             for name in ("case.prm", "report.html"):
-                self.assertIn("new", (self.case / "results" / name).read_text())
+                self.test.assertIn("new", (self.case / "results" / name).read_text())
             self.put_back()
         else:
-            self.assertEqual(self.content(), self.old)
+            self.test.assertEqual(self.content(), self.old)
         if must_be_new:
-            self.assertTrue(is_new, "exit code 0 without the new results")
+            self.test.assertTrue(is_new, "exit code 0 without the new results")
         return is_new
 
     def assert_nothing_is_left(self):
-        self.assertEqual([path.name for path in self.case.iterdir() if path.name.startswith(".")], [])
+        self.test.assertEqual([path.name for path in self.case.iterdir() if path.name.startswith(".")], [])
+
+
+class Faults(CliTest):
+
+    def setUp(self):
+        super().setUp()
+        self.victim = Victim(self, "case")
 
     def check(self, run, **faults):
         with self.subTest(**faults):
             self.assertIn(run.returncode, (0, 1), run.stderr)
-            self.assert_whole(must_be_new=run.returncode == 0)
-            self.assert_nothing_is_left()
+            self.victim.assert_whole(must_be_new=run.returncode == 0)
+            self.victim.assert_nothing_is_left()
             if run.returncode == 1:
                 self.assertIn(os.strerror(errno.ENOSPC), run.stderr)
                 self.assertEqual(len(run.stderr.strip().splitlines()), 1, run.stderr)
 
     def test_every_call_that_writes_may_fail(self):
-        calls, _ = self.counted()
+        calls, _ = self.victim.counted()
         self.assertGreater(calls, 20)
         for n in some_of(calls):
-            self.check(self.run_failing(at=n), at=n)
+            self.check(self.victim.run_failing(at=n), at=n)
 
     def test_the_disk_may_be_full_from_any_call_on(self):
-        calls, _ = self.counted()
+        calls, _ = self.victim.counted()
         for n in some_of(calls):
-            self.check(self.run_failing(at=n, **{"for": "all"}), at=n, on="all")
+            self.check(self.victim.run_failing(at=n, **{"for": "all"}), at=n, on="all")
 
     def test_it_may_be_killed_at_any_call_that_writes(self):
-        calls, _ = self.counted()
+        calls, _ = self.victim.counted()
         seen = set()
         for n in some_of(calls):
             with self.subTest(killed_at=n):
-                run = self.run_failing(at=n, kill=1)
+                run = self.victim.run_failing(at=n, kill=1)
                 self.assertEqual(run.returncode, -signal.SIGKILL)
-                seen.add(self.assert_whole())
+                seen.add(self.victim.assert_whole())
         self.assertIn(False, seen)
-        self.titled("old")
-        self.run_case(self.case)  # mends what the kills left
-        self.assert_nothing_is_left()
+        self.victim.titled("old")
+        self.run_case(self.victim.case)  # mends what the kills left
+        self.victim.assert_nothing_is_left()
 
     def test_memory_may_run_out_at_any_allocation(self):
-        _, places = self.counted()
+        _, places = self.victim.counted()
         self.assertGreater(len(places), 1000)
-        for i in some_of(len(places)):
-            n = places[i - 1]
-            with self.subTest(allocation=n):
-                run = self.run_failing(new=n)
-                self.assert_whole(must_be_new=run.returncode == 0)
-                self.assertIn(run.returncode, (0, 1, 2, 3), run.stderr)
-                self.assert_nothing_is_left()
+        chosen = [places[i - 1] for i in some_of(len(places))]
+        # As many runs at a time as there are cores, each of a case of its own with a path as long.
+        workers = len(os.sched_getaffinity(0))
+        with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+            idle = queue.SimpleQueue()
+            for i in range(workers):
+                idle.put(Victim(self, f"cas{i}"))
+            for n, complaint in zip(chosen, pool.map(lambda n: complaint_of_failing(idle, n), chosen)):
+                with self.subTest(allocation=n):
+                    self.assertIsNone(complaint)
 
     def test_memory_may_run_out_on_one_rank_only(self):
         """One message, no rank that waits for ever, nothing left behind."""
-        _, places = self.counted()
+        _, places = self.victim.counted()
         for rank in (0, 1, 2):
             for n in places[rank::len(places) // (3 if TRIES == 12 else 33)]:
                 with self.subTest(rank=rank, allocation=n):
-                    run = self.run_on_three_ranks(rank, n)
-                    self.assert_whole(must_be_new=run.returncode == 0)
+                    run = self.victim.run_on_three_ranks(rank, n)
+                    self.victim.assert_whole(must_be_new=run.returncode == 0)
                     self.assertIn(run.returncode, (0, 2, 3), run.stderr)
                     self.assertEqual(run.stderr.count("geneva: "), 0 if run.returncode == 0 else 1, run.stderr)
-                    self.assert_nothing_is_left()
+                    self.victim.assert_nothing_is_left()
 
-    def run_on_three_ranks(self, failing, allocation):
-        command = ["mpirun", "--allow-run-as-root", "--oversubscribe"]
-        for rank in range(3):
-            fault = ["-x", f"LD_PRELOAD={SHIM}", "-x", f"GENEVA_FAULT_NEW={allocation}"] if rank == failing else []
-            command += ["-n", "1", *fault, str(self.program), "run", str(self.case), ":"]
-        return subprocess.run(command[:-1], env=geneva_cli.environment(), capture_output=True, text=True,
-                              timeout=TIME_LIMIT, check=False)
+
+def complaint_of_failing(idle, allocation):
+    """What is wrong where an allocation fails, or None.
+
+    idle -- the victims that no other thread is using
+    """
+    victim = idle.get()
+    try:
+        run = victim.run_failing(new=allocation)
+        victim.test.assertIn(run.returncode, (0, 1, 2, 3), run.stderr)
+        victim.assert_whole(must_be_new=run.returncode == 0)
+        victim.assert_nothing_is_left()
+    except (AssertionError, OSError, ValueError, subprocess.TimeoutExpired) as error:
+        victim.put_back()
+        return f"{type(error).__name__}: {error}"
+    finally:
+        idle.put(victim)
+    return None
 
 
 if __name__ == "__main__":
