@@ -4,7 +4,6 @@
 #include <iostream>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <variant>
 
@@ -58,9 +57,7 @@ int main(int argc, char** argv) try {
   geneva::app::watch_for_interruption();
   geneva::app::watch_for_termination(task);
   if (request.command == Request::Command::parameters) {
-    std::ostringstream text;
-    geneva::model::print_parameters(text);
-    std::cout << text.str();
+    std::cout << geneva::model::parameter_file();
     return geneva::app::with_output_checked(0);
   }
   std::optional<Mesher> mesher = geneva::app::early_mesher(request);  // gets ready while MPI does

@@ -1,13 +1,11 @@
 #include "model/input/case_file.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ctime>
 #include <map>
-#include <ostream>
 #include <system_error>
 
 #include "base/errors.h"
@@ -15,6 +13,7 @@
 #include "model/input/case_content.h"
 #include "model/input/case_models.h"
 #include "model/input/case_values.h"
+#include "model/input/parameter_listing.h"
 #include "model/input/parameter_text.h"
 #include "model/input/parameters.h"
 
@@ -216,18 +215,14 @@ void refuse_model(const Case& given, const std::string& reason, const std::strin
                   wanted, given.synthesis ? ", this one is for 'geneva synthesize'" : ""));
 }
 
-void print_parameters(std::ostream& out) {
-  dealii::ParameterHandler handler;
-  declare(handler, general_parameters());
-  declare(handler, settings_parameters());
-  declare(handler, mechanism_parameters());
-  declare(handler, geometry_parameters({"NAME"}, {"NAME"}, ""));
-  declare(handler, synthesis_parameters());
-  declare(handler, published_parameters());
-  declare(handler, allowable_parameters());
-  handler.print_parameters(
-      out, dealii::ParameterHandler::OutputStyle(dealii::ParameterHandler::PRM |
-                                                 dealii::ParameterHandler::KeepDeclarationOrder));
+std::string parameter_file() {
+  std::vector<Parameter> all;
+  for (const std::vector<Parameter>& some :
+       {general_parameters(), settings_parameters(), mechanism_parameters(),
+        geometry_parameters({"NAME"}, {"NAME"}, ""), synthesis_parameters(), published_parameters(),
+        allowable_parameters()})
+    all.insert(all.end(), some.begin(), some.end());
+  return parameter_listing(all, [](const Parameter& parameter) { return parameter.default_value; });
 }
 
 }  // namespace geneva::model

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <variant>
@@ -173,7 +172,7 @@ base::CaseHeader header_of(const Case& given);
 [[noreturn]] void refuse_model(const Case& given, const std::string& reason,
                                const std::string& command, const std::string& wanted);
 
-/// Writes the whole commented parameter file, as `geneva parameters` prints it.
-void print_parameters(std::ostream& out);
+/// The whole commented parameter file, as `geneva parameters` prints it.
+std::string parameter_file();
 
 }  // namespace geneva::model

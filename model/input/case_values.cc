@@ -1,62 +1,21 @@
 #include "model/input/case_values.h"
 
-#include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/patterns.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "base/errors.h"
 #include "model/input/nearest_word.h"
-#include "model/input/quantity_pattern.h"
+#include "model/input/parameter_listing.h"
 
 namespace geneva::model {
 
 namespace {
-
-/// Stands in a subsection of the handler as long as it lives.
-class EnteredSection {
- public:
-  EnteredSection(dealii::ParameterHandler& handler, const SectionPath& path)
-      : handler_(handler), depth_(path.size()) {
-    for (const std::string& name : path) handler_.enter_subsection(name);
-  }
-  EnteredSection(const EnteredSection&) = delete;
-  EnteredSection& operator=(const EnteredSection&) = delete;
-  ~EnteredSection() {
-    for (std::size_t i = 0; i < depth_; ++i) handler_.leave_subsection();
-  }
-
- private:
-  dealii::ParameterHandler& handler_;
-  std::size_t depth_;
-};
-
-std::unique_ptr<dealii::Patterns::PatternBase> pattern_of(const Rule& rule) {
-  if (const auto* quantity = std::get_if<QuantityRule>(&rule))
-    return std::make_unique<QuantityPattern>(*quantity);
-  if (const auto* choice = std::get_if<ChoiceRule>(&rule)) {
-    std::string words;
-    for (const std::string& word : choice->words) words += (words.empty() ? "" : "|") + word;
-    return std::make_unique<dealii::Patterns::Selection>(words);
-  }
-  return std::make_unique<dealii::Patterns::Anything>();
-}
-
-/// The handler wants a default that its pattern matches: a required parameter may be left out as
-/// far as it is concerned.
-Rule declared_rule(const Parameter& parameter) {
-  Rule rule = parameter.rule;
-  if (parameter.required)
-    if (auto* quantity = std::get_if<QuantityRule>(&rule)) quantity->words.emplace_back();
-  return rule;
-}
 
 /// "Wheel material/Density": without the model's section, which goes without saying.
 std::string shown_name(const SectionPath& section, const std::string& name) {
@@ -154,16 +113,6 @@ void check_names(const std::vector<Parameter>& parameters, const ParameterText& 
 
 }  // namespace
 
-void declare(dealii::ParameterHandler& handler, const std::vector<Parameter>& parameters) {
-  for (const Parameter& parameter : parameters) {
-    const EnteredSection section(handler, parameter.section);
-    handler.declare_entry(parameter.name, parameter.default_value,
-                          *pattern_of(declared_rule(parameter)),
-                          (parameter.required ? "Required. " : "") + parameter.help + " [" +
-                              allowed(parameter.rule) + "]");
-  }
-}
-
 void refuse(const ParameterText& text, const Assignment& found, const std::string& reason) {
   refuse_line(text, found.line,
               fmt::format("{} = {}: {}", shown_name(found.section, found.name),
@@ -171,23 +120,21 @@ void refuse(const ParameterText& text, const Assignment& found, const std::strin
 }
 
 CaseValues::CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text)
-    : parameters_(parameters), text_(text), handler_(std::make_unique<dealii::ParameterHandler>()) {
+    : parameters_(parameters), text_(text) {
   check_names(parameters, text);
-  declare(*handler_, parameters);
-  for (const Assignment& found : text.assignments) {
-    const EnteredSection section(*handler_, found.section);
-    handler_->set(found.name, found.value);
-  }
+  for (const Parameter& parameter : parameters)
+    values_[{parameter.section, parameter.name}] = parameter.default_value;
+  for (const Assignment& found : text.assignments)
+    values_[{found.section, found.name}] = found.value;
   for (const Parameter& parameter : parameters)
     if (parameter.required && this->text(parameter.section, parameter.name).empty())
       refuse_missing(parameter.section, parameter.name, "it takes " + wanted_text(parameter.rule));
 }
 
-CaseValues::~CaseValues() = default;
-
-std::string CaseValues::text(const SectionPath& section, const std::string& name) const {
-  const EnteredSection entered(*handler_, section);
-  return handler_->get(name);
+const std::string& CaseValues::text(const SectionPath& section, const std::string& name) const {
+  const auto found = values_.find({section, name});
+  if (found == values_.end()) throw std::logic_error("parameter '" + name + "' is not declared");
+  return found->second;
 }
 
 const Parameter& CaseValues::parameter(const SectionPath& section, const std::string& name) const {
@@ -235,11 +182,9 @@ void CaseValues::refuse_section(const SectionPath& section, const std::string& r
 }
 
 std::string CaseValues::completed() const {
-  std::ostringstream stream;
-  handler_->print_parameters(
-      stream, dealii::ParameterHandler::OutputStyle(
-                  dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder));
-  return stream.str();
+  return parameter_listing(parameters_, [this](const Parameter& parameter) {
+    return text(parameter.section, parameter.name);
+  });
 }
 
 CaseSection::CaseSection(const CaseValues& values, SectionPath path)

@@ -1,21 +1,15 @@
 #pragma once
 
-#include <memory>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/input/parameter_text.h"
 #include "model/input/parameters.h"
 
-namespace dealii {
-class ParameterHandler;
-}
-
 namespace geneva::model {
-
-/// Declares parameters with their defaults, patterns and explanations.
-void declare(dealii::ParameterHandler& handler, const std::vector<Parameter>& parameters);
 
 /// Throws the message about a parameter of a file: file, line, name, value found, reason.
 [[noreturn]] void refuse(const ParameterText& text, const Assignment& found,
@@ -27,11 +21,8 @@ class CaseValues {
   /// @throws base::InputError for names that are not among the parameters (with the nearest
   /// that is), values that their rule does not allow, and missing required ones
   CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text);
-  CaseValues(const CaseValues&) = delete;
-  CaseValues& operator=(const CaseValues&) = delete;
-  ~CaseValues();
 
-  [[nodiscard]] std::string text(const SectionPath& section, const std::string& name) const;
+  [[nodiscard]] const std::string& text(const SectionPath& section, const std::string& name) const;
   /// Value in SI units; nothing if a word stands in its place or it was left out.
   [[nodiscard]] std::optional<double> value(const SectionPath& section,
                                             const std::string& name) const;
@@ -60,7 +51,7 @@ class CaseValues {
 
   std::vector<Parameter> parameters_;
   ParameterText text_;
-  std::unique_ptr<dealii::ParameterHandler> handler_;
+  std::map<std::pair<SectionPath, std::string>, std::string> values_;  ///< by section and name
 };
 
 /// One subsection of the values.

@@ -6,8 +6,8 @@
 
 #include "model/input/case_file.h"
 #include "model/input/nearest_word.h"
+#include "model/input/parameter_listing.h"
 #include "model/input/parameters.h"
-#include "model/input/quantity_pattern.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ using geneva::base::Dimension;
 
 std::string printed() {
   std::ostringstream stream;
-  print_parameters(stream);
+  stream << parameter_file();
   return stream.str();
 }
 
@@ -75,16 +75,42 @@ TEST(Parameters, RulesSayWhatTheyAllow) {
   EXPECT_EQ(allowed(TextRule{"any text"}), "Any text.");
 }
 
-TEST(Parameters, AQuantityPatternMatchesWhatItsRuleAllows) {
+TEST(Parameters, AQuantityRuleRefusesWhatIsOutsideOfIt) {
   QuantityRule rule;
   rule.dimension = Dimension::length;
   rule.range = greater_than_zero();
   rule.words = {"default"};
-  const auto pattern = QuantityPattern(rule).clone();
-  for (const char* text : {"5 mm", "4.53 in", "default"}) EXPECT_TRUE(pattern->match(text)) << text;
+  for (const char* text : {"5 mm", "4.53 in", "default"}) EXPECT_FALSE(refusal(rule, text)) << text;
   for (const char* text : {"", "5", "0 mm", "-5 mm", "5 s", "Default", "5 mm, 5 mm"})
-    EXPECT_FALSE(pattern->match(text)) << text;
-  EXPECT_EQ(pattern->description(), allowed(rule));
+    EXPECT_TRUE(refusal(rule, text)) << text;
+}
+
+TEST(Parameters, AListingNamesTheDefaultBehindAnotherValue) {
+  const Parameter first{{}, "First", "1", TextRule{"any text"}, "What it is."};
+  const Parameter second{{"Outer", "Inner"},   "Second one", "",
+                         TextRule{"any text"}, "It too.",    true};
+  const std::string text = parameter_listing({first, second}, [](const Parameter& parameter) {
+    return parameter.name == "First" ? std::string("another") : parameter.default_value;
+  });
+  EXPECT_EQ(text,
+            "# Listing of Parameters\n# ---------------------\n"
+            "# What it is. [Any text.]\nset First = another # default: 1\n\n\n"
+            "subsection Outer\n  subsection Inner\n"
+            "    # Required. It too. [Any text.]\n    set Second one = \n  end\n\nend\n\n\n");
+}
+
+TEST(Parameters, AListingFillsItsLines) {
+  const Parameter parameter{{"S"},
+                            "P",
+                            "",
+                            TextRule{"any text"},
+                            std::string(40, 'a') + " " + std::string(33, 'b') + " c"};
+  const std::string text = parameter_listing({parameter}, [](const Parameter&) { return ""; });
+  EXPECT_NE(text.find("  # " + std::string(40, 'a') + " " + std::string(33, 'b') +
+                      "\n  # c [Any text.]\n"),
+            std::string::npos)
+      << "a line takes 78 characters, one of 79 is broken:\n"
+      << text;
 }
 
 TEST(Parameters, TheNearestWordIsTheOneWithTheLeastEdits) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/input/parameters.h"
+
+namespace geneva::model {
+
+/// A parameter file with all parameters in their subsections, each with its explanation above it
+/// and, where its value is another one, its default behind it.
+/// @param value_of the parameter's value
+std::string parameter_listing(const std::vector<Parameter>& parameters,
+                              const std::function<std::string(const Parameter&)>& value_of);
+
+}  // namespace geneva::model
