@@ -5,11 +5,10 @@
 #include <system_error>
 #include <utility>
 
-#include "app/checkpoint_file.h"
+#include "api/checkpoint_file.h"
 #include "app/interruption.h"
 #include "base/errors.h"
 #include "base/output_file.h"
-#include "post/output/result_files.h"
 
 namespace geneva::app {
 
@@ -26,7 +25,7 @@ CheckpointKeeper::CheckpointKeeper(const model::Case& given, fs::path results, s
                                    std::string command)
     : mode_(given.checkpoints),
       is_in_space_(given.dimension == 3),
-      file_(unfinished_checkpoint(results)),
+      file_(api::unfinished_checkpoint(results)),
       last_(std::move(last)),
       command_(std::move(command)) {}
 
@@ -51,10 +50,6 @@ std::string CheckpointKeeper::keep(std::string text) {
   }
 }
 
-void CheckpointKeeper::add_to(const fs::path& directory) const {
-  if (!last_.empty()) base::write_text(post::own_file(directory, "checkpoint.bin"), last_);
-}
-
 void CheckpointKeeper::remove(const bool has_succeeded) const {
   if (!has_succeeded && last_.empty()) return;
   std::error_code ignored;
@@ -67,7 +62,7 @@ std::string CheckpointKeeper::advice() const {
 
 std::string notice_of_unfinished(const fs::path& results, const std::string& command) {
   std::error_code ignored;
-  if (!fs::exists(unfinished_checkpoint(results), ignored)) return "";
+  if (!fs::exists(api::unfinished_checkpoint(results), ignored)) return "";
   return fmt::format(
       "an earlier run did not end; '{}' goes on from its last mesh, until this run has ended",
       command);

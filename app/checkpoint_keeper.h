@@ -21,8 +21,8 @@ class CheckpointKeeper {
   [[nodiscard]] bool is_due(double seconds) const;
   /// @return what to tell the user, once, if the file cannot be written: the run can go on
   std::string keep(std::string text);
-  /// Puts the last one among the results.
-  void add_to(const std::filesystem::path& directory) const;
+  /// The last one; may be empty.
+  [[nodiscard]] const std::string& last() const { return last_; }
   /// Removes that beside the results, unless it is an earlier run's, which came further than one
   /// that has not succeeded and left none.
   void remove(bool has_succeeded) const;

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "app/version.h"
+#include "api/version.h"
 
 namespace geneva::app {
 

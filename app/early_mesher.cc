@@ -1,24 +1,19 @@
 #include "app/early_mesher.h"
 
+#include <deal.II/base/mpi.h>
+
 #include "app/launch.h"
 
 namespace geneva::app {
 
-namespace {
-
-bool needs_mesher(const Request& request) {
-  return request.command == Request::Command::run || request.command == Request::Command::crown;
+EarlyMesher::EarlyMesher() {
+  if (is_launched_as_first_rank()) mesher_.emplace(mesh::installed_mesher());
 }
 
-}  // namespace
-
-std::optional<mesh::Mesher> early_mesher(const Request& request) {
-  if (!needs_mesher(request) || !is_launched_as_first_rank()) return std::nullopt;
-  return std::optional<mesh::Mesher>(std::in_place, mesh::mesher_beside_this_program());
-}
-
-void start_if_needed(const Request& request, std::optional<mesh::Mesher>& mesher) {
-  if (needs_mesher(request) && !mesher) mesher.emplace(mesh::mesher_beside_this_program());
+mesh::Mesher* EarlyMesher::on_rank_zero() {
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) != 0) return nullptr;
+  if (!mesher_) mesher_.emplace(mesh::installed_mesher());
+  return &*mesher_;
 }
 
 }  // namespace geneva::app

@@ -2,18 +2,23 @@
 
 #include <optional>
 
-#include "app/command_line.h"
 #include "mesh/mesher.h"
 
 namespace geneva::app {
 
-/// A mesher for a request that needs one, on the process that the launcher of MPI programs, if
+/// A mesher that gets ready while MPI does, on the process that the launcher of MPI programs, if
 /// there is one, will make the first rank.
-/// @throws base::InputError if the mesher cannot be started
-std::optional<mesh::Mesher> early_mesher(const Request& request);
+class EarlyMesher {
+ public:
+  /// @throws base::InputError if it cannot be started
+  EarlyMesher();
 
-/// Starts what early_mesher() could not foresee: for the first rank, once MPI knows it.
-/// @throws as early_mesher()
-void start_if_needed(const Request& request, std::optional<mesh::Mesher>& mesher);
+  /// Once MPI knows the ranks: the mesher on rank 0, nothing elsewhere.
+  /// @throws base::InputError if it cannot be started
+  mesh::Mesher* on_rank_zero();
+
+ private:
+  std::optional<mesh::Mesher> mesher_;
+};
 
 }  // namespace geneva::app

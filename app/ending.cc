@@ -2,12 +2,11 @@
 
 #include <atomic>
 #include <chrono>
-#include <iostream>
 #include <mutex>
 #include <new>
 #include <thread>
 
-#include "base/printable.h"
+#include "app/exit_code.h"
 #include "base/undo.h"
 
 namespace geneva::app {
@@ -144,8 +143,7 @@ void Ending::fail(const int code, const std::string& text) {
   const bool together = all_fail();
   const bool speaks = together ? rank_ == 0 : !a_lower_rank_fails();
   if (speaks) {
-    std::cout.flush();
-    std::cerr << "geneva: " + base::without_controls(text) + "\n";
+    say_failure(code, text);
     note(together ? FailureStage::said : FailureStage::alone);
   }
   if (together) return;

@@ -8,7 +8,7 @@
 #include <new>
 #include <string>
 
-#include "app/version.h"
+#include "api/version.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "fem/problem/stop.h"
@@ -23,9 +23,15 @@ std::string bug_report(const std::string& what, const std::string& about) {
       version, about, what);
 }
 
-int exit_code_of(const std::function<int()>& command, const std::string& about, Ending& ending) {
+void say_failure(const int /*code*/, const std::string& text) {
+  std::cout.flush();
+  std::cerr << "geneva: " + base::without_controls(text) + "\n";
+}
+
+int exit_code_of(const std::function<int()>& command, const std::string& about,
+                 const std::function<void(int, const std::string&)>& fail) {
   const auto failed = [&](const ExitCode code, const std::string& text) {
-    ending.fail(code, text);
+    fail(code, text);
     return code;
   };
   try {
@@ -49,7 +55,7 @@ int exit_code_of(const std::function<int()>& command, const std::string& about, 
 
 int exit_code_at_start() {
   const auto failed = [](const ExitCode code, const std::string& text) {
-    std::cerr << "geneva: " + base::without_controls(text) + "\n";
+    say_failure(code, text);
     return code;
   };
   try {

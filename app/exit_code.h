@@ -3,8 +3,6 @@
 #include <functional>
 #include <string>
 
-#include "app/ending.h"
-
 namespace geneva::app {
 
 /// A wrong case or a machine that cannot run it; a limit or an accuracy not reached; a bug.
@@ -17,7 +15,12 @@ std::string bug_report(const std::string& what, const std::string& about);
 /// What a command returns or, if it throws, the exit code of that, after the user has been told
 /// why.
 /// @param about what was to be done, for the report of a bug: "run CASE"
-int exit_code_of(const std::function<int()>& command, const std::string& about, Ending& ending);
+/// @param fail tells the user; with several ranks it may end the others
+int exit_code_of(const std::function<int()>& command, const std::string& about,
+                 const std::function<void(int, const std::string&)>& fail);
+
+/// Says why on standard error.
+void say_failure(int code, const std::string& text);
 
 /// Says what was thrown before the ranks know each other; to be called where it is caught.
 /// @return the exit code of it

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -13,6 +15,7 @@
 
 #include "app/exit_code.h"
 #include "base/errors.h"
+#include "base/installed_program.h"
 
 namespace geneva::app {
 
@@ -21,8 +24,6 @@ bool is_launched_as_first_rank() {
     if (const char* const rank = std::getenv(name)) return std::string(rank) == "0";
   return true;
 }
-
-namespace {
 
 void check_address_space() {
   constexpr rlim_t least = 1'000'000'000;  // with 0.6 GB the start of MPI hung
@@ -42,11 +43,14 @@ void check_current_directory() {
                            "): change to another one");
 }
 
-}  // namespace
-
-void check_that_mpi_can_start() {
-  check_address_space();
-  check_current_directory();
+void become_solver(char** const argv) {
+  const std::string solver = base::installed_program("geneva-solver").string();
+  // Threads of these libraries would start with them, and take signals that others wait for.
+  for (const char* const name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) ::setenv(name, "1", 1);
+  ::execv(solver.c_str(), argv);
+  throw base::InputError(
+      fmt::format("the solver {}, which belongs to geneva, cannot be started: {}", solver,
+                  std::strerror(errno)));
 }
 
 std::string command_text(const int argc, char** const argv) {

@@ -8,9 +8,15 @@ namespace geneva::app {
 /// is known before MPI is.
 bool is_launched_as_first_rank();
 
-/// @throws base::InputError where MPI does not start: if the process may have too little memory, or
-/// its current directory is no more
-void check_that_mpi_can_start();
+/// @throws base::InputError if the process may have too little memory for MPI to start
+void check_address_space();
+
+/// @throws base::InputError if the current directory is no more
+void check_current_directory();
+
+/// Replaces this process by geneva-solver, with the same command line.
+/// @throws base::InputError if that cannot be started
+[[noreturn]] void become_solver(char** argv);
 
 /// What is to be done, as the user wrote it.
 std::string command_text(int argc, char** argv);

@@ -1,72 +1,42 @@
-#include <deal.II/base/exceptions.h>
-#include <deal.II/base/mpi.h>
-
 #include <iostream>
-#include <new>
-#include <optional>
 #include <string>
 #include <variant>
 
 #include "app/command_line.h"
-#include "app/crown.h"
-#include "app/design.h"
-#include "app/early_mesher.h"
-#include "app/ending.h"
+#include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
-#include "app/kinematics.h"
 #include "app/launch.h"
-#include "app/report.h"
-#include "app/run.h"
-#include "app/synthesis.h"
-#include "app/threads.h"
-#include "mesh/mesher.h"
 #include "model/input/case_file.h"
 
 namespace {
 
-using geneva::app::Request;
-using geneva::mesh::Mesher;
+using namespace geneva::app;
+using Command = Request::Command;
 
-bool is_first_rank() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
-
-int obey(const Request& request, std::optional<Mesher>& mesher) {
-  using namespace geneva::app;
-  using Command = Request::Command;
+int obey(const Request& request) {
   const auto& [command, cases, output, steps, goes_on] = request;
-  if (is_first_rank()) start_if_needed(request, mesher);
-  if (command == Command::run)
-    return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
-  if (command == Command::crown) return design_crown(MPI_COMM_WORLD, cases.front(), output, mesher);
-  if (!is_first_rank()) return 0;
-  if (command == Command::synthesize) return synthesize_case(cases.front(), output);
   if (command == Command::kinematics) return kinematics_of_case(cases.front(), output, steps);
-  if (command == Command::report) return make_report(cases, output);
-  return design_cases(cases, output);
+  if (command == Command::synthesize) return synthesize_case(cases.front(), output);
+  if (command == Command::report) return report_on(cases, output);
+  if (command == Command::design) return design_cases(cases, output);
+  std::cout << geneva::model::parameter_file();
+  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-  geneva::app::use_one_thread();
-  const auto asked = geneva::app::read_command_line(argc, argv);
-  if (const int* code = std::get_if<int>(&asked)) return geneva::app::with_output_checked(*code);
+int main(const int argc, char** const argv) try {
+  const auto asked = read_command_line(argc, argv);
+  if (const int* const code = std::get_if<int>(&asked)) return with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
-  geneva::app::check_that_mpi_can_start();
-  const std::string task = geneva::app::command_text(argc, argv);
-  geneva::app::watch_for_interruption();
-  geneva::app::watch_for_termination(task);
-  if (request.command == Request::Command::parameters) {
-    std::cout << geneva::model::parameter_file();
-    return geneva::app::with_output_checked(0);
-  }
-  std::optional<Mesher> mesher = geneva::app::early_mesher(request);  // gets ready while MPI does
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  geneva::app::start_task_scheduler();
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  geneva::app::Ending ending(MPI_COMM_WORLD);
-  return geneva::app::with_output_checked(
-      geneva::app::exit_code_of([&] { return obey(request, mesher); }, task, ending));
+  if (request.command == Command::run || request.command == Command::crown) become_solver(argv);
+  if (!is_launched_as_first_rank()) return 0;
+  check_current_directory();
+  const std::string task = command_text(argc, argv);
+  watch_for_interruption({{}, [] { return true; }});
+  watch_for_termination(task);
+  return with_output_checked(exit_code_of([&] { return obey(request); }, task, say_failure));
 } catch (...) {
-  return geneva::app::exit_code_at_start();
+  return exit_code_at_start();
 }

@@ -5,7 +5,8 @@
 #include <string>
 
 #include "base/units.h"
-#include "fem/contact_problem.h"
+#include "fem/adaptivity/level_record.h"
+#include "fem/step_report.h"
 
 namespace geneva::app {
 

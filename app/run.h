@@ -3,7 +3,6 @@
 #include <mpi.h>
 
 #include <filesystem>
-#include <optional>
 
 #include "mesh/mesher.h"
 
@@ -19,9 +18,9 @@ struct RunRequest {
 /// @param mesher on rank 0
 /// @return exit code: 0, or 2 if the accuracy was not reached (the last good results are written
 /// all the same)
-/// @throws base::InputError if the case is wrong or there is no checkpoint of it to go on from;
-/// fem::NotConverged if there is nothing to write
+/// @throws base::InputError if the case is wrong or there is no checkpoint of it to go on from
+/// @throws base::LimitReached if there is nothing to write
 int run_case(MPI_Comm communicator, const std::filesystem::path& case_directory,
-             const RunRequest& request, std::optional<mesh::Mesher>& mesher);
+             const RunRequest& request, mesh::Mesher* mesher);
 
 }  // namespace geneva::app

@@ -9,18 +9,10 @@
 #include "fem/problem/problem.h"
 #include "fem/problem/settings.h"
 #include "fem/solution.h"
+#include "fem/step_report.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
-
-/// Told after every active-set step, on every rank: refinement level, unknowns, step and its linear
-/// iterations.
-struct StepReport {
-  unsigned int level;
-  unsigned int dofs;
-  unsigned int step;
-  unsigned int linear_iterations;
-};
 
 /// Where progress is reported, on every rank; each may be empty.
 template <int dim>

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/installed_program.h"
 #include "base/printable.h"
 
 namespace geneva::mesh {
@@ -82,9 +83,7 @@ MesherAnswer answer_of(json said, const ProcessEnd& end, const MesherLimits& lim
 
 }  // namespace
 
-std::filesystem::path mesher_beside_this_program() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "geneva-mesher";
-}
+std::filesystem::path installed_mesher() { return base::installed_program("geneva-mesher"); }
 
 Mesher::Mesher(std::filesystem::path program)
     : program_(std::move(program)), waiting_(std::in_place, program_) {}

@@ -10,8 +10,8 @@
 
 namespace geneva::mesh {
 
-/// Where the mesher lies beside this program.
-std::filesystem::path mesher_beside_this_program();
+/// Where the mesher lies, see base::installed_program().
+std::filesystem::path installed_mesher();
 
 /// Gmsh in a process of its own: it runs what a stranger may have written, and may crash, run on or
 /// lie without harm to this one.
@@ -20,7 +20,7 @@ std::filesystem::path mesher_beside_this_program();
 /// program does. Used on one rank, without MPI.
 class Mesher {
  public:
-  /// @param program see mesher_beside_this_program
+  /// @param program see installed_mesher()
   explicit Mesher(std::filesystem::path program);
 
   /// The mesh of outlines or of a geometry.

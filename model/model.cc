@@ -148,8 +148,7 @@ std::string greater_force(const MechanismState& state) {
 }  // namespace
 
 template <int dim>
-Model<dim> make_model(const MPI_Comm communicator, const Case& given,
-                      std::optional<mesh::Mesher>& mesher) {
+Model<dim> make_model(const MPI_Comm communicator, const Case& given, mesh::Mesher* const mesher) {
   if (given.synthesis)
     refuse_model(given, "there is no contact to solve", "geneva run", "mechanism or geometry");
   Model<dim> model;
@@ -183,7 +182,7 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given,
   return model;
 }
 
-template Model<2> make_model(MPI_Comm, const Case&, std::optional<mesh::Mesher>&);
-template Model<3> make_model(MPI_Comm, const Case&, std::optional<mesh::Mesher>&);
+template Model<2> make_model(MPI_Comm, const Case&, mesh::Mesher*);
+template Model<3> make_model(MPI_Comm, const Case&, mesh::Mesher*);
 
 }  // namespace geneva::model

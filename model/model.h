@@ -26,11 +26,10 @@ struct Model {
 };
 
 /// Mesh and problem of a case; rank 0 meshes, all ranks get the result.
-/// @param mesher on rank 0
+/// @param mesher on rank 0; nothing elsewhere
 /// @throws base::InputError on all ranks if the case cannot be meshed
 /// @throws base::LimitReached on all ranks if meshing takes more than the case allows
 template <int dim>
-Model<dim> make_model(MPI_Comm communicator, const Case& given,
-                      std::optional<mesh::Mesher>& mesher);
+Model<dim> make_model(MPI_Comm communicator, const Case& given, mesh::Mesher* mesher);
 
 }  // namespace geneva::model

@@ -11,7 +11,8 @@
 
 namespace geneva::fem {
 
-/// Greatest resident memory so far, of all ranks together [byte].
+/// Greatest resident memory since the last ResourceLimits were made, or since the start of the
+/// process if there were none, of all ranks together [byte].
 double peak_memory(MPI_Comm communicator);
 
 /// Unknowns, memory and time that a case allows; what the next mesh will take is foreseen from the

@@ -1,22 +1,12 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "post/analysis/check.h"
 #include "post/analysis/results.h"
 #include "post/analysis/run_report.h"
 
 namespace geneva::post {
-
-/// Something that must be small in a sound result.
-struct Check {
-  std::string name;
-  std::string meaning;  ///< what the value is
-  double value;
-  double limit;
-
-  [[nodiscard]] bool is_passed() const { return value <= limit; }
-};
 
 /// The checks of a run: balance of forces and moments, the torque that the shaft takes, the
 /// complementarity of pressure and gap, penetration, and the error estimate.

@@ -1,25 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/units.h"
+#include "post/analysis/comparison_row.h"
 #include "post/analysis/results.h"
 #include "post/analysis/run_report.h"
 
 namespace geneva::post {
-
-/// One figure of a run beside what others say of it; SI units, what is missing does not exist.
-struct ComparisonRow {
-  std::string quantity;
-  base::Dimension dimension;
-  std::optional<double> computed;
-  std::optional<double> error;  ///< of it, estimated, relative
-  bool is_bounded;              ///< false: it grows from mesh to mesh, and there is no such value
-  std::optional<double> closed_form;
-  std::optional<double> published;
-};
 
 /// The figures of a run, the contact force first.
 template <int dim>

@@ -3,19 +3,10 @@
 #include <vector>
 
 #include "post/analysis/contact_frame.h"
+#include "post/analysis/contact_section.h"
 #include "post/analysis/stress.h"
 
 namespace geneva::post {
-
-/// One section across a contact in 3-D that extends along z.
-struct ContactSection {
-  double z;                ///< [m]
-  double line_load;        ///< integral of the pressure across the contact [N/m]
-  double peak_pressure;    ///< [Pa]
-  double half_width;       ///< 2 sqrt(mean square distance), Hertz's b for his pressure [m]
-  double max_shear;        ///< greatest shear stress below the contact [Pa]
-  double max_shear_depth;  ///< [m]
-};
 
 /// The sections through all layers of contact nodes with one in contact, by ascending z; none if
 /// the contact does not extend along z or its nodes stand in no layers. Beyond a plane of symmetry

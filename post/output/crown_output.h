@@ -6,37 +6,9 @@
 
 #include "base/json_values.h"
 #include "base/units.h"
-#include "post/analysis/results.h"
+#include "post/analysis/load_evenness.h"
 
 namespace geneva::post {
-
-/// How evenly a pin carries its load along its length. The greatest line load is the greatest mean
-/// over a twentieth of the length: at a sharp edge the line load itself has no bound.
-struct LoadEvenness {
-  double greatest;       ///< [N/m]
-  double place;          ///< middle of that twentieth along z [m]
-  double even;           ///< pin force over the length on which the surfaces face each other [N/m]
-  double peak_pressure;  ///< [Pa]
-  double middle_pressure;                ///< [Pa]
-  bool is_bounded;                       ///< the pressure at the ends
-  std::vector<ContactSection> sections;  ///< by ascending z
-
-  /// 1 for an even load.
-  [[nodiscard]] double ratio() const { return greatest / even; }
-};
-
-/// Greatest mean line load over a length.
-struct GreatestMean {
-  double value;  ///< [N/m]
-  double place;  ///< middle of that length along z [m]
-};
-
-/// @param sections by ascending z; beyond them there is no load
-/// @param length [m], > 0
-GreatestMean greatest_mean_load(const std::vector<ContactSection>& sections, double length);
-
-/// @throws base::InputError if the leading contact carries nothing
-LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& results);
 
 /// One step of the search for the most even line load.
 struct CrownTrial {

@@ -17,7 +17,7 @@
 #include <iostream>
 #include <optional>
 
-#include "app/threads.h"
+#include "api/session.h"
 #include "fem/contact_problem.h"
 #include "fem/level.h"
 #include "fem/linear/constraints.h"
@@ -102,8 +102,8 @@ double peak_memory() {
   return dealii::Utilities::MPI::sum(1024. * static_cast<double>(memory.VmHWM), MPI_COMM_WORLD);
 }
 
-void measure(const model::Case& given, const double accuracy, std::optional<mesh::Mesher>& mesher) {
-  const model::Model<3> model = model::make_model<3>(MPI_COMM_WORLD, given, mesher);
+void measure(const model::Case& given, const double accuracy, mesh::Mesher& mesher) {
+  const model::Model<3> model = model::make_model<3>(MPI_COMM_WORLD, given, &mesher);
   fem::Settings settings = given.settings;
   settings.accuracy = accuracy;
   settings.max_memory = 24e9;
@@ -134,14 +134,13 @@ void measure(const model::Case& given, const double accuracy, std::optional<mesh
 }  // namespace
 
 int main(int argc, char** argv) {
-  app::use_one_thread();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const Session session(argc, argv);
   if (argc < 3) {
     std::cerr << "usage: space_benchmark CASE_DIR ACCURACY...\n";
     return 1;
   }
   const model::Case given = model::read_case(argv[1]);
-  std::optional<mesh::Mesher> mesher(std::in_place, MESHER);
+  mesh::Mesher mesher(MESHER);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::cout << fmt::format("{:>9}{:>8}{:>9}{:>10}{:>9}{:>6}{:>9}{:>9}{:>12}{:>9}\n", "unknowns",
                              "steps", "all [s]", "finest[s]", "plain[s]", "CG", "all/pl.",

@@ -50,17 +50,19 @@ class Victim:
     def content(self):
         return {path.name: path.read_bytes() for path in (self.case / "results").iterdir()}
 
-    def run_failing(self, **faults):
-        environment = {**geneva_cli.environment(), "LD_PRELOAD": str(SHIM), "GENEVA_FAULT_PATH": str(self.case)}
+    def run_failing(self, command="run", program="geneva-solver", **faults):
+        environment = {**geneva_cli.environment(), "LD_PRELOAD": str(SHIM), "GENEVA_FAULT_PATH": str(self.case),
+                       "GENEVA_FAULT_PROGRAM": program}
         for name, value in faults.items():
             environment[f"GENEVA_FAULT_{name.upper()}"] = str(value)
-        return subprocess.run([str(self.test.program), "run", str(self.case)], env=environment, capture_output=True,
+        return subprocess.run([str(self.test.program), command, str(self.case)], env=environment, capture_output=True,
                               text=True, timeout=TIME_LIMIT, check=False)
 
     def run_on_three_ranks(self, failing, allocation):
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe"]
         for rank in range(3):
-            fault = ["-x", f"LD_PRELOAD={SHIM}", "-x", f"GENEVA_FAULT_NEW={allocation}"] if rank == failing else []
+            fault = ["-x", f"LD_PRELOAD={SHIM}", "-x", "GENEVA_FAULT_PROGRAM=geneva-solver", "-x",
+                     f"GENEVA_FAULT_NEW={allocation}"] if rank == failing else []
             command += ["-n", "1", *fault, str(self.test.program), "run", str(self.case), ":"]
         return subprocess.run(command[:-1], env=geneva_cli.environment(), capture_output=True, text=True,
                               timeout=TIME_LIMIT, check=False)
@@ -155,6 +157,30 @@ class Faults(CliTest):
             for n, complaint in zip(chosen, pool.map(lambda n: complaint_of_failing(idle, n), chosen)):
                 with self.subTest(allocation=n):
                     self.assertIsNone(complaint)
+
+    def test_memory_may_run_out_at_any_allocation_without_the_solver(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        environment = {**geneva_cli.environment(), "LD_PRELOAD": str(SHIM), "GENEVA_FAULT_PROGRAM": "geneva"}
+        results = case / "results" / "kinematics.json"
+
+        def run(**faults):
+            return subprocess.run([str(self.program), "kinematics", str(case), "--steps", "4"], capture_output=True,
+                                  env={**environment, **faults}, text=True, timeout=TIME_LIMIT, check=False)
+
+        places = self.directory / "places"
+        self.assertEqual(run(GENEVA_FAULT_PLACES=str(places)).returncode, 0)
+        old = results.read_bytes()
+        allocations = sorted(map(int, places.read_text().split()))
+        self.assertGreater(len(allocations), 300)
+        for i in some_of(len(allocations)):
+            with self.subTest(allocation=allocations[i - 1]):
+                end = run(GENEVA_FAULT_NEW=str(allocations[i - 1]))
+                self.assertIn(end.returncode, (0, 1, 2, 3), end.stderr)
+                if end.returncode != 0:
+                    self.assertEqual(end.stderr.count("geneva: "), 1, end.stderr)
+                    self.assertEqual(results.read_bytes(), old)
+                old = results.read_bytes()
+                self.assertEqual([path.name for path in case.iterdir() if path.name.startswith(".")], [])
 
     def test_memory_may_run_out_on_one_rank_only(self):
         """One message, no rank that waits for ever, nothing left behind."""

@@ -3,8 +3,9 @@
 // GENEVA_FAULT_FOR=all those after it, fail as on a full disk; with GENEVA_FAULT_KILL the process
 // is killed there instead. GENEVA_FAULT_COUNT names a file to which every process adds the number
 // of such calls and of allocations in its end. With GENEVA_FAULT_NEW the n-th allocation by
-// operator new since main() began fails as if there was no memory; GENEVA_FAULT_PLACES names a file
-// to which the n of the first allocation with each stack of calls is written.
+// operator new since main() began fails as if there was no memory, of the program with the file
+// name GENEVA_FAULT_PROGRAM; GENEVA_FAULT_PLACES names a file to which the n of the first
+// allocation with each stack of calls is written.
 
 #include <dlfcn.h>
 #include <execinfo.h>
@@ -182,8 +183,18 @@ namespace {
 using Main = int (*)(int, char**, char**);
 Main real_main = nullptr;
 
+/// Whether the allocations of this process count.
+bool is_meant() {
+  const char* const wanted = std::getenv("GENEVA_FAULT_PROGRAM");
+  char path[PATH_MAX];
+  const ssize_t length = ::readlink("/proc/self/exe", path, PATH_MAX - 1);
+  if (wanted == nullptr || length <= 0) return false;
+  path[length] = '\0';
+  return std::strcmp(::basename(path), wanted) == 0;
+}
+
 int watched_main(int argc, char** argv, char** environment) {
-  is_in_main = true;
+  is_in_main = is_meant();
   return real_main(argc, argv, environment);
 }
 

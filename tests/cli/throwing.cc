@@ -9,6 +9,7 @@
 #include "app/ending.h"
 #include "app/exit_code.h"
 #include "app/interruption.h"
+#include "app/other_ranks.h"
 #include "fem/problem/stop.h"
 #include "tests/cli/failure_kinds.h"
 
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 1;
   const std::string kind = argv[1];
   const std::string failing = argv[2];
-  geneva::app::watch_for_interruption();
+  geneva::app::watch_for_interruption(geneva::app::other_ranks());
   geneva::app::watch_for_termination("throwing");
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   geneva::app::Ending ending(MPI_COMM_WORLD);
@@ -35,5 +36,7 @@ int main(int argc, char** argv) {
     MPI_Barrier(MPI_COMM_WORLD);
     return 0;
   };
-  return geneva::app::exit_code_of(command, "throwing", ending);
+  return geneva::app::exit_code_of(
+      command, "throwing",
+      [&](const int code, const std::string& text) { ending.fail(code, text); });
 }

@@ -287,7 +287,7 @@ class Interruptions(WholeResults):
         for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
             with contextlib.suppress(OSError):
                 name, parent = re.match(r"\d+ \((.*)\) \S (\d+)", status.read_text()).groups()
-                if name == self.program.name and int(parent) == run.pid:
+                if name == "geneva-solver" and int(parent) == run.pid:
                     ranks.append(int(status.parent.name))
         if rank < len(ranks):
             with contextlib.suppress(ProcessLookupError):

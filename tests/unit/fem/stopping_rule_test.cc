@@ -1,6 +1,7 @@
 #include "fem/adaptivity/stopping_rule.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <vector>
 
@@ -104,6 +105,28 @@ TEST(ResourceLimits, OfMemoryCountOnlyWhatMeshesTake) {
   ASSERT_TRUE(stop.has_value());
   EXPECT_EQ(stop->outcome, Outcome::memory_limit);
   EXPECT_GT(stop->needed, 1e6);
+}
+
+/// Memory [byte] that goes back to the system, as that of malloc() may not.
+void take_and_give_back(const std::size_t size) {
+  void* const memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  ::munmap(memory, size);
+}
+
+TEST(ResourceLimits, WhatTheProcessTookBeforeAndGaveBackDoesNotCount) {
+  constexpr std::size_t much = 300'000'000;
+  take_and_give_back(much);
+  const double before = peak_memory(MPI_COMM_SELF);
+  Settings settings;
+  settings.max_memory = 1.;
+  const ResourceLimits limits(MPI_COMM_SELF, settings);
+  const double idle = limits.exceeded_by_next(1., settling, 0.)->needed;
+  EXPECT_LT(idle, before - 0.8 * much);
+  take_and_give_back(much);
+  const double next = limits.exceeded_by_next(2., settling, 0.)->needed;
+  EXPECT_NEAR(next - idle, 2. * much, 0.1 * much) << "a mesh twice as large takes twice as much";
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "post/analysis/contact_sections.h"
-#include "post/output/crown_output.h"
+#include "post/analysis/load_evenness.h"
 
 namespace geneva::post {
 namespace {

@@ -1,0 +1,87 @@
+#include <deal.II/fe/fe_system.h>
+
+#include <map>
+
+#include "api/analysis.h"
+#include "api/analysis_state.h"
+#include "post/analysis/stress.h"
+
+namespace geneva {
+
+namespace {
+
+/// xx, yy, zz, xy, yz, zx
+std::array<double, 6> components_of(const fem::PlaneStress& stress) {
+  return {stress.in_plane[0][0],
+          stress.in_plane[1][1],
+          stress.out_of_plane,
+          stress.in_plane[0][1],
+          0.,
+          0.};
+}
+std::array<double, 6> components_of(const dealii::SymmetricTensor<2, 3>& stress) {
+  return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[1][2], stress[2][0]};
+}
+
+/// Collects the nodes of one body after the other: stress jumps from body to body, and no node
+/// belongs to two.
+template <int dim>
+class FieldCollector {
+ public:
+  explicit FieldCollector(const api::AnalysedModel<dim>& analysed)
+      : solution_(analysed.solution), stress_(analysed.results.nodal) {}
+
+  Fields collect() {
+    for (const auto& cell : solution_.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned())
+        add(cell,
+            Cell(&*solution_.triangulation, cell->level(), cell->index(), &*stress_.dof_handler));
+    return std::move(fields_);
+  }
+
+ private:
+  using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  void add(const Cell& cell, const Cell& with_stress) {
+    std::vector<std::size_t> nodes;
+    for (const unsigned int vertex : cell->vertex_indices()) {
+      const auto [known, is_new] =
+          numbers_.try_emplace(cell->vertex_index(vertex), fields_.places.size());
+      if (is_new) add_node(cell, with_stress, vertex);
+      nodes.push_back(known->second);
+    }
+    fields_.cells.push_back(std::move(nodes));
+    fields_.bodies.push_back(cell->material_id());
+  }
+
+  void add_node(const Cell& cell, const Cell& with_stress, const unsigned int vertex) {
+    Vector place{};
+    Vector displacement{};
+    for (unsigned int i = 0; i < dim; ++i) {
+      place[i] = solution_.scales.length * cell->vertex(vertex)[i];
+      displacement[i] =
+          solution_.scales.length * solution_.displacement[cell->vertex_dof_index(vertex, i)];
+    }
+    fields_.places.push_back(place);
+    fields_.displacements.push_back(displacement);
+    const auto stress = post::assembled_stress<dim>([&](const unsigned int component) {
+      return stress_.values[with_stress->vertex_dof_index(vertex, component)];
+    });
+    fields_.stress.push_back(components_of(stress));
+    fields_.von_mises.push_back(post::von_mises(post::principal_stresses(stress)));
+  }
+
+  const fem::Solution<dim>& solution_;
+  const post::NodalStress<dim>& stress_;
+  std::map<unsigned int, std::size_t> numbers_;  ///< of the nodes, by the vertices' indices
+  Fields fields_;
+};
+
+}  // namespace
+
+Fields fields(const Analysis& analysis) {
+  return std::visit([](const auto& analysed) { return FieldCollector(analysed).collect(); },
+                    analysis.state->analysed);
+}
+
+}  // namespace geneva

@@ -1,0 +1,155 @@
+#include "api/analysis_notices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "loads/pi.h"
+#include "model/input/parameters.h"
+#include "model/naming.h"
+#include "model/stop_message.h"
+
+namespace geneva::api {
+
+namespace {
+
+/// What the user should know before trusting linear elasticity.
+template <int dim>
+std::vector<std::string> validity_notices(const fem::Solution<dim>& solution) {
+  constexpr double small_strain = 0.1;
+  double modulus = std::numeric_limits<double>::max();
+  for (const fem::Body<dim>& body : solution.problem.bodies)
+    modulus = std::min(modulus, body.material.youngs_modulus);
+  const double ratio = solution.history.back().peak_pressure / modulus;
+  if (ratio < small_strain) return {};
+  return {fmt::format(
+      "the peak pressure is {:.2g} times Young's modulus: strains are not small there, and linear "
+      "elasticity no longer holds; check the load and its unit",
+      ratio)};
+}
+
+/// What the user should know of a contact that ends before the surfaces do.
+std::vector<std::string> length_notices(const fem::Solution<2>& /*unused*/,
+                                        const post::Results<2>& /*unused*/,
+                                        const base::UnitSystem /*unused*/) {
+  return {};
+}
+std::vector<std::string> length_notices(const fem::Solution<3>& solution,
+                                        const post::Results<3>& results,
+                                        const base::UnitSystem units) {
+  constexpr double nearly_all = 0.95;
+  const std::size_t leading = post::leading_contact(solution);
+  const auto& sections = results.contacts[leading].sections;
+  const double common =
+      post::common_length(solution.contacts[leading], results.contacts[leading].frame);
+  const double loaded = sections.empty() ? 0. : sections.back().z - sections.front().z;
+  if (loaded > nearly_all * common) return {};
+  const auto length = base::output_unit(units, base::Dimension::length);
+  return {
+      fmt::format("the contact is {:.4g} {} long, the surfaces face each other over {:.4g} {}: "
+                  "their ends carry nothing",
+                  loaded * length.factor, length.name, common * length.factor, length.name)};
+}
+
+/// What the safety factors over the cycle leave out: impacts, which no torque balance knows.
+std::vector<std::string> impact_notices(const model::Case& given) {
+  const bool has_limit = given.allowed.contact_pressure || given.allowed.pressure_times_slip;
+  if (!given.mechanism || !has_limit) return {};
+  std::vector<std::string> notices;
+  for (const loads::Unbounded& place : model::driven_mechanism(*given.mechanism).unbounded())
+    if (place.quantity == "wheel acceleration")
+      notices.push_back(
+          fmt::format("the wheel's speed jumps at a driver angle of {:.6g} deg: the safety factors "
+                      "leave out that impact",
+                      place.driver_angle / loads::degree));
+  return notices;
+}
+
+/// What the user should know of a pin in the round bottom of its slot, whose pressure does not only
+/// turn the wheel.
+template <int dim>
+std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
+                                        const base::UnitSystem units) {
+  constexpr double worth_saying = 0.01;
+  const fem::Components<dim>& force = solution.contacts.front().force;
+  const double along = std::abs(force[0]);
+  if (along < worth_saying * std::abs(force[1])) return {};
+  const auto unit = base::output_unit(units, base::Dimension::force);
+  return {fmt::format(
+      "the pin stands in the round bottom of its slot, which also presses it along the slot, by "
+      "{:.4g} {}: the driver holds it there, and the contact force is the resultant of both",
+      along * unit.factor, unit.name)};
+}
+
+/// To two digits.
+double rounded_up(const double value) {
+  const double unit = std::pow(10., std::floor(std::log10(value)) - 1.);
+  return std::ceil(value / unit * (1. - 1e-12)) * unit;
+}
+
+}  // namespace
+
+template <int dim>
+std::string heading(const model::Case& given, const model::Model<dim>& model) {
+  const auto length = base::output_unit(given.units, base::Dimension::length);
+  const auto force = base::output_unit(given.units, base::Dimension::force);
+  std::string text = model::name_of(given);
+  if (!given.title.empty()) text += ": " + given.title;
+  if (model.mechanism) {
+    const auto& state = *model.mechanism;
+    constexpr double degrees = 180. / loads::pi;
+    text += fmt::format(
+        "\n{}, wheel diameter {:.5g} {}, pin diameter {:.4g} {}, thickness {:.4g} {}\n"
+        "driver angle {:.4f} deg, wheel acceleration {:.6g} rad/s^2, pin distance {:.5g} {}, pin "
+        "force {:.6g} {}",
+        state.driven.mechanism().name, state.sizes.wheel_diameter * length.factor, length.name,
+        state.sizes.pin_diameter * length.factor, length.name,
+        state.sizes.thickness * length.factor, length.name, state.load.driver_angle * degrees,
+        state.load.wheel_acceleration, state.load.pin_distance * length.factor, length.name,
+        state.load.force * force.factor, force.name);
+  }
+  return text;
+}
+
+template <int dim>
+std::string shortfall(const fem::Solution<dim>& solution, const double accuracy) {
+  if (fem::is_success(solution.stop.outcome)) return "";
+  const double error = solution.error_estimate;
+  const std::string reached =
+      error < 1. ? fmt::format("{:.2g} %", 100. * error) : std::string("not even 100 %");
+  const std::string message =
+      fmt::format("not converged: the accuracy reached is {}, wanted is {:.2g} %: {}", reached,
+                  100. * accuracy, model::message_of(solution.stop));
+  const double offered = rounded_up(error);
+  if (solution.stop.outcome == fem::Outcome::unbounded_pressure ||
+      offered > model::greatest_accuracy)
+    return message;
+  return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
+}
+
+template <int dim>
+std::vector<std::string> notices_of(const model::Case& given, const fem::Solution<dim>& solution,
+                                    const post::Results<dim>& results) {
+  std::vector<std::string> notices = validity_notices(solution);
+  for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
+  for (const post::ContactAnalysis<dim>& contact : results.contacts)
+    if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection);
+  if (!given.mechanism) return notices;
+  for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
+  for (const std::string& notice : length_notices(solution, results, given.units))
+    notices.push_back(notice);
+  return notices;
+}
+
+template std::string heading(const model::Case&, const model::Model<2>&);
+template std::string heading(const model::Case&, const model::Model<3>&);
+template std::vector<std::string> notices_of(const model::Case&, const fem::Solution<2>&,
+                                             const post::Results<2>&);
+template std::vector<std::string> notices_of(const model::Case&, const fem::Solution<3>&,
+                                             const post::Results<3>&);
+template std::string shortfall(const fem::Solution<2>&, double);
+template std::string shortfall(const fem::Solution<3>&, double);
+
+}  // namespace geneva::api

@@ -1,0 +1,47 @@
+#include <string>
+#include <variant>
+
+#include "api/session.h"
+#include "app/command_line.h"
+#include "app/crown.h"
+#include "app/early_mesher.h"
+#include "app/ending.h"
+#include "app/exit_code.h"
+#include "app/interruption.h"
+#include "app/launch.h"
+#include "app/other_ranks.h"
+#include "app/run.h"
+
+namespace {
+
+using namespace geneva::app;
+using Command = Request::Command;
+
+int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
+  const auto& [command, cases, output, steps, goes_on] = request;
+  if (command == Command::crown)
+    return crown_of_case(MPI_COMM_WORLD, cases.front(), output, mesher);
+  return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
+}
+
+}  // namespace
+
+/// What geneva becomes for a contact analysis; the command line is the same.
+int main(int argc, char** argv) try {
+  const auto asked = read_command_line(argc, argv);
+  if (const int* const code = std::get_if<int>(&asked)) return with_output_checked(*code);
+  const Request& request = std::get<Request>(asked);
+  check_address_space();
+  check_current_directory();
+  const std::string task = command_text(argc, argv);
+  watch_for_interruption(other_ranks());
+  watch_for_termination(task);
+  EarlyMesher mesher;  // gets ready while MPI does
+  const geneva::Session session(argc, argv);
+  Ending ending(MPI_COMM_WORLD);
+  const auto fail = [&](const int code, const std::string& text) { ending.fail(code, text); };
+  return with_output_checked(
+      exit_code_of([&] { return obey(request, mesher.on_rank_zero()); }, task, fail));
+} catch (...) {
+  return geneva::app::exit_code_at_start();
+}
