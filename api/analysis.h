@@ -101,7 +101,7 @@ struct Analysis {
   std::vector<post::Check> checks;           ///< what must be small in a sound result
   std::vector<std::string> notices;  ///< what the user should know before trusting the figures
   std::string table;                 ///< the figures, as `geneva run` prints them
-  double memory;                     ///< greatest resident meanwhile, all ranks [byte]
+  double memory;                     ///< maximum resident meanwhile, all ranks [byte]
   std::shared_ptr<const api::AnalysisState> state;  ///< the finite-element solution
 };
 

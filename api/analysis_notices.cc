@@ -124,7 +124,7 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
                   100. * accuracy, model::message_of(solution.stop));
   const double offered = rounded_up(error);
   if (solution.stop.outcome == fem::Outcome::unbounded_pressure ||
-      offered > model::greatest_accuracy)
+      offered > model::maximum_accuracy)
     return message;
   return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
 }

@@ -32,7 +32,7 @@ namespace {
 
 using Profile = model::PinCase::Profile;
 
-/// The search needs the line load's shape only. On the scan's coarse meshes its greatest mean is
+/// The search needs the line load's shape only. On the scan's coarse meshes its maximum mean is
 /// off by up to 3 %, on those that follow by 0.1 %.
 constexpr double search_accuracy = 0.2;
 constexpr unsigned int scan_unknowns = 100000;
@@ -97,8 +97,8 @@ double first_size(const model::Case& given) {
   return half * half / (2. * 3. * amplitude);
 }
 
-/// The least radius of a crown: the pin must not end beyond it.
-double least_size(const model::Case& given) {
+/// The minimum radius of a crown: the pin must not end beyond it.
+double minimum_size(const model::Case& given) {
   if (is_logarithmic(given)) return 0.;
   const model::MechanismState state = model::mechanism_state(*given.mechanism);
   const loads::PinClearance clearance = model::pin_clearance(*given.mechanism, state);
@@ -122,8 +122,8 @@ SolvedPin solve_pin(const MPI_Comm communicator, const model::Case& given,
 
 using Ratio = std::function<double(double)>;
 
-/// Logarithms of two sizes with that of the least ratio in between: a scan by equal factors, begun
-/// around the first size and carried on while its least value is at an end.
+/// Logarithms of two sizes with that of the minimum ratio in between: a scan by equal factors,
+/// begun around the first size and carried on while its minimum value is at an end.
 /// @param first >= least
 std::pair<double, double> scan(const double first, const double least, const Ratio& ratio_at) {
   const auto at = [&](const int step) { return std::log(first) + step * scan_step; };
@@ -146,8 +146,8 @@ std::pair<double, double> scan(const double first, const double least, const Rat
   return {is_allowed(below) ? at(below) : std::log(least), at(best()->first + 1)};
 }
 
-/// The size of the least ratio by Brent's method.
-double least_uneven(const std::pair<double, double>& logarithms, const Ratio& ratio_at) {
+/// The size of the minimum ratio by Brent's method.
+double minimum_uneven(const std::pair<double, double>& logarithms, const Ratio& ratio_at) {
   std::uintmax_t steps = most_steps;
   const auto [logarithm, ratio] = boost::math::tools::brent_find_minima(
       [&](const double at) { return ratio_at(std::exp(at)); }, logarithms.first, logarithms.second,
@@ -171,16 +171,16 @@ post::CrownReport search(const MPI_Comm communicator, const model::Case& given, 
       const double ratio =
           solve_pin(communicator, with_size(given, size), settings, mesher).load.ratio();
       report.trials.push_back({size, ratio, is_scan});
-      tell(fmt::format("{} {:>10.4g} {}: greatest over even line load {:.4f}", report.parameter,
+      tell(fmt::format("{} {:>10.4g} {}: maximum over even line load {:.4f}", report.parameter,
                        size * length.factor, length.name, ratio));
       return ratio;
     };
   };
-  const double least = least_size(given);
+  const double least = minimum_size(given);
   const auto range =
       scan(std::max(first_size(given), least), least, ratio_with(scan_unknowns, true));
   tell("on finer meshes");
-  report.size = least_uneven(range, ratio_with(search_unknowns, false));
+  report.size = minimum_uneven(range, ratio_with(search_unknowns, false));
   return report;
 }
 

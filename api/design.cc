@@ -26,7 +26,7 @@ loads::Elastic elastic(const model::CaseMaterial& material) {
   return {material.youngs_modulus, material.poissons_ratio};
 }
 
-/// The mechanism as the design looks at it: at the greatest wheel acceleration, with the shaft's
+/// The mechanism as the design looks at it: at the maximum wheel acceleration, with the shaft's
 /// inertia where it is to be added.
 model::MechanismCase designed_mechanism(const model::Case& given) {
   if (!given.mechanism)
@@ -97,7 +97,7 @@ std::vector<std::string> notices_of(const model::Case& given, const post::Design
     notices.emplace_back("external torque and friction of the pin are left out, as Johnson does");
   if (given.mechanism->angle_kind != model::MechanismCase::AngleKind::at_maximum_wheel_acceleration)
     notices.emplace_back(
-        "the design is that of the greatest wheel acceleration, not of the case's driver angle");
+        "the design is that of the maximum wheel acceleration, not of the case's driver angle");
   return notices;
 }
 

@@ -10,7 +10,7 @@
 
 namespace geneva {
 
-/// Johnson's wheel of least contact stress for a mechanism, and the shaft.
+/// Johnson's wheel of minimum contact stress for a mechanism, and the shaft.
 struct Design {
   Case given;
   post::DesignReport report;

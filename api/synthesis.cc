@@ -24,7 +24,7 @@ constexpr int steps = 360;  // of a turn of the crank
 post::QuickReturnReport make_quick_return(const loads::QuickReturnInput& input) {
   const loads::QuickReturn mechanism = loads::quick_return(input);
   post::QuickReturnReport report{
-      mechanism, input.greatest_wheel_speed, 0., loads::extreme_positions(mechanism), {}};
+      mechanism, input.maximum_wheel_speed, 0., loads::extreme_positions(mechanism), {}};
   report.engagement =
       report.extremes.rocker_last.crank_angle - report.extremes.rocker_first.crank_angle;
   for (int step = 0; step <= steps; ++step)
@@ -78,10 +78,11 @@ std::string shortfall(const post::SynthesisReport& report, const base::UnitSyste
   if (path == nullptr || !path->synthesis.solutions.empty()) return "";
   const loads::PathSynthesis& synthesis = path->synthesis;
   const auto length = base::output_unit(units, base::Dimension::length);
-  const std::string least = std::isfinite(synthesis.least_residual)
-                                ? fmt::format("the least residual of the equations is {:.3g} {}",
-                                              synthesis.least_residual * length.factor, length.name)
-                                : "none came near a linkage";
+  const std::string least =
+      std::isfinite(synthesis.minimum_residual)
+          ? fmt::format("the minimum residual of the equations is {:.3g} {}",
+                        synthesis.minimum_residual * length.factor, length.name)
+          : "none came near a linkage";
   return fmt::format(
       "not converged: no linkage through all {} points was found in {} start{}, {}; that does not "
       "prove that there is none: try more 'Starts', another 'Seed', other points, or fewer of them",

@@ -30,7 +30,7 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   kinematics->add_option("--steps", steps, "Steps of the curves over the cycle (default: 720)")
       ->check(CLI::Range(1, 10000000));
   auto* design = app.add_subcommand(
-      "design", "Find the wheel of least contact stress and the vibration of the load (Johnson)");
+      "design", "Find the wheel of minimum contact stress and the vibration of the load (Johnson)");
   design->add_option("CASE_DIR", case_directories, "One or more directories with a case.prm")
       ->required();
   design->add_option("-o,--output", output,

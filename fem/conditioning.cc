@@ -16,7 +16,7 @@ namespace geneva::fem {
 
 namespace {
 
-/// The bodies with the least and the greatest Young's modulus.
+/// The bodies with the minimum and the maximum Young's modulus.
 template <int dim>
 std::pair<const Body<dim>*, const Body<dim>*> extremes(const Problem<dim>& problem) {
   const auto [soft, stiff] = std::minmax_element(
@@ -65,12 +65,12 @@ double total_force(const Level<dim>& level, const MPI_Comm communicator) {
 }
 
 template <int dim>
-double greatest_prescribed(const Problem<dim>& problem) {
-  double greatest = 0.;
+double maximum_prescribed(const Problem<dim>& problem) {
+  double maximum = 0.;
   for (const Support<dim>& support : problem.supports)
     for (const auto& component : support.displacement)
-      greatest = std::max(greatest, std::abs(component.value_or(0.)));
-  return greatest;
+      maximum = std::max(maximum, std::abs(component.value_or(0.)));
+  return maximum;
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ void check_approach(const Level<dim>& level, const Problem<dim>& scaled_problem,
   const double softest = extremes(scaled_problem).first->material.youngs_modulus;
   const double approach = (is_line ? force / (scaled_problem.thickness * softest)
                                    : std::pow(force / softest, 2. / 3.)) +
-                          greatest_prescribed(scaled_problem);
+                          maximum_prescribed(scaled_problem);
   if (approach == 0. || approach >= least) return;
   throw base::InputError(
       fmt::format("the load of {:.3g} N pushes the bodies into each other by about {:.1g} m, less "

@@ -39,13 +39,13 @@ dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<dim>& dof_handle
 /// there.
 dealii::Point<2> remotest_node(const Surface<2>& surface, const Surface<2>& other) {
   dealii::Point<2> remotest;
-  double greatest = -1.;
+  double maximum = -1.;
   for (const SurfaceNode<2>& node : surface.nodes) {
     double nearest = std::numeric_limits<double>::max();
     for (const SurfaceNode<2>& other_node : other.nodes)
       nearest = std::min(nearest, node.position.distance_square(other_node.position));
-    if (nearest > greatest * (1. + 1e-9)) {
-      greatest = nearest;
+    if (nearest > maximum * (1. + 1e-9)) {
+      maximum = nearest;
       remotest = node.position;
     }
   }

@@ -47,10 +47,10 @@ namespace {
 
 void record_lengthwise(LevelRecord& record, const Solution<3>& solution) {
   for (const ContactResult<3>& contact : solution.contacts) {
-    const LengthwisePressure greatest =
+    const LengthwisePressure maximum =
         lengthwise_pressure(contact, symmetry_plane(solution.mesh, solution.problem, contact, 2));
-    record.mid_length_pressure = std::max(record.mid_length_pressure, greatest.middle);
-    record.end_pressure = std::max(record.end_pressure, greatest.end);
+    record.mid_length_pressure = std::max(record.mid_length_pressure, maximum.middle);
+    record.end_pressure = std::max(record.end_pressure, maximum.end);
   }
 }
 

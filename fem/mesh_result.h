@@ -22,7 +22,7 @@ template <int dim>
 LevelRecord record_of(const Solution<dim>& solution, const Equilibrium<dim>& equilibrium,
                       const LevelState& found, const SurfaceIds& surface_ids);
 
-/// Whether the greatest pressure stands at an end or a corner of its surfaces; elsewhere it has a
+/// Whether the maximum pressure stands at an end or a corner of its surfaces; elsewhere it has a
 /// bound, however steeply it rises. In 3-D the surfaces always have edges.
 template <int dim>
 bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,

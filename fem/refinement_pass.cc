@@ -18,7 +18,7 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 using History = std::vector<LevelRecord>;
 
 /// Zones are made more even as long as that lowers their unevenness by this factor.
-constexpr double least_gain = 0.9;
+constexpr double minimum_gain = 0.9;
 
 /// How many times as many cells the next mesh will have. The grading of the mesh makes some beyond
 /// the flagged ones' children.
@@ -47,7 +47,7 @@ double unevenness_of(const Level<dim>& level) {
   return 1.;
 }
 
-/// The contact pair with the least gap, and that gap.
+/// The contact pair with the minimum gap, and that gap.
 std::pair<std::size_t, double> nearest_pair(const std::vector<ContactState>& contacts) {
   std::pair<std::size_t, double> nearest{0, std::numeric_limits<double>::max()};
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -125,9 +125,9 @@ std::optional<double> RefinementPass<dim>::choose(const Equilibrium<dim>& equili
 
 template <int dim>
 bool RefinementPass<dim>::has_spread(const Level<dim>& level) const {
-  constexpr double greatest_ratio = 4.;
+  constexpr double maximum_ratio = 4.;
   const double now = unevenness_of(level);
-  return now > greatest_ratio && now < least_gain * state_.unevenness_levelled;
+  return now > maximum_ratio && now < minimum_gain * state_.unevenness_levelled;
 }
 
 /// Flags the longest edges of the zones only; how wide they must be is known after the next solve.
@@ -184,14 +184,15 @@ template <int dim>
 State<dim> RefinementPass<dim>::make_zones_even(Equilibrium<dim>& equilibrium,
                                                 State<dim> now) const {
   double before = std::numeric_limits<double>::max();
-  for (double ratio = unevenness_of(equilibrium.level()); ratio < least_gain * before;
-       ratio = unevenness_of(equilibrium.level())) {
+  while (true) {
+    const double unevenness = unevenness_of(equilibrium.level());
+    if (!(unevenness < minimum_gain * before)) break;
     if (flag_zone_part(*equilibrium.mesh().dof_handler, equilibrium.level().interfaces,
                        surface_ids_, ZonePart::uneven) == 0)
       break;
     const Vector guess = equilibrium.ghosted(now.displacement);
     now = equilibrium.refine(guess, std::move(now));
-    if (dim == 2) before = ratio;  // in 3-D the levels of a zone can always be made equal
+    if (dim == 2) before = unevenness;  // in 3-D the levels of a zone can always be made equal
   }
   return now;
 }

@@ -67,7 +67,7 @@ class RefinementPass {
   RefinementState state_;
   Refined refined_ = Refined::nothing;  ///< by the last refinement
   unsigned int last_halvings_ = 0;      ///< of the contact's cells between the last two meshes
-  double grading_;                      ///< greatest ratio of cell size to distance asked for
+  double grading_;                      ///< maximum ratio of cell size to distance asked for
 };
 
 }  // namespace geneva::fem

@@ -15,7 +15,7 @@ namespace geneva::fem {
 
 namespace {
 
-/// Eigenvalues of the constraints' Gram matrix below this share of the greatest one mean a free
+/// Eigenvalues of the constraints' Gram matrix below this share of the maximum one mean a free
 /// motion.
 constexpr double free_motion = 1e-12;
 

@@ -35,10 +35,10 @@ double axial_shear_slope(double zeta, double poissons_ratio) {
          3. * zeta / (spread * spread);
 }
 
-/// zeta = z/a of the greatest shear. The slope is positive at the surface and negative at zeta = 1
+/// zeta = z/a of the maximum shear. The slope is positive at the surface and negative at zeta = 1
 /// with one zero between for every nu in (-1, 0.5]; a zero of the slope is found to rounding, which
 /// a search on the flat maximum itself cannot do.
-double depth_of_greatest_shear(double poissons_ratio) {
+double depth_of_maximum_shear(double poissons_ratio) {
   double shallow = 0.;
   double deep = 1.;
   while (deep - shallow > 1e-15) {
@@ -108,7 +108,7 @@ HertzPoint hertz_point(double force, double relative_radius, double contact_modu
   check_elastic({contact_modulus, poissons_ratio});
   const double radius = std::cbrt(3. * force * relative_radius / (4. * contact_modulus));
   const double peak = 3. * force / (2. * pi * radius * radius);
-  const double zeta = depth_of_greatest_shear(poissons_ratio);
+  const double zeta = depth_of_maximum_shear(poissons_ratio);
   const double shear = peak * (0.75 / (1. + zeta * zeta) -
                                (1. + poissons_ratio) / 2. * (1. - zeta * std::atan2(1., zeta)));
   return {peak, radius, radius * radius / relative_radius, shear, zeta * radius};

@@ -29,7 +29,7 @@ struct ContactStress {
 struct HertzLine {
   double peak_pressure;  ///< p0 [Pa]
   double half_width;     ///< b [m]
-  double max_shear;  ///< greatest in-plane shear [Pa]: u^(5/2) p0 = 0.300 p0, u = (sqrt(5) - 1)/2
+  double max_shear;  ///< maximum in-plane shear [Pa]: u^(5/2) p0 = 0.300 p0, u = (sqrt(5) - 1)/2
   double max_shear_depth;  ///< its depth [m]: u^(1/2) b = 0.786 b
 
   /// p(x) = p0 sqrt(1 - x^2/b^2) [Pa], 0 outside the contact.
@@ -46,14 +46,14 @@ struct HertzLine {
 /// @throws base::InputError unless all are positive and finite
 HertzLine hertz_line(double force_per_length, double relative_radius, double contact_modulus);
 
-/// Hertz contact of two spheres (or a sphere on a flat). The greatest shear on the axis is that of
+/// Hertz contact of two spheres (or a sphere on a flat). The maximum shear on the axis is that of
 /// tau/p0 = 3/(4 (1 + zeta^2)) - (1 + nu)/2 (1 - zeta atan(1/zeta)), zeta = z/a (K. L. Johnson,
 /// 1985, Eq. 3.45).
 struct HertzPoint {
   double peak_pressure;    ///< p0 = (6 F E*^2/(pi^3 R^2))^(1/3) [Pa]
   double contact_radius;   ///< a = (3 F R/(4 E*))^(1/3) [m]
   double approach;         ///< a^2/R [m]
-  double max_shear;        ///< greatest shear on the axis [Pa] (0.310 p0 for nu = 0.3)
+  double max_shear;        ///< maximum shear on the axis [Pa] (0.310 p0 for nu = 0.3)
   double max_shear_depth;  ///< its depth [m] (0.48 a for nu = 0.3)
 
   /// p(r) = p0 sqrt(1 - r^2/a^2) [Pa], 0 outside the contact.
@@ -63,7 +63,7 @@ struct HertzPoint {
 /// @param force F > 0 [N]
 /// @param relative_radius R > 0 [m]
 /// @param contact_modulus E* > 0 [Pa]
-/// @param poissons_ratio of the body whose greatest shear is wanted, -1 < nu < 0.5
+/// @param poissons_ratio of the body whose maximum shear is wanted, -1 < nu < 0.5
 /// @throws base::InputError unless the first three are positive and finite and nu is in its
 /// range
 HertzPoint hertz_point(double force, double relative_radius, double contact_modulus,

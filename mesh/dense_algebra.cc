@@ -14,9 +14,9 @@ Eigenpairs symmetric_eigenpairs(const Eigen::MatrixXd& matrix) {
 }
 
 std::optional<Eigen::MatrixXd> inverse(const Eigen::MatrixXd& matrix,
-                                       const double least_reciprocal_condition) {
+                                       const double minimum_reciprocal_condition) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factors(matrix);
-  if (factors.rcond() <= least_reciprocal_condition) return std::nullopt;
+  if (factors.rcond() <= minimum_reciprocal_condition) return std::nullopt;
   return factors.inverse();
 }
 

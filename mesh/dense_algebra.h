@@ -8,7 +8,7 @@ namespace geneva::mesh {
 // Each of Eigen's decompositions costs 5 to 15 s of compile time in every source file that names
 // it; here each is compiled once.
 
-/// The x of least |A x - b| (Householder's QR with column pivoting; Golub and Van Loan, 5.4).
+/// The x of minimum |A x - b| (Householder's QR with column pivoting; Golub and Van Loan, 5.4).
 /// @param matrix A, at least as many rows as columns
 /// @param values b
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
@@ -25,6 +25,6 @@ Eigenpairs symmetric_eigenpairs(const Eigen::MatrixXd& matrix);
 /// limit.
 /// @param matrix square
 std::optional<Eigen::MatrixXd> inverse(const Eigen::MatrixXd& matrix,
-                                       double least_reciprocal_condition);
+                                       double minimum_reciprocal_condition);
 
 }  // namespace geneva::mesh

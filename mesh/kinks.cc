@@ -15,9 +15,9 @@ namespace geneva::mesh {
 namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180.;
-constexpr double least_kink = 0.01 * degree;
+constexpr double minimum_kink = 0.01 * degree;
 /// An arc is divided into eight parts a turn at least.
-constexpr double greatest_of_polygons = 46. * degree;
+constexpr double maximum_of_polygons = 46. * degree;
 
 using Eigen::Vector3d;
 
@@ -38,8 +38,8 @@ std::vector<Joint> joints_of(const Face<3>& face) {
 }  // namespace
 
 template <int dim>
-double greatest_kink(const MeshData<dim>& mesh, const std::string& surface) {
-  double greatest = 0.;
+double maximum_kink(const MeshData<dim>& mesh, const std::string& surface) {
+  double maximum = 0.;
   std::map<Joint, Vector3d> normal_at;
   for (const Face<dim>& face : mesh.faces) {
     if (mesh.surfaces[face.surface] != surface || face.circle >= 0) continue;
@@ -49,13 +49,13 @@ double greatest_kink(const MeshData<dim>& mesh, const std::string& surface) {
       if (is_new) continue;
       const Vector3d& other = neighbour->second;
       const double kink = std::atan2(normal.cross(other).norm(), normal.dot(other));
-      if (kink > least_kink && kink < greatest_of_polygons) greatest = std::max(greatest, kink);
+      if (kink > minimum_kink && kink < maximum_of_polygons) maximum = std::max(maximum, kink);
     }
   }
-  return greatest;
+  return maximum;
 }
 
-template double greatest_kink(const MeshData<2>&, const std::string&);
-template double greatest_kink(const MeshData<3>&, const std::string&);
+template double maximum_kink(const MeshData<2>&, const std::string&);
+template double maximum_kink(const MeshData<3>&, const std::string&);
 
 }  // namespace geneva::mesh

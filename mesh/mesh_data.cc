@@ -17,7 +17,7 @@ namespace geneva::mesh {
 namespace {
 
 /// Below this scaled Jacobian (1: a rectangle, 0: two sides in one line) results are worthless.
-constexpr double least_scaled_jacobian = 0.02;
+constexpr double minimum_scaled_jacobian = 0.02;
 
 /// A vertex may stand off the circle that its face belongs to by this fraction of the radius.
 constexpr double circle_tolerance = 1e-6;
@@ -82,12 +82,12 @@ template <int dim>
 void check_cells(const MeshData<dim>& mesh) {
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
     const double quality = scaled_jacobian(mesh, mesh.cells[i]);
-    if (quality > least_scaled_jacobian) continue;
+    if (quality > minimum_scaled_jacobian) continue;
     refuse(
         "cell {} of body \"{}\" near {} is degenerate or turned over (scaled Jacobian {:.3g}, more "
         "than {} is needed): use smaller cells there, or move the points that pinch it",
         i, mesh.bodies[mesh.cells[i].body], shown(mesh.vertices[mesh.cells[i].vertices[0]]),
-        quality, least_scaled_jacobian);
+        quality, minimum_scaled_jacobian);
   }
 }
 

@@ -48,7 +48,7 @@ double triple_product(const PlaceInSpace& a, const PlaceInSpace& b, const PlaceI
          (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
-double least_of_children(const Corners& outer, const Corners& middles) {
+double minimum_of_children(const Corners& outer, const Corners& middles) {
   Place centre{0., 0.};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t d = 0; d < 2; ++d) centre[d] += middles[i][d] / 2. - outer[i][d] / 4.;
@@ -103,14 +103,14 @@ double scaled_jacobian(const MeshData<dim>& mesh, const Cell<dim>& cell) {
 template double scaled_jacobian(const MeshData<2>&, const Cell<2>&);
 template double scaled_jacobian(const MeshData<3>&, const Cell<3>&);
 
-double least_scaled_jacobian(const MeshData<2>& mesh) {
+double minimum_scaled_jacobian(const MeshData<2>& mesh) {
   double least = 1.;
   for (const Cell<2>& quad : mesh.cells)
     least = std::min(least, scaled_jacobian(corners(mesh, quad)));
   return least;
 }
 
-double least_scaled_jacobian_refined(const MeshData<2>& mesh) {
+double minimum_scaled_jacobian_refined(const MeshData<2>& mesh) {
   const auto bent = middles_on_circles(mesh);
   double least = 1.;
   for (const Cell<2>& quad : mesh.cells) {
@@ -120,7 +120,7 @@ double least_scaled_jacobian_refined(const MeshData<2>& mesh) {
       const auto found = bent.find(ordered(quad.vertices[i], quad.vertices[(i + 1) % 4]));
       middles[i] = found == bent.end() ? middle(outer[i], outer[(i + 1) % 4]) : found->second;
     }
-    least = std::min(least, least_of_children(outer, middles));
+    least = std::min(least, minimum_of_children(outer, middles));
   }
   return least;
 }

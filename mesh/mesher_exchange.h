@@ -35,7 +35,7 @@ struct MesherLimits {
 };
 
 /// What the mesher says: a mesh, or why there is none.
-struct MesherAnswer {
+struct MesherAnswer {  // NOLINT(bugprone-exception-escape): that of nlohmann-json's own end
   nlohmann::json mesh;              ///< see mesh_of; null if there are errors
   std::vector<std::string> errors;  ///< empty if there is a mesh
 };

@@ -81,7 +81,7 @@ Eigen::MatrixXd gradients(const MeshData<dim>& mesh, const Bounds& bounds, const
 /// them.
 template <int dim>
 Vector3d moved(const MeshData<dim>& mesh, const Bounds& bounds, Vector3d place) {
-  constexpr double least_reciprocal_condition = 1e-6;
+  constexpr double minimum_reciprocal_condition = 1e-6;
   const Eigen::MatrixXd start = gradients(mesh, bounds, place);
   for (int step = 0; step < 50; ++step) {
     Eigen::MatrixXd matrix = start;
@@ -95,7 +95,7 @@ Vector3d moved(const MeshData<dim>& mesh, const Bounds& bounds, Vector3d place) 
       off[row] = circle.radius - arm.norm();
       farthest = std::max(farthest, std::abs(off[row++]) / circle.radius);
     }
-    const auto inverted = inverse(matrix * matrix.transpose(), least_reciprocal_condition);
+    const auto inverted = inverse(matrix * matrix.transpose(), minimum_reciprocal_condition);
     if (inverted && inverted->allFinite()) place += matrix.transpose() * (*inverted * off);
     if (farthest <= on_circle) return place;
   }

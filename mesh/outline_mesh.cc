@@ -77,7 +77,7 @@ MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing
   check_loops(outlines, loads::extent(outlines));
   const MesherAnswer answer = mesher.answer(OutlineTask{outlines, sizing}, limits);
   if (!answer.errors.empty()) throw base::InputError(answer.errors.front());
-  const auto mesh = mesh_of<2>(answer.mesh);
+  auto mesh = mesh_of<2>(answer.mesh);
   check(mesh);
   return mesh;
 }

@@ -42,7 +42,7 @@ std::optional<Circle> circle_of(const Place& a, const Place& b, const Place& c) 
   return Circle{{a[0] + x, a[1] + y}, std::hypot(x, y)};
 }
 
-/// Greatest distance of a point from a shape.
+/// Maximum distance of a point from a shape.
 double farthest_off(const Circle& circle, const std::vector<Place>& points) {
   double farthest = 0.;
   for (const Place& point : points) {
@@ -62,8 +62,8 @@ Eigen::MatrixX3d centred(const std::vector<Place>& points, Vector3d& mean) {
   return rows;
 }
 
-/// Direction in which vectors have the least components.
-Vector3d least_direction(const Eigen::MatrixX3d& rows) {
+/// Direction in which vectors have the minimum components.
+Vector3d minimum_direction(const Eigen::MatrixX3d& rows) {
   Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
   for (const auto& row : rows.rowwise()) gram += row.transpose() * row;
   return symmetric_eigenpairs(gram).vectors.col(0);
@@ -129,7 +129,7 @@ Vector3d axis_across(const std::vector<Place>& normals) {
   Eigen::MatrixX3d directions(static_cast<Eigen::Index>(normals.size()), 3);
   for (Eigen::Index i = 0; i < directions.rows(); ++i)
     directions.row(i) = vector_of(normals[static_cast<std::size_t>(i)]);
-  return least_direction(directions);
+  return minimum_direction(directions);
 }
 
 /// Gauss and Newton's method for the distances from a circle, from the one linear in its squares.
@@ -154,7 +154,7 @@ std::optional<Circle> fitted_circle(const Eigen::MatrixX2d& rows, const Vector3d
 }
 
 /// The shape if the points are near enough to it.
-/// @param off_flat their greatest distance from a line or plane
+/// @param off_flat their maximum distance from a line or plane
 std::optional<Circle> if_round(const Circle& circle, const std::vector<Place>& points,
                                const double tolerance, const double off_flat) {
   const double off = farthest_off(circle, points);
@@ -185,7 +185,7 @@ std::optional<Circle> round_surface_through(const std::vector<Place>& points,
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;
   const Eigen::MatrixX3d rows = centred(points, mean);
-  const Vector3d off_plane = least_direction(rows);
+  const Vector3d off_plane = minimum_direction(rows);
   if ((rows * off_plane).norm() <= flatness * rows.norm()) return std::nullopt;
   const Circle sphere = fitted_sphere(rows, mean);
   if (all_on(sphere, points, exactly)) return sphere;
@@ -214,7 +214,7 @@ std::optional<Circle> round_surface_near(const std::vector<Place>& points,
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;
   const Eigen::MatrixX3d rows = centred(points, mean);
-  const double off_plane = (rows * least_direction(rows)).cwiseAbs().maxCoeff();
+  const double off_plane = (rows * minimum_direction(rows)).cwiseAbs().maxCoeff();
   if (off_plane <= flatness * rows.norm()) return std::nullopt;
   const Circle sphere = fitted_sphere(rows, mean);
   const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));

@@ -23,7 +23,7 @@ std::optional<Circle> round_surface_through(const std::vector<Place>& points,
 
 /// The circle in the plane z = 0 nearest to points that are nearly on one, five at least: the sum
 /// of the squares of their distances from it is least.
-/// @param tolerance greatest distance, as a share of the radius, >= 0
+/// @param tolerance maximum distance, as a share of the radius, >= 0
 /// @return nothing if a point is farther off, or if a straight line is not ten times as far off
 std::optional<Circle> circle_near(const std::vector<Place>& points, double tolerance);
 

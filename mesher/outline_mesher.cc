@@ -23,8 +23,8 @@ using loads::Loop;
 using loads::Outline;
 using loads::Point;
 using loads::Segment;
-using mesh::least_scaled_jacobian;
-using mesh::least_scaled_jacobian_refined;
+using mesh::minimum_scaled_jacobian;
+using mesh::minimum_scaled_jacobian_refined;
 
 /// Lengths in outlines of extent 1 are rounded to this grid, so that the mesh does not depend on
 /// the last digits, which the unit of length changes.
@@ -33,7 +33,7 @@ constexpr double grid = 1. / (1 << 24);
 /// A mesh of at least this quality is taken at once.
 constexpr double good_quality = 0.2;
 /// A mesh below it is not taken at all.
-constexpr double least_quality = 0.05;
+constexpr double minimum_quality = 0.05;
 
 double scaled(double length, double factor) { return std::round(length * factor / grid) * grid; }
 
@@ -106,7 +106,7 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
 
 MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing& sizing) {
   std::optional<MeshData<2>> best;
-  double best_quality = least_quality;
+  double best_quality = minimum_quality;
   std::string failure = "there are none";
   // sizes that fit badly into a narrow place give a bad cell there: a little finer or coarser helps
   for (const Attempt attempt :
@@ -118,8 +118,8 @@ MeshData<2> mesh_outlines(const std::vector<Outline>& outlines, const MeshSizing
       failure = result.failure;
       continue;
     }
-    const double quality =
-        std::min(least_scaled_jacobian(*result.mesh), least_scaled_jacobian_refined(*result.mesh));
+    const double quality = std::min(minimum_scaled_jacobian(*result.mesh),
+                                    minimum_scaled_jacobian_refined(*result.mesh));
     if (quality < best_quality) {
       failure = fmt::format("the worst cell has a scaled Jacobian of {:.2g}", quality);
       continue;

@@ -15,7 +15,7 @@ using loads::Outline;
 using loads::Point;
 using loads::Segment;
 
-constexpr int least_layers = 2;       // of a ring
+constexpr int minimum_layers = 2;     // of a ring
 constexpr int most_cells_along = 22;  // of a quadrilateral: refinement does the rest
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -150,7 +150,7 @@ void OutlineModel::divide(const std::vector<LoopTags>& loops) {
   for (const LoopTags& loop : loops)
     for (const int tag : loop.curves) {
       const double wanted = size_.cells_along(curves_[tag].unit).back();
-      cells[tag] = std::max(count(wanted), least_cells(curves_[tag].unit));
+      cells[tag] = std::max(count(wanted), minimum_cells(curves_[tag].unit));
       total += cells[tag];
       coarsest = std::max(coarsest, {wanted / cells[tag], tag});
     }
@@ -186,7 +186,7 @@ void OutlineModel::add_ring(const Outline& unit, const std::vector<LoopTags>& lo
   const auto inner = [&](std::size_t i) { return (first + arcs - i) % arcs; };
   const double size = size_(outer[0].start);
   const double thickness = distance(outer[0].start, hole[first].start);
-  const int layers = std::max(least_layers, count(thickness / size));
+  const int layers = std::max(minimum_layers, count(thickness / size));
   std::vector<int> radial;
   for (std::size_t i = 0; i < arcs; ++i) {
     const std::array<int, 2> ends{loops[0].points[i], loops[1].points[inner(i)]};
@@ -198,7 +198,7 @@ void OutlineModel::add_ring(const Outline& unit, const std::vector<LoopTags>& lo
     const std::size_t next = (i + 1) % arcs;
     const int outer_arc = loops[0].curves[i];
     const int hole_arc = loops[1].curves[inner(next)];
-    const int cells = std::max(count(length_of(outer[i]) / size), least_cells(outer[i]));
+    const int cells = std::max(count(length_of(outer[i]) / size), minimum_cells(outer[i]));
     for (const int arc : {outer_arc, hole_arc}) curves_[arc].places = evenly_divided(cells);
     const int patch =
         gmsh::model::geo::addCurveLoop({outer_arc, radial[next], hole_arc, -radial[i]});

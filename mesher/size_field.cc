@@ -62,7 +62,7 @@ loads::Point point_of(const loads::Segment& segment, double t) {
   return {segment.centre.x + cosine * x - sine * y, segment.centre.y + sine * x + cosine * y};
 }
 
-int least_cells(const loads::Segment& segment) {
+int minimum_cells(const loads::Segment& segment) {
   if (!segment.is_arc) return 1;
   const double rounding = 1e-6;
   const double edges = std::ceil(std::abs(arc_angle(segment)) / widest_edge - rounding);
@@ -88,7 +88,7 @@ SizeField::Shape SizeField::shape_of(const loads::Segment& segment) {
   const double off = distance_between(middle, segment.centre);
   shape.radius = distance_between(segment.start, segment.centre);
   shape.towards = {(middle.x - segment.centre.x) / off, (middle.y - segment.centre.y) / off};
-  shape.least_cosine = std::cos(arc_angle(segment) / 2.);
+  shape.minimum_cosine = std::cos(arc_angle(segment) / 2.);
   return shape;
 }
 
@@ -98,7 +98,7 @@ double SizeField::distance(const Shape& shape, loads::Point place) {
   const double away = distance_between(place, centre);
   const double along =
       (place.x - centre.x) * shape.towards.x + (place.y - centre.y) * shape.towards.y;
-  if (along >= shape.least_cosine * away) return std::abs(away - shape.radius);
+  if (along >= shape.minimum_cosine * away) return std::abs(away - shape.radius);
   return std::min(distance_between(place, shape.segment.start),
                   distance_between(place, shape.segment.end));
 }
@@ -113,7 +113,7 @@ bool SizeField::is_beyond(const Shape& shape, loads::Point place, double distanc
 
 void SizeField::add_fine_segments(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) {
-    const double size = length_of(shape.segment) / least_cells(shape.segment);
+    const double size = length_of(shape.segment) / minimum_cells(shape.segment);
     if (size < sizing_.general) fine_places_.push_back({shape, size});
   }
   std::sort(fine_places_.begin(), fine_places_.end(),

@@ -20,7 +20,7 @@ double length_of(const loads::Segment& segment);
 loads::Point point_of(const loads::Segment& segment, double t);
 
 /// Fewest cells along a segment: one, and on an arc one per 45 degrees.
-int least_cells(const loads::Segment& segment);
+int minimum_cells(const loads::Segment& segment);
 
 /// Cell size as a function of place.
 ///
@@ -42,11 +42,11 @@ class SizeField {
   /// A segment with what makes distances to it quick.
   struct Shape {
     loads::Segment segment;
-    loads::Point middle;   ///< of a circle around the segment
-    double reach;          ///< radius of that circle
-    loads::Point towards;  ///< arc: unit vector from the centre to its middle
-    double least_cosine;   ///< arc: of the angle from `towards` to its ends
-    double radius;         ///< arc
+    loads::Point middle;    ///< of a circle around the segment
+    double reach;           ///< radius of that circle
+    loads::Point towards;   ///< arc: unit vector from the centre to its middle
+    double minimum_cosine;  ///< arc: of the angle from `towards` to its ends
+    double radius;          ///< arc
   };
   struct FinePlace {
     Shape shape;

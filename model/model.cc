@@ -121,7 +121,7 @@ std::vector<std::string> polygon_notices(const mesh::MeshData<dim>& mesh,
   std::set<std::string> surfaces;
   for (const fem::ContactPair& pair : problem.pairs) surfaces.insert({pair.source, pair.target});
   for (const std::string& surface : surfaces) {
-    const double kink = mesh::greatest_kink(mesh, surface);
+    const double kink = mesh::maximum_kink(mesh, surface);
     if (kink == 0.) continue;
     notices.push_back(fmt::format(
         "contact surface '{}' is a polygon: its flat faces meet at up to {:.3g} deg, and the peak "

@@ -32,7 +32,7 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const Mec
 
 /// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
 /// "pin tip"; of a half model "wheel middle" and "pin middle".
-/// @param cell greatest size of the plane cells at the contact [m]
+/// @param cell maximum size of the plane cells at the contact [m]
 /// @return by the names of the bodies
 std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
                                         const MechanismCase& mechanism, const MechanismState& state,

@@ -18,9 +18,9 @@ std::vector<std::size_t> zone_steps(const std::vector<LevelRecord>& history) {
   return steps;
 }
 
-/// Relative error over the square of the grading as long as it has not been measured: the greatest
+/// Relative error over the square of the grading as long as it has not been measured: the maximum
 /// that was seen, of cells five times as long as deep and of tilted pins in 3-D.
-constexpr double greatest_grading_coefficient = 0.35;
+constexpr double maximum_grading_coefficient = 0.35;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
 /// edge, times the square of the number of active nodes. Measured on a cylinder at random places of
@@ -35,7 +35,7 @@ bool has_free_end(const ContactInterface<2>& interface) {
 
 bool has_free_end(const ContactInterface<3>& interface) { return nodes_across(interface) > 0; }
 
-double greatest_of(const std::vector<double>& pressures) {
+double maximum_of(const std::vector<double>& pressures) {
   return pressures.empty() ? 0. : *std::max_element(pressures.begin(), pressures.end());
 }
 
@@ -78,7 +78,7 @@ Rise rise_of(const Run& run, const ContactInterface<2>& interface,
   return {pressures[peak], nodes};
 }
 
-/// The uncertainty of each run of nodes times its greatest pressure, which a single node beyond the
+/// The uncertainty of each run of nodes times its maximum pressure, which a single node beyond the
 /// end of a contact has little of. What counts is how many nodes the pressure has to rise from a
 /// free end to its peak: half of all where it is Hertz's, few where it peaks beside the end.
 double end_uncertainty(const ContactInterface<2>& interface, const std::vector<double>& pressures,
@@ -96,7 +96,7 @@ double end_uncertainty(const ContactInterface<2>& interface, const std::vector<d
 double end_uncertainty(const ContactInterface<3>& interface, const std::vector<double>& pressures,
                        const bool /*is_on_axis*/) {
   const double nodes = nodes_across(interface);
-  return nodes > 0. ? coefficient * greatest_of(pressures) / (nodes * nodes) : 0.;
+  return nodes > 0. ? coefficient * maximum_of(pressures) / (nodes * nodes) : 0.;
 }
 
 /// A change of a figure from one mesh to the next, relative to the newest value.
@@ -152,8 +152,8 @@ double first_grading(const double accuracy) {
   // After one step half of the correction is then about a tenth of the accuracy on compact cells,
   // where the error is 0.035 times the square of the grading at most. With more than half, two
   // neighbours would have to differ by more than two in size.
-  constexpr double greatest = dim == 2 ? 0.5 : 0.42;
-  return std::min(greatest, std::sqrt(25. * accuracy));
+  constexpr double maximum = dim == 2 ? 0.5 : 0.42;
+  return std::min(maximum, std::sqrt(25. * accuracy));
 }
 
 template <int dim>
@@ -193,20 +193,20 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   // displacement is given, the stiffness of the bodies decides how great the force is, and its
   // error falls as the energy's does: by half where a support ends on a straight side, where the
   // displacement goes with the root of the distance (Williams 1952).
-  constexpr double least_ratio = 1.5;
-  const double greatest_ratio = convergence.forces_are_given ? 4. : 2.;
+  constexpr double minimum_ratio = 1.5;
+  const double maximum_ratio = convergence.forces_are_given ? 4. : 2.;
   const auto zone_changes = changes(values, Refined::zone);
   Extrapolation result{0., std::min(1., zone_error(zone_changes)),
-                       std::min(1., greatest_grading_coefficient * grading * grading)};
+                       std::min(1., maximum_grading_coefficient * grading * grading)};
   const bool zone_has_sign = convergence.is_on_axis && convergence.forces_are_given;
   if (zone_has_sign && zone_changes.size() > 1)
     result.correction = zone_changes.back().size * still_to_come(zone_changes.back().halvings, 2.);
   double of_surroundings = 0.;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double ratio = values[i - 1].size_measure / values[i].size_measure;
-    if (values[i].refined != Refined::surroundings || !(ratio >= least_ratio)) continue;
+    if (values[i].refined != Refined::surroundings || !(ratio >= minimum_ratio)) continue;
     const double left =
-        (1. - values[i - 1].value / values[i].value) / (std::min(ratio, greatest_ratio) - 1.);
+        (1. - values[i - 1].value / values[i].value) / (std::min(ratio, maximum_ratio) - 1.);
     of_surroundings = taken * left;
     result.surroundings_error = doubt * std::abs(left);
   }
@@ -221,25 +221,25 @@ double error_of(const double one, const double other) {
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
                  const std::vector<ContactState>& states, const bool is_on_axis) {
-  double greatest = 0.;
+  double maximum = 0.;
   double error = 0.;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    greatest = std::max(greatest, greatest_of(states[i].pressure));
+    maximum = std::max(maximum, maximum_of(states[i].pressure));
     error = std::max(error, end_uncertainty(interfaces[i], states[i].pressure, is_on_axis));
   }
-  return greatest > 0. ? error / greatest : 0.;
+  return maximum > 0. ? error / maximum : 0.;
 }
 
 template <>
 bool peaks_beside_end(const std::vector<ContactInterface<2>>& interfaces,
                       const std::vector<ContactState>& states) {
-  double greatest = 0.;
+  double maximum = 0.;
   bool is_beside_end = false;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
     for (const Run& run : runs_of(closed(interfaces[i].status))) {
       const Rise rise = rise_of(run, interfaces[i], states[i].pressure);
-      if (rise.peak <= greatest) continue;
-      greatest = rise.peak;
+      if (rise.peak <= maximum) continue;
+      maximum = rise.peak;
       is_beside_end = 0 < rise.nodes && 3 * rise.nodes < run.end - run.begin;
     }
   return is_beside_end;
@@ -288,7 +288,7 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
   // A square edge on a half-space of the same material has gamma = 0.226 (Dundurs and Lee 1972), a
   // rigid one 0.5; cells longer than the contact is wide show less of it. Where the edge is broken,
   // the contact ends before it, and where both bodies end together, the pressure is less there.
-  constexpr double least_exponent = 0.03;
+  constexpr double minimum_exponent = 0.03;
   EdgePressure edge{true, 0., history.back().end_pressure};
   const auto steps = zone_steps(history);
   if (steps.empty()) return edge;
@@ -298,7 +298,7 @@ EdgePressure edge_pressure(const std::vector<LevelRecord>& history) {
   edge.growth_exponent = std::log2(now.end_pressure / before.end_pressure) / now.halvings;
   const bool leads = now.end_pressure >= now.peak_pressure * (1. - 1e-12);
   edge.is_bounded = !(leads && now.mid_length_pressure < now.peak_pressure &&
-                      edge.growth_exponent > least_exponent);
+                      edge.growth_exponent > minimum_exponent);
   return edge;
 }
 

@@ -7,7 +7,7 @@
 
 namespace geneva::fem {
 
-/// Greatest ratio of cell size to distance from the contact to begin with: coarse, since its part
+/// Maximum ratio of cell size to distance from the contact to begin with: coarse, since its part
 /// in the error is measured and reduced where it matters. Only the cost depends on it.
 template <int dim>
 double first_grading(double accuracy);
@@ -79,14 +79,14 @@ double error_of(double one, double other);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
 /// an edge: 0.8/N^2. In the plane N is twice the number of nodes from the end to the peak, less
-/// one, in 3-D the nodes across; every run of nodes counts as its pressure is to the greatest.
+/// one, in 3-D the nodes across; every run of nodes counts as its pressure is to the maximum.
 /// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
 /// it
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
                  const std::vector<ContactState>& states, bool is_on_axis);
 
-/// Whether the greatest pressure stands much nearer to a free end than to the middle of its
+/// Whether the maximum pressure stands much nearer to a free end than to the middle of its
 /// contact, as where a flat becomes round: a third of the contact's nodes away from the end at
 /// most.
 template <int dim>
@@ -108,7 +108,7 @@ bool grows_without_bound(const std::vector<LevelRecord>& history);
 bool stands_still(const std::vector<LevelRecord>& history);
 
 /// What the pressures at the ends of a contact's length say of its edges: at a sharp one it is the
-/// greatest of all, and grows from mesh to mesh by a power of the cells' fineness.
+/// maximum of all, and grows from mesh to mesh by a power of the cells' fineness.
 /// @param history levels so far, the newest last
 EdgePressure edge_pressure(const std::vector<LevelRecord>& history);
 

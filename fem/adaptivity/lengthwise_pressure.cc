@@ -13,13 +13,13 @@ LengthwisePressure lengthwise_pressure(const ContactResult<3>& contact,
       [](const auto& a, const auto& b) { return a.position[2] < b.position[2]; });
   const double centre = middle.value_or((lowest->position[2] + highest->position[2]) / 2.);
   const double half = std::max(highest->position[2] - centre, centre - lowest->position[2]);
-  LengthwisePressure greatest;
+  LengthwisePressure maximum;
   for (const ContactNode<3>& node : contact.nodes) {
     const double share = std::abs(node.position[2] - centre) / half;
-    if (share <= 0.5 * (1. + same)) greatest.middle = std::max(greatest.middle, node.pressure);
-    if (share >= 1. - same) greatest.end = std::max(greatest.end, node.pressure);
+    if (share <= 0.5 * (1. + same)) maximum.middle = std::max(maximum.middle, node.pressure);
+    if (share >= 1. - same) maximum.end = std::max(maximum.end, node.pressure);
   }
-  return greatest;
+  return maximum;
 }
 
 }  // namespace geneva::fem

@@ -6,7 +6,7 @@
 
 namespace geneva::fem {
 
-/// Greatest pressures [Pa] of a contact along its length, which is that in z.
+/// Maximum pressures [Pa] of a contact along its length, which is that in z.
 struct LengthwisePressure {
   double middle = 0.;  ///< in the middle half of the length
   double end = 0.;     ///< at its two ends

@@ -18,10 +18,10 @@ struct LevelRecord {
   std::vector<unsigned int> linear_iterations;  ///< one entry for every active-set step
   double peak_pressure;                         ///< [Pa]
   Refined refined;
-  double grading;         ///< greatest ratio of cell size to distance from the contact
+  double grading;         ///< maximum ratio of cell size to distance from the contact
   double size_measure;    ///< see there; of the error by the cells' sizes
   double error_estimate;  ///< relative, of the peak pressure extrapolated from this mesh
-  /// In 3-D: greatest pressure in the middle half of the surfaces' common length, and at its two
+  /// In 3-D: maximum pressure in the middle half of the surfaces' common length, and at its two
   /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
@@ -38,7 +38,7 @@ struct EdgePressure {
   bool is_bounded;
   double
       growth_exponent;  ///< gamma of p ~ h^-gamma over the last two meshes, h being the cell size
-  double pressure;      ///< greatest beyond the middle half of the length [Pa]
+  double pressure;      ///< maximum beyond the middle half of the length [Pa]
 };
 
 }  // namespace geneva::fem

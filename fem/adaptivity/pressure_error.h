@@ -10,7 +10,7 @@ namespace geneva::fem {
 /// What is known of the contacts on the last mesh beside the pressures of all meshes.
 struct ContactTraits {
   Convergence convergence;
-  double grading;              ///< greatest ratio of cell size to distance from the contact
+  double grading;              ///< maximum ratio of cell size to distance from the contact
   double end_error;            ///< see there
   bool has_free_ends;          ///< see there
   bool is_uneven;              ///< edges of very different lengths, whose pressure is of no use

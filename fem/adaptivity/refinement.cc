@@ -16,7 +16,7 @@ namespace geneva::fem {
 
 namespace {
 
-/// Cells whose energy-norm indicator exceeds this share of the greatest one are refined.
+/// Cells whose energy-norm indicator exceeds this share of the maximum one are refined.
 constexpr double energy_share = 0.8;
 
 /// Cells are not quite square: by so much one may be longer than asked for.
@@ -60,7 +60,7 @@ template <int dim>
 struct ZoneOutline {
   std::vector<dealii::Point<dim>> nodes;  ///< in contact, of both sides: a gap may have been wide
   std::vector<double> sizes;              ///< of the edges at these nodes after this refinement
-  double elongation;                      ///< greatest ratio of a face's edges in the zone
+  double elongation;                      ///< maximum ratio of a face's edges in the zone
   double width;       ///< of the contact; in 3-D its edges times the nodes across
   double zone_width;  ///< without a smooth middle
 };
@@ -217,7 +217,7 @@ struct Sizes {
   double growth;  ///< see size_growth()
 };
 
-/// Greatest size of a cell at a distance from a contact.
+/// Maximum size of a cell at a distance from a contact.
 template <int dim>
 double size_at(const double distance, const ZoneOutline<dim>& zone, const Sizes& sizes) {
   const double even = 2. * zone.width;  // as far as stresses of the contact's own field matter
@@ -284,12 +284,12 @@ unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler,
   dealii::Vector<float> indicators(dof_handler.get_triangulation().n_active_cells());
   dealii::KellyErrorEstimator<dim>::estimate(dof_handler, dealii::QGauss<dim - 1>(2), {},
                                              displacement, indicators);
-  const double greatest =
+  const double maximum =
       dealii::Utilities::MPI::max(indicators.linfty_norm(), dof_handler.get_communicator());
   unsigned int flagged = 0;
   for (const auto& cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned() && !cell->refine_flag_set() &&
-        indicators[cell->active_cell_index()] > energy_share * greatest) {
+        indicators[cell->active_cell_index()] > energy_share * maximum) {
       cell->set_refine_flag();
       ++flagged;
     }

@@ -16,7 +16,7 @@ namespace geneva::fem {
 /// What is to be refined.
 struct Wanted {
   bool zone;  ///< the contact zones; else only the cells around them
-  /// Greatest ratio of a cell's size to its distance from the contact, see size_growth(). Nothing
+  /// Maximum ratio of a cell's size to its distance from the contact, see size_growth(). Nothing
   /// while the contact is not resolved well enough for sizes and energy norm to make sense:
   /// then only the zones are refined.
   std::optional<double> grading;
@@ -48,7 +48,7 @@ int size_decay(const Problem<dim>& problem);
 /// Power of the distance that sizes of cells grow with, farther than two widths of the contact
 /// away.
 ///
-/// The least number of cells for an error of the sum of h^2 V/r^m, in the plane with a number of
+/// The minimum number of cells for an error of the sum of h^2 V/r^m, in the plane with a number of
 /// V/h^2, has h in proportion to r^(m/4): 1.5 where loads give the contact's force, and 1 under a
 /// prescribed displacement, where cells far away decide how great it is. In 3-D 1.
 template <int dim>
@@ -72,7 +72,7 @@ unsigned int flag_zone_part(dealii::DoFHandler<dim>& dof_handler,
                             const std::vector<ContactInterface<dim>>& interfaces,
                             const SurfaceIds& surface_ids, ZonePart part);
 
-/// The longest edge of a contact zone over its shortest one, on both sides together; the greatest
+/// The longest edge of a contact zone over its shortest one, on both sides together; the maximum
 /// of all zones.
 double unevenness(const std::vector<ContactInterface<2>>& interfaces);
 

@@ -108,7 +108,7 @@ ZoneSides zone_sides(const ContactInterface<2>& interface) {
   return sides;
 }
 
-/// Greatest length of an edge that does not belong to the part.
+/// Maximum length of an edge that does not belong to the part.
 double limit_of(const ZonePart part, const ZoneSides& sides) {
   switch (part) {
     case ZonePart::uneven:
@@ -159,13 +159,13 @@ unsigned int flag_zone(dealii::DoFHandler<2>& dof_handler,
 }
 
 double unevenness(const std::vector<ContactInterface<2>>& interfaces) {
-  double greatest = 1.;
+  double maximum = 1.;
   for (const ContactInterface<2>& interface : interfaces) {
     const ZoneSides sides = zone_sides(interface);
-    greatest = std::max(greatest, std::max(longest(sides.source), longest(sides.target)) /
-                                      std::min(shortest(sides.source), shortest(sides.target)));
+    maximum = std::max(maximum, std::max(longest(sides.source), longest(sides.target)) /
+                                    std::min(shortest(sides.source), shortest(sides.target)));
   }
-  return greatest;
+  return maximum;
 }
 
 }  // namespace geneva::fem

@@ -15,7 +15,7 @@ double peak_memory(const MPI_Comm communicator) {
 
 namespace {
 
-/// From here on the greatest memory is that since now: an earlier solve in this process may have
+/// From here on the maximum memory is that since now: an earlier solve in this process may have
 /// taken more. See proc(5), /proc/pid/clear_refs; where the system refuses, all counts.
 double memory_now(const MPI_Comm communicator) {
   std::ofstream("/proc/self/clear_refs") << "5";

@@ -11,7 +11,7 @@
 
 namespace geneva::fem {
 
-/// Greatest resident memory since the last ResourceLimits were made, or since the start of the
+/// Maximum resident memory since the last ResourceLimits were made, or since the start of the
 /// process if there were none, of all ranks together [byte].
 double peak_memory(MPI_Comm communicator);
 

@@ -14,7 +14,7 @@ namespace geneva::fem {
 
 namespace {
 
-/// Pressures below this share of the greatest one, and overlaps below this share of the approach,
+/// Pressures below this share of the maximum one, and overlaps below this share of the approach,
 /// are round-off, not a reason to change the active set.
 constexpr double round_off = 1e-9;
 /// A new node in the middle of a face is as near to all four corners: round-off must not choose.
@@ -26,7 +26,7 @@ double initial_gap(const ContactRow<dim>& row) {
 }
 
 /// Rows that close more slowly than this share of the approach do not stop it.
-constexpr double least_closing_rate = 0.2;
+constexpr double minimum_closing_rate = 0.2;
 
 template <int dim>
 double closing_rate(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& approach) {
@@ -40,7 +40,7 @@ double way_to_touch(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& ap
   const double gap = initial_gap(row);
   if (approach.norm() == 0.) return gap;
   const double rate = closing_rate(row, approach);
-  if (rate <= least_closing_rate) return std::numeric_limits<double>::max();
+  if (rate <= minimum_closing_rate) return std::numeric_limits<double>::max();
   return gap > 0. ? gap / rate : gap;
 }
 
@@ -63,7 +63,7 @@ template <int dim>
 std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface) {
   const bool meets_approach =
       std::any_of(interface.rows.begin(), interface.rows.end(), [&](const ContactRow<dim>& row) {
-        return closing_rate(row, interface.approach) > least_closing_rate;
+        return closing_rate(row, interface.approach) > minimum_closing_rate;
       });
   const dealii::Tensor<1, dim> approach =
       meets_approach ? interface.approach : dealii::Tensor<1, dim>();

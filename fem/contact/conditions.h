@@ -12,7 +12,7 @@
 namespace geneva::fem {
 
 /// The equations of the pair's law that are constraints, such as gap_j(u) = 0, solved for the
-/// displacement component with the greatest share of their direction that no support holds. Those
+/// displacement component with the maximum share of their direction that no support holds. Those
 /// whose components are all held are left out.
 /// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
 /// are added

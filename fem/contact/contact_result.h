@@ -53,7 +53,7 @@ struct ContactResult {
   std::vector<ContactInterval> intervals;  ///< in the plane
   double half_width;                       ///< of the widest interval, in the plane [m]
   bool symmetric;                          ///< whether that one ends at a plane or axis of symmetry
-  double max_penetration;                  ///< greatest overlap left between inactive nodes [m]
+  double max_penetration;                  ///< maximum overlap left between inactive nodes [m]
   unsigned int active_nodes;
   int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight
   int target_circle;      ///< the same of the target

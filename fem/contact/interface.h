@@ -35,7 +35,7 @@ using Tangential = std::array<double, 2>;
 struct ContactState {
   std::vector<double> pressure;           ///< >= 0 in compression
   std::vector<double> gap;                ///< > 0 when open
-  double approach = 0.;                   ///< greatest change of a gap by the displacement
+  double approach = 0.;                   ///< maximum change of a gap by the displacement
   std::vector<Tangential> slip = {};      ///< of the source against the target
   std::vector<Tangential> friction = {};  ///< traction on the source
 };

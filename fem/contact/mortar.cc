@@ -18,13 +18,13 @@ namespace {
 
 /// Shares of a source node's faces that must be covered by the target for the node to take part in
 /// the contact.
-constexpr double least_coverage = 1e-6;
+constexpr double minimum_coverage = 1e-6;
 /// Below this reciprocal condition the covered sliver of a face is too thin for a basis of its own.
-constexpr double least_condition = 1e-14;
+constexpr double minimum_condition = 1e-14;
 
 /// Couplings below this share of a row's weight are roundings, which reach 1e-13: between a node
 /// and those of other layers, where the two surfaces have the same layers.
-constexpr double least_coupling = 1e-12;
+constexpr double minimum_coupling = 1e-12;
 
 template <int dim>
 using FaceMatrix = Eigen::Matrix<double, n_face_nodes<dim>, n_face_nodes<dim>>;
@@ -40,7 +40,7 @@ std::optional<FaceMatrix<dim>> dual_basis(const std::vector<OverlapPoint<dim>>& 
         p.source_shapes.data());
     mass += p.weight * shapes * shapes.transpose();
   }
-  const std::optional<Eigen::MatrixXd> inverse = mesh::inverse(mass, least_condition);
+  const std::optional<Eigen::MatrixXd> inverse = mesh::inverse(mass, minimum_condition);
   if (!inverse) return std::nullopt;
   // the shape functions sum to 1, so that the rows of M sum to D
   return FaceMatrix<dim>(mass.rowwise().sum().asDiagonal() * *inverse);
@@ -87,7 +87,7 @@ template <int dim>
 std::vector<std::pair<unsigned int, double>> couplings(const RowSum<dim>& sum) {
   std::vector<std::pair<unsigned int, double>> result;
   for (const auto& [target, coupling] : sum.coupling)
-    if (std::abs(coupling) > least_coupling * sum.weight) result.emplace_back(target, coupling);
+    if (std::abs(coupling) > minimum_coupling * sum.weight) result.emplace_back(target, coupling);
   return result;
 }
 
@@ -159,7 +159,7 @@ std::vector<ContactRow<dim>> mortar_rows(const Surface<dim>& source, const Surfa
   std::vector<ContactRow<dim>> rows;
   for (unsigned int node = 0; node < sums.size(); ++node) {
     const RowSum<dim>& sum = sums[node];
-    if (sum.weight <= least_coverage * sum.full_weight) continue;
+    if (sum.weight <= minimum_coverage * sum.full_weight) continue;
     rows.push_back(
         {node, sum.weight, frame_along(sum.normal / sum.normal.norm()), sum.gap, couplings(sum)});
   }

@@ -16,7 +16,7 @@ using dealii::Tensor;
 namespace {
 
 /// Overlaps smaller than this share of the source face are round-off.
-constexpr double least_share = 1e-12;
+constexpr double minimum_share = 1e-12;
 
 /// Faces can touch only if their outward normals are opposed by more than this cosine. Where a face
 /// reaches past the silhouette of a round target, the faces there stand almost upright on it: along
@@ -94,15 +94,15 @@ std::array<double, 2> inverse_bilinear(const Polygon& corners, const Point<2>& p
   std::array<double, 2> at{0.5, 0.5};
   for (unsigned int step = 0; step < 20; ++step) {
     const auto shapes = bilinear_shapes(at);
-    Tensor<1, 2> defect = point;
-    for (std::size_t i = 0; i < 4; ++i) defect -= shapes[i] * Tensor<1, 2>(corners[i]);
+    Tensor<1, 2> residual = point;
+    for (std::size_t i = 0; i < 4; ++i) residual -= shapes[i] * Tensor<1, 2>(corners[i]);
     const Tensor<1, 2> along =
         (1. - at[1]) * (corners[1] - corners[0]) + at[1] * (corners[2] - corners[3]);
     const Tensor<1, 2> across =
         (1. - at[0]) * (corners[3] - corners[0]) + at[0] * (corners[2] - corners[1]);
     const double determinant = cross(along, across);
-    const double first = cross(defect, across) / determinant;
-    const double second = cross(along, defect) / determinant;
+    const double first = cross(residual, across) / determinant;
+    const double second = cross(along, residual) / determinant;
     at[0] += first;
     at[1] += second;
     if (std::abs(first) + std::abs(second) < 1e-15) break;
@@ -157,7 +157,8 @@ std::optional<Polygon> overlap(const AuxiliaryPlane& plane, const Polygon& sourc
   if (plane.height(face_middle(target, face)) < -0.25 * target.length) return std::nullopt;
   std::reverse(polygon.begin(), polygon.end());
   polygon = intersection(source_polygon, polygon);
-  if (polygon.size() < 3 || area(polygon) < least_share * area(source_polygon)) return std::nullopt;
+  if (polygon.size() < 3 || area(polygon) < minimum_share * area(source_polygon))
+    return std::nullopt;
   return polygon;
 }
 

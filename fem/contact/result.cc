@@ -76,11 +76,11 @@ Eigen::Vector3d weighted_parabola(const std::vector<std::array<double, 3>>& samp
   return is_even ? Eigen::Vector3d(c(0), 0., c(1)) : Eigen::Vector3d(c(0), c(1), c(2));
 }
 
-/// Greatest pressure, freed from the scatter of the nodes: the top of the parabola through p^2,
-/// which Hertz's p^2 is, fitted to the nodes around the greatest one that carry nine tenths of it,
+/// Maximum pressure, freed from the scatter of the nodes: the top of the parabola through p^2,
+/// which Hertz's p^2 is, fitted to the nodes around the maximum one that carry nine tenths of it,
 /// weighted with what they stand for (next to an axis of revolution that is next to nothing, and
 /// the pressure is 1 to 2 % off there). At the end of the surface the parabola is even. With fewer
-/// than five such nodes, or where the parabola opens upwards, that of the greatest node.
+/// than five such nodes, or where the parabola opens upwards, that of the maximum node.
 double fitted_peak(const std::vector<ContactNode<2>>& nodes) {
   constexpr double share = 0.9;
   constexpr std::size_t fewest = 5;

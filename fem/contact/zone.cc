@@ -11,7 +11,7 @@ namespace geneva::fem {
 namespace {
 
 /// How far a node's pressure is off the straight line between its neighbours, as a share of the
-/// greatest pressure. At the end of a surface, a plane or axis of symmetry, they are equal.
+/// maximum pressure. At the end of a surface, a plane or axis of symmetry, they are equal.
 double bend_of_pressure(const ContactInterface<2>& interface, const ContactState& state,
                         const std::size_t row) {
   const auto at = [&](const std::size_t i) {

@@ -22,7 +22,7 @@ std::vector<bool> zone_nodes(const ContactInterface<dim>& interface);
 ArcIntervals smooth_intervals(const ContactInterface<2>& interface, const ContactState& state,
                               double tolerance);
 
-/// Whether the greatest pressure stands within four edges of an end or a corner of the source, or
+/// Whether the maximum pressure stands within four edges of an end or a corner of the source, or
 /// over one of the target.
 bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& state);
 

@@ -8,8 +8,8 @@ namespace geneva::fem {
 /// Units in which the solver works, so that it sees the same numbers whatever the user's units and
 /// size.
 struct Scales {
-  double length;  ///< greatest extent of the mesh [m]
-  double stress;  ///< greatest Young's modulus [Pa]
+  double length;  ///< maximum extent of the mesh [m]
+  double stress;  ///< maximum Young's modulus [Pa]
 
   [[nodiscard]] double force() const { return stress * length * length; }
 };

@@ -68,7 +68,7 @@ double log_step(const double first, const double last, const int step, const int
   return first * std::pow(last / first, static_cast<double>(step) / steps);
 }
 
-/// The least stress between two diameters that enclose one minimum: the worse third is cut off.
+/// The minimum stress between two diameters that enclose one minimum: the worse third is cut off.
 double ternary_search(const DesignInput& input, double lower, double upper) {
   // nearer together rounding decides which of the two stresses is the smaller one
   while (upper - lower > 1e-7 * upper) {
@@ -82,7 +82,7 @@ double ternary_search(const DesignInput& input, double lower, double upper) {
   return upper;
 }
 
-/// Diameter of the least stress near a first guess.
+/// Diameter of the minimum stress near a first guess.
 double searched_diameter(const DesignInput& input, const double guess) {
   constexpr int steps = 400;
   constexpr double span = 10.;
@@ -195,7 +195,7 @@ WorkingCycle working_cycle(const int stations, const double driver_speed) {
   const double turn = 2. * pi / driver_speed;
   cycle.motion_time = cycle.motion_fraction * turn;
   cycle.dwell_time = turn - cycle.motion_time;
-  cycle.greatest_pins = 2 * n / (n - 2);
+  cycle.maximum_pins = 2 * n / (n - 2);
   return cycle;
 }
 

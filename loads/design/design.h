@@ -26,7 +26,7 @@ struct DesignInput {
   Elastic wheel;
 };
 
-/// A wheel of the design at the angle of greatest wheel acceleration, -beta.
+/// A wheel of the design at the angle of maximum wheel acceleration, -beta.
 struct DesignedWheel {
   double diameter;  ///< D [m]
   double pin_diameter;
@@ -37,7 +37,7 @@ struct DesignedWheel {
   double peak_pressure;  ///< s_max [Pa] (Eq. 2 and 3)
 };
 
-/// The wheel's greatest acceleration a_max [rad/s^2], at -beta.
+/// The wheel's maximum acceleration a_max [rad/s^2], at -beta.
 /// @throws base::InputError unless the driver's speed is positive
 double design_acceleration(const DesignInput& input);
 
@@ -53,13 +53,13 @@ DesignedWheel johnson_wheel(const DesignInput& input, double diameter);
 /// johnson_stress() does
 DesignedWheel drawn_wheel(const DesignInput& input, double diameter);
 
-/// Johnson's wheel of the least contact stress: Eq. 9, then D from Eq. 6 and F and s from Eq. 1
+/// Johnson's wheel of the minimum contact stress: Eq. 9, then D from Eq. 6 and F and s from Eq. 1
 /// to 3; nothing beyond 10 stations.
 /// @throws base::InputError if neither inertia nor friction loads the wheel: the stress then
 /// falls with the diameter and has no minimum
 std::optional<DesignedWheel> johnson_optimum(const DesignInput& input);
 
-/// The drawn wheel of the least contact stress.
+/// The drawn wheel of the minimum contact stress.
 struct DrawnOptimum {
   DesignedWheel wheel;
   double inertia_ratio;  ///< J_G/(J_L + M_f/a): 1.5 by Eq. 9 where all lengths scale
@@ -103,7 +103,7 @@ struct WorkingCycle {
   double dwell_time;       ///< t_s [s]
   double motion_fraction;  ///< (n - 2)/(2 n) of the driver's turn
   double time_ratio;       ///< k_t = t_m/t_s = (n - 2)/(n + 2)
-  int greatest_pins;       ///< floor(2 n/(n - 2)) equally spaced pins never meet the wheel together
+  int maximum_pins;        ///< floor(2 n/(n - 2)) equally spaced pins never meet the wheel together
 };
 
 /// @param stations n, 3..24

@@ -50,7 +50,7 @@ double johnson_stress_of_diameter(double wheel_diameter, const JohnsonRow& row,
                                   const WheelLoad& load, double peak_acceleration, double density,
                                   const Elastic& pin, const Elastic& wheel);
 
-/// Eq. 9: J_G = 1.5 (J_L + M_f/a) [kg m^2], the wheel inertia of the least contact stress.
+/// Eq. 9: J_G = 1.5 (J_L + M_f/a) [kg m^2], the wheel inertia of the minimum contact stress.
 /// @throws base::InputError unless the peak acceleration is positive and finite
 double optimum_wheel_inertia(const WheelLoad& load, double peak_acceleration);
 

@@ -183,7 +183,7 @@ void check_rows(const std::vector<double>& times, const std::vector<double>& ang
   }
 }
 
-/// The least speed of a cubic between two rows is at an end or where its acceleration is 0.
+/// The minimum speed of a cubic between two rows is at an end or where its acceleration is 0.
 void check_speed(const CubicSpline& spline) {
   for (std::size_t i = 0; i + 1 < spline.x().size(); ++i) {
     const double begin = spline.x()[i];

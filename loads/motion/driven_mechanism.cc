@@ -16,7 +16,7 @@ namespace {
 /// Driver angles formed elsewhere may differ by a few roundings from the ends of an engagement.
 constexpr double angle_rounding = 1e-12;
 /// A pin's path that meets its slot at a greater angle than this starts the wheel with a jump.
-constexpr double greatest_defect = 1e-6;
+constexpr double maximum_defect = 1e-6;
 
 /// Motion of the slot with respect to time from that with respect to the driver angle.
 SlotMotion in_time(const SlotMotion& motion, const Jet& driver_angle) {
@@ -71,7 +71,7 @@ std::vector<Unbounded> DrivenMechanism::unbounded() const {
     for (const bool at_exit : {false, true}) {
       const double defect =
           tangency_defect(mechanism_, at_exit ? mechanism_.exit : mechanism_.entry);
-      if (defect > greatest_defect)
+      if (defect > maximum_defect)
         places.push_back({"wheel acceleration", at_exit ? timed.end : timed.begin,
                           at_exit ? timed.engagement.end : timed.engagement.begin,
                           fmt::format("the pin's path meets the slot at {:.4g} deg there, so that "

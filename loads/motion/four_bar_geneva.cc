@@ -149,7 +149,7 @@ double swing_at(const std::shared_ptr<const CouplerCurve>& curve, const double d
   return stretch ? std::abs(stretch->swing) : 2. * pi;
 }
 
-/// The greatest distance at which the swing is a pitch: it falls with the distance far away.
+/// The maximum distance at which the swing is a pitch: it falls with the distance far away.
 double tangent_distance(const int stations, const std::shared_ptr<const CouplerCurve>& curve,
                         const double direction) {
   const double pitch = 2. * pi / stations;

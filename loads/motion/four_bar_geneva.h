@@ -30,7 +30,7 @@ struct FourBarGeneva {
 /// @param stations 3..24
 /// @param linkage a crank that turns fully
 /// @throws base::InputError outside of that, if the coupler point does not turn the wheel by a
-/// pitch (with the greatest angle that it reaches), or if no distance along the direction does
+/// pitch (with the maximum angle that it reaches), or if no distance along the direction does
 FourBarGeneva four_bar_geneva(int stations, const FourBar& linkage, Assembly assembly,
                               const WheelPlace& place);
 

@@ -27,7 +27,7 @@ PinLoad rest(const MotionState& state) {
 PlacedPeak placed(const DrivenMechanism& driven,
                   const std::function<double(const MotionState&)>& quantity,
                   const std::vector<double>& breaks = {}) {
-  const Peak peak = greatest(driven, quantity, breaks);
+  const Peak peak = maximum(driven, quantity, breaks);
   return {peak.value, driven.drive().driver_angle(peak.time).value, peak.time};
 }
 

@@ -35,7 +35,7 @@ struct KinematicsRow {
 std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,
                                            const PinContact& contact, int steps);
 
-/// A greatest value and where it occurs.
+/// A maximum value and where it occurs.
 struct PlacedPeak {
   double value;
   double driver_angle;  ///< [rad]
@@ -45,8 +45,8 @@ struct PlacedPeak {
 /// What characterises a mechanism and its load. Ratios are those to powers of the drive's reference
 /// speed: they are dphi/dtheta and its derivatives where the driver turns at constant speed.
 struct Characteristics {
-  PlacedPeak speed_ratio;         ///< greatest, of the wheel
-  PlacedPeak acceleration_ratio;  ///< greatest forwards, at Johnson's point
+  PlacedPeak speed_ratio;         ///< maximum, of the wheel
+  PlacedPeak acceleration_ratio;  ///< maximum forwards, at Johnson's point
   double entry_acceleration_ratio;
   double
       jerk_ratio_at_centre;  ///< midway through the first engagement; negative for an external one
@@ -55,9 +55,9 @@ struct Characteristics {
   std::vector<double> dwell_times;  ///< [s], see DrivenMechanism::dwells()
   double motion_fraction;           ///< motion over the whole time
   double time_ratio;                ///< k_t: motion over dwell; infinite without dwell
-  PlacedPeak force;                 ///< greatest on the driving wall [N]; 0 if there is none
-  PlacedPeak braking_force;         ///< greatest on the braking wall [N]; 0 if there is none
-  // Greatest values over those at Johnson's point; NaN where nothing presses on the driving wall.
+  PlacedPeak force;                 ///< maximum on the driving wall [N]; 0 if there is none
+  PlacedPeak braking_force;         ///< maximum on the braking wall [N]; 0 if there is none
+  // Maximum values over those at Johnson's point; NaN where nothing presses on the driving wall.
   double force_ratio;
   PlacedPeak pressure;  ///< Hertz, on either wall [Pa]
   double pressure_ratio;

@@ -58,8 +58,8 @@ struct Engagement {
 /// them.
 /// @param pin_angles driver angles [rad] at which the pins are midway through their engagements;
 /// the first is 0
-/// @throws base::InputError if two pins would be engaged together, with the least angle
-/// between them and the greatest number of equally spaced pins; or if an angle is not finite
+/// @throws base::InputError if two pins would be engaged together, with the minimum angle
+/// between them and the maximum number of equally spaced pins; or if an angle is not finite
 std::vector<Engagement> engagements(const Mechanism& mechanism,
                                     const std::vector<double>& pin_angles);
 
@@ -71,7 +71,7 @@ double cycle_begin(const Mechanism& mechanism, const std::vector<Engagement>& en
 /// @throws base::InputError unless count is 1 or more
 std::vector<double> equally_spaced_pins(const Mechanism& mechanism, int count);
 
-/// Greatest number of equally spaced pins of which no two are engaged together; 2 n/(n - 2) rounded
+/// Maximum number of equally spaced pins of which no two are engaged together; 2 n/(n - 2) rounded
 /// down for an external Geneva.
 int most_pins(const Mechanism& mechanism);
 

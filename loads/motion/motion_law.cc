@@ -11,12 +11,12 @@ namespace geneva::loads {
 
 namespace {
 
-void check_relative_time(const double relative_time, const double greatest) {
-  if (relative_time >= 0. && relative_time <= greatest) return;
+void check_relative_time(const double relative_time, const double maximum) {
+  if (relative_time >= 0. && relative_time <= maximum) return;
   throw base::InputError(
       fmt::format("relative time of the motion law is {:.6g}: the law is given from 0 to {:.6g}; "
                   "choose a time within the motion",
-                  relative_time, greatest));
+                  relative_time, maximum));
 }
 
 /// A/k^3 of the cycloidal law, from its series where the difference of the two terms cancels.

@@ -58,7 +58,7 @@ struct Stretch {
   double last;
 };
 
-/// The time of a greatest value found at the edge of a stretch: the edge itself, unless the
+/// The time of a maximum value found at the edge of a stretch: the edge itself, unless the
 /// quantity has another value there, or just beyond, where roundings of an angle may lead.
 double time_at_edge(const std::function<double(double)>& at_time, const Peak& inside,
                     const double edge) {
@@ -70,10 +70,9 @@ double time_at_edge(const std::function<double(double)>& at_time, const Peak& in
   return is_other(edge) || is_other(beyond) ? inside.time : edge;
 }
 
-/// The greatest value on a stretch, on which the quantity is smooth.
-Peak greatest_on(const DrivenMechanism& driven,
-                 const std::function<double(const MotionState&)>& quantity,
-                 const Stretch& stretch) {
+/// The maximum value on a stretch, on which the quantity is smooth.
+Peak maximum_on(const DrivenMechanism& driven,
+                const std::function<double(const MotionState&)>& quantity, const Stretch& stretch) {
   // Much finer than the sharpest peak, that of n = 3, 4 deg from the line of centres.
   constexpr int intervals = 512;
   const auto at_time = [&](const double at) { return quantity(driven.at_time(at)); };
@@ -188,7 +187,7 @@ void check(const WheelTrain& train, const DrivenMechanism& driven) {
   if (friction == 0.) return;
   const std::vector<double> breaks = slip_breaks(driven, train);
   const auto steepest_on = [&](const Wall wall) {
-    return greatest(
+    return maximum(
                driven,
                [&](const MotionState& state) {
                  return friction_arm(state, train.pin_diameter, wall) / state.pin_distance.value;
@@ -214,15 +213,15 @@ std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain&
   return angles;
 }
 
-Peak greatest(const DrivenMechanism& driven,
-              const std::function<double(const MotionState&)>& quantity,
-              const std::vector<double>& breaks) {
+Peak maximum(const DrivenMechanism& driven,
+             const std::function<double(const MotionState&)>& quantity,
+             const std::vector<double>& breaks) {
   // Equal maxima before and after the line of centres differ by roundings: the first one counts.
   constexpr double rounding = 1e-9;
   Peak best{-std::numeric_limits<double>::infinity(), 0.};
   for (const TimedEngagement& engagement : driven.engagements())
     for (const Stretch& stretch : stretches(driven, engagement, breaks)) {
-      const Peak peak = greatest_on(driven, quantity, stretch);
+      const Peak peak = maximum_on(driven, quantity, stretch);
       const bool is_first = !std::isfinite(best.value);
       if (is_first ? peak.value > best.value
                    : peak.value > best.value + rounding * std::abs(best.value))
@@ -233,7 +232,7 @@ Peak greatest(const DrivenMechanism& driven,
 
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train) {
   check(train, driven);
-  const Peak peak = greatest(
+  const Peak peak = maximum(
       driven, [&](const MotionState& state) { return pin_load(state, train).force; },
       slip_breaks(driven, train));
   return driven.drive().driver_angle(peak.time).value;
@@ -241,7 +240,7 @@ double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train) 
 
 double peak_acceleration_angle(const DrivenMechanism& driven) {
   const Peak peak =
-      greatest(driven, [](const MotionState& state) { return state.wheel_angle.second; });
+      maximum(driven, [](const MotionState& state) { return state.wheel_angle.second; });
   return driven.drive().driver_angle(peak.time).value;
 }
 

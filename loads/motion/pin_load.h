@@ -75,34 +75,34 @@ void check(const RollerBore& bore, double pin_diameter);
 
 /// @throws base::InputError if an inertia, the friction moment or the friction coefficient is
 /// negative, where the check of a roller's bore does, or if friction jams the pin on either wall,
-/// with the greatest coefficient at which it does not
+/// with the maximum coefficient at which it does not
 void check(const WheelTrain& train, const DrivenMechanism& driven);
 
-/// A greatest value over the engagements and the time at which it occurs.
+/// A maximum value over the engagements and the time at which it occurs.
 struct Peak {
   double value;
   double time;  ///< [s]
 };
 
-/// The greatest value of a quantity over the engagements; the first of several equal ones. The time
+/// The maximum value of a quantity over the engagements; the first of several equal ones. The time
 /// is that of the maximum to about 1e-10 of the engagement; where the quantity jumps, it is on the
 /// side of the greater value.
 /// @param breaks driver angles [rad] from the middle of an engagement at which the quantity may
 /// jump or have a kink, besides the mechanism's joints
-Peak greatest(const DrivenMechanism& driven,
-              const std::function<double(const MotionState&)>& quantity,
-              const std::vector<double>& breaks = {});
+Peak maximum(const DrivenMechanism& driven,
+             const std::function<double(const MotionState&)>& quantity,
+             const std::vector<double>& breaks = {});
 
 /// Driver angles [rad] from the middle of an engagement at which slip changes its sign on a wall,
 /// and with it friction.
 std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain& train);
 
-/// Driver angle [rad] of the greatest force on the driving wall. With inertia alone it lies between
-/// that of the greatest acceleration and the line of centres, since the arm still shrinks.
+/// Driver angle [rad] of the maximum force on the driving wall. With inertia alone it lies between
+/// that of the maximum acceleration and the line of centres, since the arm still shrinks.
 /// @throws base::InputError where check() does
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train);
 
-/// Driver angle [rad] of the greatest acceleration of the wheel forwards (Johnson's point): before
+/// Driver angle [rad] of the maximum acceleration of the wheel forwards (Johnson's point): before
 /// the line of centres where the driver's speed is constant.
 double peak_acceleration_angle(const DrivenMechanism& driven);
 

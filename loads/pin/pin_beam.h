@@ -18,7 +18,7 @@ struct BeamBending {
   double tip_deflection;  ///< of the free end; held twice: of the middle [m]
   double slope;           ///< of the cross-sections in the middle of the wheel [rad]; held twice: 0
   double root_moment;     ///< [N m]
-  double root_stress;     ///< greatest bending stress at the root, 32 M/(pi d^3) [Pa]
+  double root_stress;     ///< maximum bending stress at the root, 32 M/(pi d^3) [Pa]
 };
 
 /// @param force F > 0 [N]

@@ -18,13 +18,13 @@ struct CrankRockerInput {
 /// of the chord at (0, CD cos(swing/2)); the crank's pivot A (O_2) lies at x = -pivot_distance on
 /// the chord's line. The lecture's A and B are the linkage's B and C.
 struct CrankRocker {
-  FourBar linkage;                  ///< coupler point P = C
-  Assembly assembly;                ///< open: the rocker's end above the frame
-  double swing;                     ///< [rad]
-  double far_crank;                 ///< crank angle [rad] at which the rocker is farthest from A: 0
-  double near_crank;                ///< crank angle [rad] at which it is nearest: pi
-  double frame;                     ///< AD [m]
-  double least_transmission_angle;  ///< between coupler and rocker [rad], at most pi/2
+  FourBar linkage;    ///< coupler point P = C
+  Assembly assembly;  ///< open: the rocker's end above the frame
+  double swing;       ///< [rad]
+  double far_crank;   ///< crank angle [rad] at which the rocker is farthest from A: 0
+  double near_crank;  ///< crank angle [rad] at which it is nearest: pi
+  double frame;       ///< AD [m]
+  double minimum_transmission_angle;  ///< between coupler and rocker [rad], at most pi/2
 };
 
 /// Lecture 4's construction in closed form: crank AB = CD sin(swing/2), half the chord; coupler BC

@@ -16,8 +16,8 @@ using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 9, 1>;
 /// damping) end in local minima or in the chain of is_proper(): of 1000 starts at nine points of
 /// six linkages they led to 0 to 7 solutions, the shortened step to 15 to 35.
 constexpr double longest_step = 0.5;
-constexpr double greatest_dimension = 100.;
-constexpr double least_link = 1e-3;
+constexpr double maximum_dimension = 100.;
+constexpr double minimum_link = 1e-3;
 
 /// Linearised equations with the angles eliminated: matrix * step of free dimensions = -residual.
 struct Reduced {
@@ -25,7 +25,7 @@ struct Reduced {
   SmallVector residual;
   std::vector<PointEquations> equations;
   std::vector<Eigen::HouseholderQR<Eigen::Matrix<double, 4, 3>>> factors;
-  double greatest;  // of all 4N equations
+  double maximum;  // of all 4N equations
 };
 
 void reduce(const PathUnknowns& unknowns, const Eigen::Matrix2Xd& points,
@@ -34,7 +34,7 @@ void reduce(const PathUnknowns& unknowns, const Eigen::Matrix2Xd& points,
   reduced.residual.resize(points.cols());
   reduced.equations.clear();
   reduced.factors.clear();
-  reduced.greatest = 0.;
+  reduced.maximum = 0.;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const PointEquations& e =
         reduced.equations.emplace_back(point_equations(unknowns, i, points.col(i)));
@@ -46,7 +46,7 @@ void reduce(const PathUnknowns& unknowns, const Eigen::Matrix2Xd& points,
       reduced.matrix(i, static_cast<Eigen::Index>(j)) =
           combination.dot(e.by_dimensions.col(free[j]));
     reduced.residual[i] = combination.dot(e.residual);
-    reduced.greatest = std::max(reduced.greatest, e.residual.cwiseAbs().maxCoeff());
+    reduced.maximum = std::max(reduced.maximum, e.residual.cwiseAbs().maxCoeff());
   }
 }
 
@@ -76,8 +76,8 @@ bool is_proper(const Eigen::Matrix<double, 9, 1>& dimensions) {
                               std::abs(dimensions[6]),
                               (dimensions.segment<2>(2) - dimensions.segment<2>(0)).norm());
   const double longest = links.maxCoeff();
-  return links.minCoeff() > least_link && std::abs(dimensions[7]) < greatest_dimension &&
-         longest < greatest_dimension && longest < (1. - 1e-9) * (links.sum() - longest);
+  return links.minCoeff() > minimum_link && std::abs(dimensions[7]) < maximum_dimension &&
+         longest < maximum_dimension && longest < (1. - 1e-9) * (links.sum() - longest);
 }
 
 NewtonEnd solve_path(const Eigen::Matrix2Xd& points, const std::vector<Eigen::Index>& free,
@@ -90,21 +90,21 @@ NewtonEnd solve_path(const Eigen::Matrix2Xd& points, const std::vector<Eigen::In
   Reduced next;
   while (end.iterations < most_iterations) {
     if (is_proper(end.unknowns.dimensions))
-      end.least_residual = std::min(end.least_residual, reduced.greatest);
+      end.minimum_residual = std::min(end.minimum_residual, reduced.maximum);
     const PathUnknowns step = newton_step(free, reduced);
-    const double greatest =
+    const double maximum =
         std::max(step.dimensions.cwiseAbs().maxCoeff(), step.angles.cwiseAbs().maxCoeff());
-    if (!std::isfinite(greatest)) break;  // singular Jacobian
-    const PathUnknowns trial = moved(end.unknowns, step, std::min(1., longest_step / greatest));
+    if (!std::isfinite(maximum)) break;  // singular Jacobian
+    const PathUnknowns trial = moved(end.unknowns, step, std::min(1., longest_step / maximum));
     ++end.iterations;
     reduce(trial, points, free, next);
-    if (reduced.greatest < near && !(next.greatest < 0.5 * reduced.greatest)) break;
+    if (reduced.maximum < near && !(next.maximum < 0.5 * reduced.maximum)) break;
     end.unknowns = trial;
     std::swap(reduced, next);
-    if (end.unknowns.dimensions.head<8>().cwiseAbs().maxCoeff() > greatest_dimension) break;
+    if (end.unknowns.dimensions.head<8>().cwiseAbs().maxCoeff() > maximum_dimension) break;
   }
-  end.residual = reduced.greatest;
-  end.converged = reduced.greatest < rounding;
+  end.residual = reduced.maximum;
+  end.converged = reduced.maximum < rounding;
   return end;
 }
 

@@ -9,8 +9,8 @@ namespace geneva::loads {
 /// Where Newton's method ended.
 struct NewtonEnd {
   PathUnknowns unknowns;
-  double residual;        ///< greatest of the 4N equations at the end
-  double least_residual;  ///< the same at the best iterate that was a proper linkage
+  double residual;          ///< maximum of the 4N equations at the end
+  double minimum_residual;  ///< the same at the best iterate that was a proper linkage
   int iterations;
   bool converged;  ///< the residual is at the level of rounding
 };
@@ -28,7 +28,7 @@ bool is_proper(const Eigen::Matrix<double, 9, 1>& dimensions);
 ///
 /// The Jacobian is analytic; each point's angles occur in its own four equations only and are
 /// eliminated first, so that a step costs N small factorisations and one N x N system instead of
-/// one of 4N x 4N; the step is the same. A step is shortened to `longest_step` in its greatest
+/// one of 4N x 4N; the step is the same. A step is shortened to `longest_step` in its maximum
 /// component but need not make |F| smaller.
 /// @param points of an extent near 1 (the unit of the longest step and of the tolerance 1e-12)
 NewtonEnd solve_path(const Eigen::Matrix2Xd& points, const std::vector<Eigen::Index>& free,

@@ -28,7 +28,7 @@ constexpr int most_iterations = 80;  // more starts find more than longer ones
 /// The task in units of the points' extent about their mean.
 struct Scaled {
   Eigen::Vector2d centre;
-  double extent;  // greatest distance of two points [m]
+  double extent;  // maximum distance of two points [m]
   Eigen::Matrix2Xd points;
   std::array<std::optional<double>, 9> given;
   std::vector<Eigen::Index> free;
@@ -186,7 +186,7 @@ Dimensions draw_dimensions(const Scaled& task, Random& random) {
 
 /// Closes all points and takes for D and CD, as far as they are free, what suits the places of C.
 PathUnknowns random_start(const Scaled& task, Random& random) {
-  constexpr double greatest_rocker = 10.;
+  constexpr double maximum_rocker = 10.;
   PathUnknowns u{draw_dimensions(task, random), Eigen::Matrix3Xd(3, task.points.cols())};
   const double elbow = random.sign();
   const auto close = [&] {
@@ -202,7 +202,7 @@ PathUnknowns random_start(const Scaled& task, Random& random) {
     fit_rocker(u);
   else
     u.dimensions[6] += mean_excess;
-  if (!(u.dimensions[6] < greatest_rocker)) u.dimensions = drawn;  // C nearly on a straight line
+  if (!(u.dimensions[6] < maximum_rocker)) u.dimensions = drawn;  // C nearly on a straight line
   close();
   return u;
 }
@@ -278,7 +278,8 @@ std::vector<Found> search(const PathTask& task, const Scaled& scaled, PathSynthe
             ? start_at(task.guesses[static_cast<std::size_t>(result.starts)], scaled)
             : random_start(scaled, random);
     const NewtonEnd end = solve_path(scaled.points, scaled.free, start, most_iterations);
-    result.least_residual = std::min(result.least_residual, end.least_residual * scaled.extent);
+    result.minimum_residual =
+        std::min(result.minimum_residual, end.minimum_residual * scaled.extent);
     if (!end.converged) continue;
     if (is_proper(end.unknowns.dimensions))
       add_family(scaled, end, found);

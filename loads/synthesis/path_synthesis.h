@@ -42,7 +42,7 @@ struct PathSolution {
   FourBar linkage;
   std::vector<double> crank_angles;  ///< phi_2 at the points [rad], in [-pi, pi]
   std::vector<Assembly> assemblies;  ///< at the points
-  double residual;                   ///< greatest of the 4N equations of Lecture 4 [m]
+  double residual;                   ///< maximum of the 4N equations of Lecture 4 [m]
   int iterations;                    ///< of Newton's method
   bool needs_reassembly;  ///< the points lie on both assemblies or in different ranges of the crank
   bool out_of_order;      ///< turning either way, the crank meets the points in another order
@@ -50,9 +50,9 @@ struct PathSolution {
 
 struct PathSynthesis {
   std::vector<PathSolution> solutions;  ///< without defects first, then by the longest link
-  double least_residual;  ///< of the 4N equations, of all iterates that are proper linkages [m]
-  int starts;             ///< that were made, guesses included
-  int degenerate;         ///< starts that ended at a chain of vanishing or boundless links
+  double minimum_residual;  ///< of the 4N equations, of all iterates that are proper linkages [m]
+  int starts;               ///< that were made, guesses included
+  int degenerate;           ///< starts that ended at a chain of vanishing or boundless links
 };
 
 /// Four-bar path generator through N <= 9 precision points: Newton's method on the 4N equations of

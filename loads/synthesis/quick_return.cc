@@ -10,7 +10,7 @@ namespace geneva::loads {
 
 QuickReturn quick_return(const QuickReturnInput& input) {
   const int z = require_stations(input.stations);
-  require_positive("greatest wheel speed", input.greatest_wheel_speed, "rad/s");
+  require_positive("maximum wheel speed", input.maximum_wheel_speed, "rad/s");
   if (input.crank.has_value() == input.centre_distance.has_value())
     throw base::InputError(
         input.crank ? "crank AB and centre distance AD are both given: AB/AD = sin(pi/z) fixes one "
@@ -22,7 +22,7 @@ QuickReturn quick_return(const QuickReturnInput& input) {
   if (input.centre_distance) require_positive_length("centre distance AD", *input.centre_distance);
   const double crank = input.crank ? *input.crank : *input.centre_distance * ratio;
   const double distance = input.crank ? *input.crank / ratio : *input.centre_distance;
-  return {z, crank, distance, input.greatest_wheel_speed * (1. - ratio) / ratio,
+  return {z, crank, distance, input.maximum_wheel_speed * (1. - ratio) / ratio,
           (z - 2.) / (z + 2.)};
 }
 

@@ -7,7 +7,7 @@ namespace geneva::loads {
 /// What is known of the Geneva mechanism that a quick-return mechanism shall replace.
 struct QuickReturnInput {
   int stations;                           ///< z, 3..24
-  double greatest_wheel_speed;            ///< omega_4max > 0 [rad/s]
+  double maximum_wheel_speed;             ///< omega_4max > 0 [rad/s]
   std::optional<double> crank;            ///< AB [m]; exactly one of this and the next
   std::optional<double> centre_distance;  ///< AD [m]
 };

@@ -14,12 +14,13 @@ namespace {
 /// The pin presses on the straight wall, so its axis must not come below the bottom's centre.
 void check_slot_depth(const GenevaDimensions& dimensions) {
   const double nearest = dimensions.centre_distance - dimensions.crank_radius;
-  const double least_depth = dimensions.wheel_diameter / 2. - nearest + dimensions.slot_width / 2.;
-  if (dimensions.slot_depth < least_depth - dimension_rounding * dimensions.wheel_diameter)
+  const double minimum_depth =
+      dimensions.wheel_diameter / 2. - nearest + dimensions.slot_width / 2.;
+  if (dimensions.slot_depth < minimum_depth - dimension_rounding * dimensions.wheel_diameter)
     refuse(
         "slot depth is {0:.6g} mm: the pin comes as near as {1:.6g} mm to the wheel's axis and "
         "needs a slot of at least {2:.6g} mm; make the slot deeper",
-        mm(dimensions.slot_depth), mm(nearest), mm(least_depth));
+        mm(dimensions.slot_depth), mm(nearest), mm(minimum_depth));
 }
 
 /// Slots diverge outwards, so two neighbours are nearest where their bottoms' centres are.
@@ -42,8 +43,8 @@ void check_bore(const GenevaDimensions& dimensions) {
         "bore must stay inside; make the bore smaller or the slots shallower",
         mm(dimensions.bore_radius), mm(lowest));
   // Below, the stress at the bore is all that a mesh can follow, and Gmsh takes its points for one.
-  constexpr double least_share = 1e-4;
-  const double least = least_share * dimensions.wheel_diameter;
+  constexpr double minimum_share = 1e-4;
+  const double least = minimum_share * dimensions.wheel_diameter;
   if (dimensions.bore_radius < least)
     refuse(
         "bore radius is {:.3g} mm: the wheel is held there, and it must be at least {:.3g} mm, a "
@@ -52,12 +53,12 @@ void check_bore(const GenevaDimensions& dimensions) {
 }
 
 void check_locking_arc_clears_bore(const GenevaDimensions& dimensions) {
-  const double greatest = dimensions.centre_distance - dimensions.bore_radius;
-  if (dimensions.locking_radius >= greatest)
+  const double maximum = dimensions.centre_distance - dimensions.bore_radius;
+  if (dimensions.locking_radius >= maximum)
     refuse(
         "locking radius is {:.6g} mm: the locking arc cuts into the bore of radius {:.6g} mm "
         "unless it is less than {:.6g} mm; make the locking radius or the bore smaller",
-        mm(dimensions.locking_radius), mm(dimensions.bore_radius), mm(greatest));
+        mm(dimensions.locking_radius), mm(dimensions.bore_radius), mm(maximum));
 }
 
 /// Within the rim a locking arc is nearest to the slot where it meets the rim: its centre stands
@@ -69,14 +70,14 @@ void check_tip(const GenevaDimensions& dimensions) {
   const double centres = dimensions.centre_distance;
   const double room =
       pi / dimensions.stations - std::asin(dimensions.slot_width / dimensions.wheel_diameter);
-  const double greatest =
+  const double maximum =
       std::sqrt(centres * centres + radius * radius - 2. * centres * radius * std::cos(room));
-  if (dimensions.locking_radius >= greatest)
+  if (dimensions.locking_radius >= maximum)
     refuse(
         "locking radius is {:.6g} mm: the locking arc cuts into the slot of width {:.6g} mm (no "
         "tip is left at the rim) unless it is less than {:.6g} mm; make the locking radius or the "
         "slot width smaller",
-        mm(dimensions.locking_radius), mm(dimensions.slot_width), mm(greatest));
+        mm(dimensions.locking_radius), mm(dimensions.slot_width), mm(maximum));
 }
 
 }  // namespace

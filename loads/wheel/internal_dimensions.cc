@@ -13,12 +13,13 @@ namespace {
 /// The pin presses on the straight wall, so its axis must not pass the bottom's centre.
 void check_slot_depth(const InternalDimensions& dimensions) {
   const double farthest = dimensions.centre_distance + dimensions.crank_radius;
-  const double least_depth = farthest - dimensions.wheel_diameter / 2. + dimensions.slot_width / 2.;
-  if (dimensions.slot_depth < least_depth - dimension_rounding * dimensions.wheel_diameter)
+  const double minimum_depth =
+      farthest - dimensions.wheel_diameter / 2. + dimensions.slot_width / 2.;
+  if (dimensions.slot_depth < minimum_depth - dimension_rounding * dimensions.wheel_diameter)
     refuse(
         "slot depth is {0:.6g} mm: the pin goes as far as {1:.6g} mm from the wheel's axis and "
         "needs a slot of at least {2:.6g} mm; make the slot deeper",
-        mm(dimensions.slot_depth), mm(farthest), mm(least_depth));
+        mm(dimensions.slot_depth), mm(farthest), mm(minimum_depth));
 }
 
 /// Slots diverge outwards, so two neighbours are nearest where they open.
@@ -46,13 +47,13 @@ void check_rim(const InternalDimensions& dimensions) {
 /// arc and wall are nearest there. An arc that is clear of the walls leaves a tip at the inner rim
 /// and stays within c + r - slot_width/2 of the wheel's axis, inside the outer rim.
 void check_locking_arc_clears_slot(const InternalDimensions& dimensions) {
-  const double greatest = dimensions.crank_radius - dimensions.slot_width / 2.;
-  if (dimensions.locking_radius >= greatest)
+  const double maximum = dimensions.crank_radius - dimensions.slot_width / 2.;
+  if (dimensions.locking_radius >= maximum)
     refuse(
         "locking radius is {:.6g} mm: the locking arc cuts into the slot of width {:.6g} mm unless "
         "it is less than r - slot width/2 = {:.6g} mm; make the locking radius or the slot width "
         "smaller",
-        mm(dimensions.locking_radius), mm(dimensions.slot_width), mm(greatest));
+        mm(dimensions.locking_radius), mm(dimensions.slot_width), mm(maximum));
 }
 
 }  // namespace

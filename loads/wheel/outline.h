@@ -44,7 +44,7 @@ struct AreaMoments {
 /// @throws base::InputError if the loops do not enclose a positive area
 AreaMoments area_moments(const Outline& outline);
 
-/// Greatest coordinate in size, of all ends of segments [m].
+/// Maximum coordinate in size, of all ends of segments [m].
 double extent(const std::vector<Outline>& outlines);
 
 /// The wheel in its own frame: axis at the origin, the engaged slot's centre line on +x.

@@ -42,11 +42,11 @@ Outline pin_ring(Point centre, double diameter, double core_radius) {
 Outline pin_beside_wall(const CommonDimensions& dimensions, double pin_distance,
                         const PinRange& range) {
   const double rounding = dimension_rounding * dimensions.wheel_diameter;
-  if (!(pin_distance >= range.least - rounding && pin_distance <= range.greatest + rounding))
+  if (!(pin_distance >= range.least - rounding && pin_distance <= range.maximum + rounding))
     refuse(
         "pin distance is {:.6g} mm: the pin touches the driving wall from {:.6g} mm ({}) to "
         "{:.6g} mm ({}); choose a driver angle nearer to the middle of the engagement",
-        mm(pin_distance), mm(range.least), range.at_least, mm(range.greatest), range.at_greatest);
+        mm(pin_distance), mm(range.least), range.at_least, mm(range.maximum), range.at_maximum);
   return pin_ring({pin_distance, (dimensions.slot_width - dimensions.pin_diameter) / 2.},
                   dimensions.pin_diameter, dimensions.pin_core_radius);
 }

@@ -24,8 +24,8 @@ Outline pin_ring(Point centre, double diameter, double core_radius);
 struct PinRange {
   double least;
   const char* at_least;
-  double greatest;
-  const char* at_greatest;
+  double maximum;
+  const char* at_maximum;
 };
 
 /// The pin touching the driving wall at y = +slot_width/2.

@@ -423,8 +423,8 @@ std::vector<Parameter> quick_return_parameters() {
   return {
       {section, "Stations", "", stations,
        "Number z of stations of the Geneva wheel that is replaced." + only},
-      {section, "Greatest wheel speed", "", quantity(Dimension::angular_speed, speed, {""}),
-       "Greatest angular speed of the rocker, which is that of the Geneva wheel." + only},
+      {section, "Maximum wheel speed", "", quantity(Dimension::angular_speed, speed, {""}),
+       "Maximum angular speed of the rocker, which is that of the Geneva wheel." + only},
       {section, "Frame", "", linkage_length(),
        "Distance AD of the pivots of crank and rocker. Either the frame or the crank is given." +
            only}};
@@ -506,7 +506,7 @@ std::vector<Parameter> general_parameters() {
 }
 
 std::vector<Parameter> settings_parameters() {
-  const Range accuracy{0., greatest_accuracy, false, true, "greater than 0 and at most 20 %"};
+  const Range accuracy{0., maximum_accuracy, false, true, "greater than 0 and at most 20 %"};
   return {
       {{},
        "Dimension",
@@ -582,10 +582,10 @@ std::vector<Parameter> allowable_parameters() {
   const SectionPath section{names::allowable};
   return {
       {section, "Contact pressure", "", positive(Dimension::stress, {""}),
-       "Greatest contact pressure that is allowed; if given, the safety factor is reported, of a "
+       "Maximum contact pressure that is allowed; if given, the safety factor is reported, of a "
        "mechanism where it is least in the cycle."},
       {section, "Pressure times slip speed", "", positive(Dimension::pressure_times_speed, {""}),
-       "Greatest product of contact pressure and slip speed that is allowed, for wear; if given, "
+       "Maximum product of contact pressure and slip speed that is allowed, for wear; if given, "
        "the safety factor is reported where it is least in the cycle. Of a roller: the mean "
        "pressure in its bore times the speed at which it slides there. Only with Model = "
        "mechanism."}};

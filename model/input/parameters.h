@@ -78,7 +78,7 @@ SectionPath load_section(const std::string& surface);
 std::vector<Parameter> general_parameters();
 
 /// The coarsest relative error of the peak contact pressure that may be asked for.
-constexpr double greatest_accuracy = 0.2;
+constexpr double maximum_accuracy = 0.2;
 
 /// Accuracy and limits of a solution, which Model = mechanism and Model = geometry have besides.
 std::vector<Parameter> settings_parameters();

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using loads::PathDimension;
 
 constexpr std::size_t most_points = 9;
-constexpr double greatest_coordinate = 1e6;  // [m]
+constexpr double maximum_coordinate = 1e6;  // [m]
 
 constexpr std::array<std::pair<const char*, PathDimension>, 9> path_dimensions{
     {{"Crank pivot x", PathDimension::crank_pivot_x},
@@ -35,7 +35,7 @@ constexpr std::array<std::pair<const char*, PathDimension>, 9> path_dimensions{
 std::vector<std::string> kinds_of(const std::string& name) {
   if (name == "Crank") return {names::quick_return, names::path};
   if (name == "Rocker") return {names::crank_rocker, names::path};
-  for (const char* known : {"Stations", "Greatest wheel speed", "Frame"})
+  for (const char* known : {"Stations", "Maximum wheel speed", "Frame"})
     if (name == known) return {names::quick_return};
   for (const char* known : {"Swing", "Crank pivot distance"})
     if (name == known) return {names::crank_rocker};
@@ -63,7 +63,7 @@ double needed(const CaseSection& section, const char* name) {
 
 loads::QuickReturnInput read_quick_return(const CaseSection& section) {
   loads::QuickReturnInput input{static_cast<int>(needed(section, "Stations")),
-                                needed(section, "Greatest wheel speed"),
+                                needed(section, "Maximum wheel speed"),
                                 section.optional_value("Crank"), section.optional_value("Frame")};
   if (input.crank && input.centre_distance)
     section.refuse("Crank",
@@ -84,7 +84,7 @@ std::vector<std::array<double, 2>> read_points(const fs::path& file) {
       file, {{{"x", base::Dimension::length}, {"y", base::Dimension::length}}}, "x [mm], y [mm]");
   std::vector<std::array<double, 2>> points;
   for (std::size_t i = 0; i < columns[0].size(); ++i) {
-    if (std::max(std::abs(columns[0][i]), std::abs(columns[1][i])) > greatest_coordinate)
+    if (std::max(std::abs(columns[0][i]), std::abs(columns[1][i])) > maximum_coordinate)
       throw base::InputError(fmt::format(
           "{}: point {} is ({:.3g}, {:.3g}) m: a coordinate must be from -1000 to 1000 km",
           file.string(), i + 1, columns[0][i], columns[1][i]));

@@ -25,15 +25,15 @@ double approach(const fem::Solution<dim>& solution, const fem::ContactResult<dim
   return half_width * contact.peak_pressure / modulus;
 }
 
-/// Greatest of p |g|/(p0 approach) and -p/p0: 0 where no pressure pulls and none acts across a gap.
+/// Maximum of p |g|/(p0 approach) and -p/p0: 0 where no pressure pulls and none acts across a gap.
 template <int dim>
-double complementarity_defect(const fem::ContactResult<dim>& contact, const double approach) {
-  double defect = 0.;
+double complementarity_residual(const fem::ContactResult<dim>& contact, const double approach) {
+  double residual = 0.;
   for (const fem::ContactNode<dim>& node : contact.nodes) {
     const double pressure = node.pressure / contact.peak_pressure;
-    defect = std::max({defect, std::abs(pressure * node.gap) / approach, -pressure});
+    residual = std::max({residual, std::abs(pressure * node.gap) / approach, -pressure});
   }
-  return defect;
+  return residual;
 }
 
 }  // namespace
@@ -47,14 +47,14 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
     const fem::ContactResult<dim>& contact = solution.contacts[i];
     const double scale = approach(solution, contact, half_width(contact, results.contacts[i]));
     if (scale <= 0.) continue;  // one node at most is in contact
-    complementarity = std::max(complementarity, complementarity_defect(contact, scale));
+    complementarity = std::max(complementarity, complementarity_residual(contact, scale));
     penetration = std::max(penetration, contact.max_penetration / scale);
   }
   std::vector<Check> list{
       {"balance of forces", "sum of all loads and reactions over the contact force",
-       results.equilibrium.force_defect, balance_limit},
+       results.equilibrium.force_residual, balance_limit},
       {"balance of moments", "sum of all moments over contact force times extent of the model",
-       results.equilibrium.moment_defect, balance_limit}};
+       results.equilibrium.moment_residual, balance_limit}};
   if (report.mechanism && report.mechanism->bore_torque)
     list.push_back(
         {report.mechanism->held_surface + " torque",
@@ -62,10 +62,10 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
          std::abs(*report.mechanism->bore_torque / report.mechanism->expected_bore_torque - 1.),
          torque_limit});
   list.push_back({"complementarity",
-                  "greatest pressure times gap, and greatest tension, over peak pressure times "
+                  "maximum pressure times gap, and maximum tension, over peak pressure times "
                   "approach",
                   complementarity, complementarity_limit});
-  list.push_back({"penetration", "greatest overlap left open over the approach", penetration,
+  list.push_back({"penetration", "maximum overlap left open over the approach", penetration,
                   penetration_limit});
   list.push_back({"convergence", "estimated relative error of the pressure, and what was asked for",
                   solution.error_estimate, report.accuracy});

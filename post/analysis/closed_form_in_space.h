@@ -28,7 +28,7 @@ struct ClosedFormInSpace {
   [[nodiscard]] double half_width() const;
   /// Half of its extent along.
   [[nodiscard]] double half_length() const;
-  /// Greatest shear stress below the contact [Pa], and its depth [m]; unknown for an ellipse that
+  /// Maximum shear stress below the contact [Pa], and its depth [m]; unknown for an ellipse that
   /// is no circle.
   [[nodiscard]] std::optional<double> max_shear() const;
   [[nodiscard]] std::optional<double> max_shear_depth() const;

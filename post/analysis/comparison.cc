@@ -42,11 +42,11 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<2>& solution,
              closed(form ? form->half_width() : 0.), value_of(errors, Figure::half_width));
   if (!is_bounded(solution))
     return {unbounded_row("peak contact pressure", Dimension::stress, peak), width,
-            unbounded_row("greatest shear", Dimension::stress, shear)};
+            unbounded_row("maximum shear", Dimension::stress, shear)};
   return {row_of("peak contact pressure", Dimension::stress, contact.peak_pressure, peak,
                  solution.error_estimate),
           width,
-          row_of("greatest shear", Dimension::stress, analysis.max_shear.value, shear,
+          row_of("maximum shear", Dimension::stress, analysis.max_shear.value, shear,
                  value_of(errors, Figure::max_shear)),
           row_of("its depth", Dimension::length, analysis.max_shear_depth, depth,
                  value_of(errors, Figure::max_shear_depth))};
@@ -74,14 +74,14 @@ std::vector<ComparisonRow> shear_rows(const fem::Solution<3>& solution,
                                       const ContactAnalysis<3>& analysis, const Figures& errors,
                                       const ClosedFigures& closed) {
   if (is_bounded(solution))
-    return {row_of("greatest shear", Dimension::stress, analysis.max_shear, closed.shear,
+    return {row_of("maximum shear", Dimension::stress, analysis.max_shear, closed.shear,
                    value_of(errors, Figure::max_shear)),
             row_of("its depth", Dimension::length, analysis.max_shear_depth, closed.depth,
                    value_of(errors, Figure::max_shear_depth))};
   if (analysis.sections.empty())
-    return {unbounded_row("greatest shear", Dimension::stress, closed.shear)};
+    return {unbounded_row("maximum shear", Dimension::stress, closed.shear)};
   const ContactSection middle = middle_section(contact, analysis.frame, analysis.sections);
-  return {row_of("greatest shear, middle", Dimension::stress, middle.max_shear, closed.shear,
+  return {row_of("maximum shear, middle", Dimension::stress, middle.max_shear, closed.shear,
                  value_of(errors, Figure::mid_length_shear)),
           row_of("its depth", Dimension::length, middle.max_shear_depth, closed.depth,
                  value_of(errors, Figure::mid_length_shear_depth))};
@@ -230,7 +230,7 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
     table += line_of(row, units);
   return table + error_lines(solution, report) +
          fmt::format("force balance: residual {:.1e} of the contact force\n",
-                     results.equilibrium.force_defect) +
+                     results.equilibrium.force_residual) +
          safety_lines(safety(solution, results, report), units);
 }
 

@@ -41,7 +41,7 @@ Tensor<2, 3> curvatures(const fem::Solution<3>& solution, const int circle, cons
   return (is_convex ? 1. : -1.) / shape.radius * tensor;
 }
 
-/// Directions of the least and the greatest curvature in the tangent plane; along z where both are
+/// Directions of the minimum and the maximum curvature in the tangent plane; along z where both are
 /// equal, or where only the gap's clearance curves along z.
 void set_directions(ContactFrame& frame, const Tensor<2, 3>& curvature, const bool is_along_z) {
   const Tensor<1, 3> x_axis({1., 0., 0.});

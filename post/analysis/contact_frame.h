@@ -14,7 +14,7 @@ namespace geneva::post {
 struct ContactFrame {
   dealii::Point<3> centre;      ///< of pressure [m]; of the whole contact where the model is a part
   dealii::Tensor<1, 3> normal;  ///< target's outward unit normal there
-  dealii::Tensor<1, 3> along;   ///< unit vector along the pin (z); else of the least curvature
+  dealii::Tensor<1, 3> along;   ///< unit vector along the pin (z); else of the minimum curvature
   dealii::Tensor<1, 3> across;  ///< unit vector normal to both
   double curvature_across;      ///< of both surfaces together: 1/R1 + 1/R2 [1/m]
   double curvature_along;       ///< [1/m]

@@ -8,7 +8,7 @@ struct ContactSection {
   double line_load;        ///< integral of the pressure across the contact [N/m]
   double peak_pressure;    ///< [Pa]
   double half_width;       ///< 2 sqrt(mean square distance), Hertz's b for his pressure [m]
-  double max_shear;        ///< greatest shear stress below the contact [Pa]
+  double max_shear;        ///< maximum shear stress below the contact [Pa]
   double max_shear_depth;  ///< [m]
 };
 

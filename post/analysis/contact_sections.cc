@@ -70,14 +70,14 @@ ContactSection section_of(const Layer& layer, const ContactFrame& frame) {
   return section;
 }
 
-/// The greatest shear in this rank's cells below a section, and its depth.
+/// The maximum shear in this rank's cells below a section, and its depth.
 using Shear = std::array<double, 2>;
 using ShearBySection = std::vector<Shear>;
 
 /// A cell counts for every section that passes through it.
 ShearBySection shear_below(const std::vector<ContactSection>& sections, const ContactFrame& frame,
                            const std::vector<CellStress<3>>& cells) {
-  ShearBySection greatest(sections.size(), Shear{0., 0.});
+  ShearBySection maximum(sections.size(), Shear{0., 0.});
   double widest = 0.;
   for (const ContactSection& section : sections) widest = std::max(widest, section.half_width);
   for (const CellStress<3>& cell : cells) {
@@ -90,11 +90,11 @@ ShearBySection shear_below(const std::vector<ContactSection>& sections, const Co
         [](const ContactSection& section, const double z) { return section.z < z; });
     for (auto section = first; section != sections.end() && section->z <= cell.centre[2] + reach;
          ++section) {
-      auto& found = greatest[static_cast<std::size_t>(section - sections.begin())];
+      auto& found = maximum[static_cast<std::size_t>(section - sections.begin())];
       found = std::max(found, entry);
     }
   }
-  return greatest;
+  return maximum;
 }
 
 void add_shear(std::vector<ContactSection>& sections, const MPI_Comm communicator,
@@ -157,19 +157,19 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
   return frame.is_mirrored(z_axis) ? mirrored(sections, frame.centre[2]) : sections;
 }
 
-ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
-                          const double half_width, const std::vector<CellStress<3>>& cells) {
-  Shear greatest{};
+ShearBelow maximum_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
+                         const double half_width, const std::vector<CellStress<3>>& cells) {
+  Shear maximum{};
   for (const CellStress<3>& cell : cells) {
     const double depth = frame.depth(cell.centre);
     const double aside =
         std::hypot(frame.distance_across(cell.centre), frame.distance_along(cell.centre));
     if (depth > 3. * half_width || aside > 2. * half_width) continue;
-    greatest = std::max(greatest, Shear{max_shear(principal_stresses(cell.stress)), depth});
+    maximum = std::max(maximum, Shear{max_shear(principal_stresses(cell.stress)), depth});
   }
-  for (const Shear& of_rank : fem::gathered_one(solution.dof_handler->get_communicator(), greatest))
-    greatest = std::max(greatest, of_rank);
-  return {greatest[0], greatest[1]};
+  for (const Shear& of_rank : fem::gathered_one(solution.dof_handler->get_communicator(), maximum))
+    maximum = std::max(maximum, of_rank);
+  return {maximum[0], maximum[1]};
 }
 
 ContactSection middle_section(const fem::ContactResult<3>& contact, const ContactFrame& frame,

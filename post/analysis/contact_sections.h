@@ -16,15 +16,15 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const ContactFrame& frame,
                                              const std::vector<CellStress<3>>& cells);
 
-/// Greatest shear stress of a body below the contact and its depth.
+/// Maximum shear stress of a body below the contact and its depth.
 struct ShearBelow {
   double value;  ///< [Pa]
   double depth;  ///< [m]
 };
 
 /// Down to three half-widths, and twice the half-width to both sides.
-ShearBelow greatest_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
-                          double half_width, const std::vector<CellStress<3>>& cells);
+ShearBelow maximum_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
+                         double half_width, const std::vector<CellStress<3>>& cells);
 
 /// The section in the middle of the surfaces' length, between its two neighbours: of a bent or
 /// tilted pin they differ. Where the middle is not loaded, the loaded section next to it.

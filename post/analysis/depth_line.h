@@ -13,7 +13,7 @@ struct ContactStress {
   double along;         ///< normal stress along the contact
   double across;        ///< normal stress across it, along the depth
   double out_of_plane;  ///< normal stress along the thickness, or around the axis
-  double shear;         ///< greatest shear in the plane
+  double shear;         ///< maximum shear in the plane
 };
 
 /// Stress below the centre of a contact.

@@ -13,10 +13,10 @@ enum class Figure {
   force,
   half_width,
   half_length,          ///< in 3-D
-  max_shear,            ///< greatest shear below the contact
+  max_shear,            ///< maximum shear below the contact
   max_shear_depth,      ///< its depth
-  mid_length_pressure,  ///< in 3-D, as all below: greatest pressure of the middle section
-  mid_length_shear,     ///< greatest shear below the middle section
+  mid_length_pressure,  ///< in 3-D, as all below: maximum pressure of the middle section
+  mid_length_shear,     ///< maximum shear below the middle section
   mid_length_shear_depth,
   line_load_middle,
   line_load_end,  ///< at the more heavily loaded end

@@ -27,16 +27,16 @@ double load_up_to(const std::vector<ContactSection>& sections, const double z) {
 
 }  // namespace
 
-GreatestMean greatest_mean_load(const std::vector<ContactSection>& sections, const double length) {
-  GreatestMean greatest{0., 0.};
+MaximumMean maximum_mean_load(const std::vector<ContactSection>& sections, const double length) {
+  MaximumMean maximum{0., 0.};
   // a mean is greatest around a peak, or where the window begins or ends at an end of the load
   for (const ContactSection& section : sections)
     for (const double start : {section.z, section.z - length / 2., section.z - length}) {
       const double mean =
           (load_up_to(sections, start + length) - load_up_to(sections, start)) / length;
-      if (mean > greatest.value) greatest = {mean, start + length / 2.};
+      if (mean > maximum.value) maximum = {mean, start + length / 2.};
     }
-  return greatest;
+  return maximum;
 }
 
 LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& results) {
@@ -46,11 +46,11 @@ LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& r
   if (sections.empty()) throw base::InputError("the contact carries no load along its length");
   const ContactFrame& frame = results.contacts[leading].frame;
   const double length = common_length(contact, frame);
-  const GreatestMean greatest = greatest_mean_load(sections, window * length);
+  const MaximumMean maximum = maximum_mean_load(sections, window * length);
   double force = 0.;
   for (const fem::ContactNode<3>& node : contact.nodes) force += node.pressure * node.tributary;
-  return {greatest.value,
-          greatest.place,
+  return {maximum.value,
+          maximum.place,
           frame.parts() * force / length,
           contact.peak_pressure,
           middle_section(contact, frame, sections).peak_pressure,

@@ -14,10 +14,10 @@ namespace geneva::post {
 template <int dim>
 struct Results;
 
-/// How evenly a pin carries its load along its length. The greatest line load is the greatest mean
+/// How evenly a pin carries its load along its length. The maximum line load is the maximum mean
 /// over a twentieth of the length: at a sharp edge the line load itself has no bound.
 struct LoadEvenness {
-  double greatest;       ///< [N/m]
+  double maximum;        ///< [N/m]
   double place;          ///< middle of that twentieth along z [m]
   double even;           ///< pin force over the length on which the surfaces face each other [N/m]
   double peak_pressure;  ///< [Pa]
@@ -26,18 +26,18 @@ struct LoadEvenness {
   std::vector<ContactSection> sections;  ///< by ascending z
 
   /// 1 for an even load.
-  [[nodiscard]] double ratio() const { return greatest / even; }
+  [[nodiscard]] double ratio() const { return maximum / even; }
 };
 
-/// Greatest mean line load over a length.
-struct GreatestMean {
+/// Maximum mean line load over a length.
+struct MaximumMean {
   double value;  ///< [N/m]
   double place;  ///< middle of that length along z [m]
 };
 
 /// @param sections by ascending z; beyond them there is no load
 /// @param length [m], > 0
-GreatestMean greatest_mean_load(const std::vector<ContactSection>& sections, double length);
+MaximumMean maximum_mean_load(const std::vector<ContactSection>& sections, double length);
 
 /// Of the leading contact.
 /// @throws base::InputError if it carries nothing

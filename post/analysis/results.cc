@@ -38,9 +38,9 @@ Equilibrium equilibrium(const fem::Solution<dim>& solution) {
     contact_force = std::max(
         contact_force, std::hypot(norm<dim>(contact.force), norm<dim>(contact.lateral_force)));
   if (contact_force == 0.) return {0., 0.};
-  const double defect = axisymmetric ? std::abs(force[1]) : norm<dim>(force);
+  const double residual = axisymmetric ? std::abs(force[1]) : norm<dim>(force);
   const double arm = solution.scales.length;
-  return {defect / contact_force, axisymmetric ? 0. : norm(moment) / (contact_force * arm)};
+  return {residual / contact_force, axisymmetric ? 0. : norm(moment) / (contact_force * arm)};
 }
 
 double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
@@ -72,7 +72,7 @@ std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution
   return FieldDifference{root_mean_square(0), root_mean_square(2)};
 }
 
-/// Where the greatest shear of a contact is looked for, and how it is measured.
+/// Where the maximum shear of a contact is looked for, and how it is measured.
 struct ShearZone {
   Point<2> centre;
   double half_width;  ///< of Hertz's pressure, or one like it [m]
@@ -98,7 +98,7 @@ double distance_from(const fem::ContactResult<2>& contact, const Point<2>& place
   return nearest;
 }
 
-/// Sets the greatest shear below the contact and its depth.
+/// Sets the maximum shear below the contact and its depth.
 void set_shear(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
                const std::vector<CellStress<2>>& cells, ContactAnalysis<2>& analysis) {
   const ShearZone zone = contact.has_one_curvature
@@ -157,7 +157,7 @@ ContactAnalysis<3> contact_analysis(const fem::Solution<3>& solution,
     const bool is_line = analysis.hertz && analysis.hertz->line;
     analysis.half_width = std::sqrt((is_line ? 4. : 5.) * analysis.frame.mean_square_across);
     analysis.half_length = std::sqrt((is_line ? 3. : 5.) * analysis.frame.mean_square_along);
-    const ShearBelow shear = greatest_shear(solution, analysis.frame, analysis.half_width, cells);
+    const ShearBelow shear = maximum_shear(solution, analysis.frame, analysis.half_width, cells);
     analysis.max_shear = shear.value;
     analysis.max_shear_depth = shear.depth;
     return analysis;

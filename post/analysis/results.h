@@ -16,8 +16,8 @@ namespace geneva::post {
 /// How well the forces balance; relative to the contact force (moments: times the extent of the
 /// model).
 struct Equilibrium {
-  double force_defect;
-  double moment_defect;  ///< 0 in an axisymmetric model
+  double force_residual;
+  double moment_residual;  ///< 0 in an axisymmetric model
 };
 
 /// Root-mean-square difference from McEwen's stress over |x| < 2 b, z < 3 b, relative to p0
@@ -36,7 +36,7 @@ struct ContactAnalysis<2> {
   PressureCentre centre;
   std::optional<ClosedForm> hertz;
   std::string hertz_objection;                ///< why it is left out
-  StressPeak<2> max_shear;                    ///< greatest in-plane shear [Pa] below the contact
+  StressPeak<2> max_shear;                    ///< maximum in-plane shear [Pa] below the contact
   double max_shear_depth;                     ///< [m]
   std::optional<FieldDifference> difference;  ///< of analyse() only
   std::vector<DepthSample> depth_line;        ///< the same
@@ -51,7 +51,7 @@ struct ContactAnalysis<3> {
   fem::Components<3> peak_place;         ///< of the contact pressure [m]
   double half_width;                     ///< across z: of the middle section; of an ellipse [m]
   double half_length;                    ///< along z [m]
-  double max_shear;                      ///< greatest shear [Pa] below the contact
+  double max_shear;                      ///< maximum shear [Pa] below the contact
   double max_shear_depth;                ///< [m]
 };
 
@@ -89,7 +89,7 @@ double half_width(const fem::ContactResult<3>& contact, const ContactAnalysis<3>
 double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node);
 double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node);
 
-/// The contact pair with the greatest pressure.
+/// The contact pair with the maximum pressure.
 template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution);
 

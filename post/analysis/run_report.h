@@ -36,8 +36,8 @@ struct MechanismReport {
   double parts;                       ///< of which the model is one: 2 of a half model
   std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
   double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin
-  loads::PlacedPeak cycle_pressure;  ///< greatest Hertz pressure of the cycle [Pa]
-  loads::PlacedPeak cycle_wear;  ///< greatest pressure times sliding speed of the cycle: Hertz's on
+  loads::PlacedPeak cycle_pressure;  ///< maximum Hertz pressure of the cycle [Pa]
+  loads::PlacedPeak cycle_wear;  ///< maximum pressure times sliding speed of the cycle: Hertz's on
                                  ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
 };
 

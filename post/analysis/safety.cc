@@ -57,7 +57,7 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
     const std::string& body = solution.problem.bodies[i].name;
     const auto yield = allowed.yield_strengths.find(body);
     if (yield != allowed.yield_strengths.end())
-      rows.push_back({"greatest von Mises stress of the " + body, Dimension::stress,
+      rows.push_back({"maximum von Mises stress of the " + body, Dimension::stress,
                       if_bounded(results.max_von_mises[i].value), yield->second, analysed,
                       std::nullopt});
   }

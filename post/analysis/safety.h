@@ -9,7 +9,7 @@
 
 namespace geneva::post {
 
-/// Greatest value of a mechanism's cycle by the closed forms.
+/// Maximum value of a mechanism's cycle by the closed forms.
 struct CycleValue {
   double value;
   double driver_angle;  ///< [rad]
@@ -27,7 +27,7 @@ struct SafetyRow {
 
   /// Allowed over computed: 1 at the limit.
   [[nodiscard]] std::optional<double> computed_factor() const;
-  /// Allowed over the greatest value, computed or of the cycle; none where the computed one is not
+  /// Allowed over the maximum value, computed or of the cycle; none where the computed one is not
   /// bounded.
   [[nodiscard]] std::optional<double> factor() const;
   /// Driver angle [rad] of that factor.

@@ -29,9 +29,9 @@ std::array<double, 6> components(const dealii::SymmetricTensor<2, 3>& stress) {
   return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[0][2], stress[1][2]};
 }
 
-/// The greatest of the ranks' peaks, with its place, on every rank.
+/// The maximum of the ranks' peaks, with its place, on every rank.
 template <int dim>
-StressPeak<dim> greatest(const MPI_Comm communicator, const StressPeak<dim>& local) {
+StressPeak<dim> maximum(const MPI_Comm communicator, const StressPeak<dim>& local) {
   StressPeak<dim> peak = local;
   for (const StressPeak<dim>& of_rank : fem::gathered_one(communicator, local))
     if (of_rank.value > peak.value) peak = of_rank;
@@ -77,7 +77,7 @@ Monomials monomials(const double x, const double y, const int degree) {
   return m;
 }
 
-/// Top of the polynomial fitted to the samples within a radius of the greatest one, of a degree up
+/// Top of the polynomial fitted to the samples within a radius of the maximum one, of a degree up
 /// to four as there are enough of them, or that sample itself if the polynomial has none nearby.
 StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>& peak,
                          const double radius) {
@@ -231,7 +231,7 @@ StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalSt
         peak.place[i] = cell->vertex(vertex)[i] * solution.scales.length;
     }
   }
-  return greatest(solution.dof_handler->get_communicator(), peak);
+  return maximum(solution.dof_handler->get_communicator(), peak);
 }
 
 StressPeak<2> peak_shear(const fem::Solution<2>& solution,
@@ -246,7 +246,7 @@ StressPeak<2> peak_shear(const fem::Solution<2>& solution,
     local = {shear, {cell.centre[0], cell.centre[1]}};
     body = static_cast<int>(cell.body);
   }
-  const StressPeak<2> peak = greatest(communicator, local);
+  const StressPeak<2> peak = maximum(communicator, local);
   const bool is_here = local.value == peak.value && local.place == peak.place;
   body = dealii::Utilities::MPI::max(is_here ? body : -1, communicator);
   const double radius = 0.15 * distance;

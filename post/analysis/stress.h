@@ -31,14 +31,14 @@ struct CellStress {
 template <int dim>
 std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution);
 
-/// Principal stresses [same unit], greatest first; the out-of-plane stress is one of them.
+/// Principal stresses [same unit], largest first; the out-of-plane stress is one of them.
 std::array<double, 3> principal_stresses(const fem::PlaneStress& stress);
 std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress);
 /// sqrt(((s1-s2)^2 + (s2-s3)^2 + (s3-s1)^2)/2)
 double von_mises(const std::array<double, 3>& principal);
 /// (s1 - s3)/2
 double max_shear(const std::array<double, 3>& principal);
-/// Greatest shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
+/// Maximum shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
 double in_plane_shear(const fem::PlaneStress& stress);
 
 /// Stress at the nodes [Pa], continuous within each body: the average of the cells' stresses at the
@@ -60,13 +60,13 @@ struct StressPeak {
   std::array<double, static_cast<std::size_t>(dim)> place{};
 };
 
-/// Greatest von Mises stress at the nodes of a body, over all ranks.
+/// Maximum von Mises stress at the nodes of a body, over all ranks.
 template <int dim>
 StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
                                unsigned int body);
 
-/// Greatest in-plane shear stress within a distance of a point, over all ranks: the top of the
-/// paraboloid fitted to the cell middles around the greatest one.
+/// Maximum in-plane shear stress within a distance of a point, over all ranks: the top of the
+/// paraboloid fitted to the cell middles around the maximum one.
 StressPeak<2> peak_shear(const fem::Solution<2>& solution,
                          const std::vector<CellStress<2>>& stresses, const dealii::Point<2>& around,
                          double distance);

@@ -83,7 +83,7 @@ std::vector<ContactColumn> depth_columns(const ContactAnalysis<2>& analysis,
   std::vector<ContactColumn> columns{{"depth", length.name, {}}};
   for (const char* const prefix : {"", "mcewen_"})
     for (const char* const name :
-         {"stress_along", "stress_across", "stress_out_of_plane", "greatest_shear"})
+         {"stress_along", "stress_across", "stress_out_of_plane", "maximum_shear"})
       columns.push_back({std::string(prefix) + name, stress.name, {}});
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const DepthSample& sample : analysis.depth_line) {

@@ -10,7 +10,7 @@ namespace geneva::post {
 /// Writes contact.vtu and contact.csv: place (in the plane with the arc length), contact pressure,
 /// gap, status and Hertz's pressure at the source nodes; in the plane also depth.csv with the
 /// stress below the contact beside McEwen's, in 3-D sections.csv with line load, peak pressure,
-/// half-width and greatest shear along z. One rank calls it.
+/// half-width and maximum shear along z. One rank calls it.
 /// @throws base::InputError if a file cannot be written
 template <int dim>
 void write_contact(const fem::Solution<dim>& solution, const Results<dim>& results,

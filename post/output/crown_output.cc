@@ -21,8 +21,8 @@ using nlohmann::json;
 namespace {
 
 json evenness_section(const LoadEvenness& load) {
-  return {{"greatest_line_load", quantity(load.greatest, "N/m")},
-          {"greatest_line_load_place", quantity(load.place, "m")},
+  return {{"maximum_line_load", quantity(load.maximum, "N/m")},
+          {"maximum_line_load_place", quantity(load.place, "m")},
           {"even_line_load", quantity(load.even, "N/m")},
           {"ratio", load.ratio()},
           {"peak_pressure", quantity(load.peak_pressure, "Pa")},
@@ -88,8 +88,8 @@ std::string crown_table(const CrownReport& report, const UnitSystem units) {
     return load.is_bounded ? "bounded" : "not bounded";
   };
   return row("", "as it is", "most even") +
-         row("greatest over even line load", before.ratio(), after.ratio(), {"", 1.}) +
-         row("greatest line load", before.greatest, after.greatest, line_load) +
+         row("maximum over even line load", before.ratio(), after.ratio(), {"", 1.}) +
+         row("maximum line load", before.maximum, after.maximum, line_load) +
          row("its place along the pin", before.place, after.place, length) +
          row("pressure in the middle", before.middle_pressure, after.middle_pressure, stress) +
          row("peak contact pressure", before.peak_pressure, after.peak_pressure, stress) +

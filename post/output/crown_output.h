@@ -13,7 +13,7 @@ namespace geneva::post {
 /// One step of the search for the most even line load.
 struct CrownTrial {
   double size;   ///< crown radius, or amplitude of the logarithmic profile [m]
-  double ratio;  ///< greatest over even line load
+  double ratio;  ///< maximum over even line load
   bool is_scan;  ///< on coarse meshes, before the search on finer ones
 };
 
@@ -33,7 +33,7 @@ struct CrownReport {
 /// What crown.json says, SI units throughout.
 nlohmann::json crown_summary(const CrownReport& report);
 
-/// What crown.csv says: line load and greatest pressure of each section of both pins, in output
+/// What crown.csv says: line load and maximum pressure of each section of both pins, in output
 /// units, the units in the heading.
 std::string crown_csv(const CrownReport& report, base::UnitSystem units);
 

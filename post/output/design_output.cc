@@ -49,7 +49,7 @@ json motion_section(const DesignReport& report) {
           {"dwell_time", quantity(report.cycle.dwell_time, "s")},
           {"motion_fraction", report.cycle.motion_fraction},
           {"k_t", report.cycle.time_ratio},
-          {"greatest_pins", report.cycle.greatest_pins}};
+          {"maximum_pins", report.cycle.maximum_pins}};
 }
 
 json shaft_section(const ShaftReport& shaft) {
@@ -147,7 +147,7 @@ void add_motion(std::vector<TableLine>& lines, const UnitSystem units) {
   const OutputUnit seconds{"s", 1.};
   lines.push_back({"motion", {}});
   lines.push_back({"  stations", [](const DesignReport& r) { return r.row.stations; }});
-  lines.push_back(in_unit("greatest wheel acceleration", acceleration,
+  lines.push_back(in_unit("maximum wheel acceleration", acceleration,
                           [](const DesignReport& r) { return r.peak_acceleration; }));
   lines.push_back(in_unit("deceleration as the pin leaves", acceleration,
                           [](const DesignReport& r) { return r.exit_acceleration; }));
@@ -162,7 +162,7 @@ void add_motion(std::vector<TableLine>& lines, const UnitSystem units) {
   lines.push_back({"  motion time over a turn's time",
                    [](const DesignReport& r) { return r.cycle.motion_fraction; }});
   lines.push_back(
-      {"  greatest number of pins", [](const DesignReport& r) { return r.cycle.greatest_pins; }});
+      {"  maximum number of pins", [](const DesignReport& r) { return r.cycle.maximum_pins; }});
 }
 
 using WheelOf = std::function<std::optional<DesignedWheel>(const DesignReport&)>;

@@ -9,7 +9,7 @@ namespace geneva::post {
 
 /// Writes solution.pvd, solution.pvtu, solution.N.vtu and results.h5, results.xdmf into a
 /// directory: displacement, stress tensor, out-of-plane stress, von Mises, principal stresses,
-/// greatest shear, body; in the plane McEwen's stress near the contact and the difference from it.
+/// maximum shear, body; in the plane McEwen's stress near the contact and the difference from it.
 /// Every rank takes part.
 /// @throws base::InputError if a file cannot be written
 template <int dim>

@@ -63,17 +63,17 @@ class Rows {
 };
 
 void add_forces(Rows& rows, const loads::Characteristics& values) {
-  const std::string ratio = "  over that at the greatest acceleration";
-  rows.add("greatest pin force", values.force, Dimension::force);
+  const std::string ratio = "  over that at the maximum acceleration";
+  rows.add("maximum pin force", values.force, Dimension::force);
   rows.add_if_finite(ratio, values.force_ratio);
   if (values.braking_force.value > 0.)
-    rows.add("greatest force on the braking wall", values.braking_force, Dimension::force);
-  rows.add("greatest Hertz pressure", values.pressure, Dimension::stress);
+    rows.add("maximum force on the braking wall", values.braking_force, Dimension::force);
+  rows.add("maximum Hertz pressure", values.pressure, Dimension::stress);
   rows.add_if_finite(ratio, values.pressure_ratio);
-  rows.add("greatest pressure x slip", values.pressure_times_slip, Dimension::pressure_times_speed);
+  rows.add("maximum pressure x slip", values.pressure_times_slip, Dimension::pressure_times_speed);
   rows.add_if_finite(ratio, values.pressure_times_slip_ratio);
   if (values.bore_pressure_times_speed.value > 0.)
-    rows.add("greatest mean bore pressure x sliding speed", values.bore_pressure_times_speed,
+    rows.add("maximum mean bore pressure x sliding speed", values.bore_pressure_times_speed,
              Dimension::pressure_times_speed);
   for (const loads::SlipReversal& reversal : values.slip_reversals)
     rows.add(fmt::format("slip reverses on the {} wall at", name_of(reversal.wall)),
@@ -130,8 +130,8 @@ std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics&
                                                    const double reference_speed) {
   Rows rows;
   rows.add("reference speed", reference_speed, Dimension::angular_speed);
-  rows.add("greatest wheel speed over it", values.speed_ratio, Dimension::dimensionless);
-  rows.add("greatest wheel acceleration over its square", values.acceleration_ratio,
+  rows.add("maximum wheel speed over it", values.speed_ratio, Dimension::dimensionless);
+  rows.add("maximum wheel acceleration over its square", values.acceleration_ratio,
            Dimension::dimensionless);
   rows.add("  at entry", values.entry_acceleration_ratio, Dimension::dimensionless);
   rows.add("wheel jerk over its cube, midway", values.jerk_ratio_at_centre,

@@ -216,8 +216,8 @@ json wheel_section(const fem::Solution<dim>& solution, const Results<dim>& resul
 
 template <int dim>
 json equilibrium_section(const Results<dim>& results, const RunReport& report) {
-  json section{{"force_defect", results.equilibrium.force_defect},
-               {"moment_defect", results.equilibrium.moment_defect}};
+  json section{{"force_residual", results.equilibrium.force_residual},
+               {"moment_residual", results.equilibrium.moment_residual}};
   if (report.mechanism && report.mechanism->bore_torque) {
     section["bore_torque"] = quantity(*report.mechanism->bore_torque, "N m");
     section["bore_torque_error"] = error_value(report.errors.mechanism, Figure::bore_torque);

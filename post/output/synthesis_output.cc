@@ -175,7 +175,7 @@ std::string table_of(const CrankRockerReport& report, const UnitSystem units) {
               {"crank's pivot A, y", linkage.crank_pivot[1], Dimension::length},
               {"swing of the rocker", report.swing, Dimension::angle},
               {"times forward and back, ratio", report.time_ratio},
-              {"least transmission angle", mechanism.least_transmission_angle, Dimension::angle}},
+              {"minimum transmission angle", mechanism.minimum_transmission_angle, Dimension::angle}},
              units) +
          position_lines({{"rocker farthest", entries_of(report.farthest, " ")},
                          {"rocker nearest", entries_of(report.nearest, " ")}},
@@ -216,7 +216,7 @@ std::string table_of(const PathReport& report, const UnitSystem units) {
     text += solution_line(solutions[i], units);
   if (solutions.size() > most_solutions)
     text += fmt::format("and {} more in synthesis.csv\n", solutions.size() - most_solutions);
-  return text + fmt::format("greatest residual of their equations: {:.2g} {}\n",
+  return text + fmt::format("maximum residual of their equations: {:.2g} {}\n",
                             residual * length.factor, length.name);
 }
 

@@ -15,8 +15,8 @@ namespace geneva::post {
 /// A quick-return mechanism and its positions over a turn of the crank, SI units.
 struct QuickReturnReport {
   loads::QuickReturn mechanism;
-  double greatest_wheel_speed;  ///< [rad/s], as given
-  double engagement;            ///< crank angle while the Geneva's pin would be in the slot [rad]
+  double maximum_wheel_speed;  ///< [rad/s], as given
+  double engagement;           ///< crank angle while the Geneva's pin would be in the slot [rad]
   loads::QuickReturnExtremes extremes;
   std::vector<loads::QuickReturnPosition> positions;
 };

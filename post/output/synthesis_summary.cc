@@ -48,7 +48,7 @@ std::pair<const char*, json> section_of(const QuickReturnReport& report) {
   const loads::QuickReturnExtremes& extremes = report.extremes;
   return {"quick_return",
           {{"stations", mechanism.stations},
-           {"greatest_wheel_speed", quantity(report.greatest_wheel_speed, "rad/s")},
+           {"maximum_wheel_speed", quantity(report.maximum_wheel_speed, "rad/s")},
            {"crank", quantity(mechanism.crank, "m")},
            {"frame", quantity(mechanism.centre_distance, "m")},
            {"crank_speed", quantity(mechanism.crank_speed, "rad/s")},
@@ -64,7 +64,8 @@ std::pair<const char*, json> section_of(const QuickReturnReport& report) {
 std::pair<const char*, json> section_of(const CrankRockerReport& report) {
   json section = dimensions_section(report.mechanism.linkage);
   section["assembly"] = "open";
-  section["least_transmission_angle"] = quantity(report.mechanism.least_transmission_angle, "rad");
+  section["minimum_transmission_angle"] =
+      quantity(report.mechanism.minimum_transmission_angle, "rad");
   section["swing"] = quantity(report.swing, "rad");
   section["time_ratio"] = report.time_ratio;
   section["extreme_positions"] = {{"rocker_farthest", position_section(report.farthest)},
@@ -101,7 +102,7 @@ std::pair<const char*, json> section_of(const PathReport& report) {
   json section{{"starts", report.synthesis.starts},
                {"seed", report.task.seed},
                {"degenerate_starts", report.synthesis.degenerate},
-               {"least_residual", quantity(report.synthesis.least_residual, "m")},
+               {"minimum_residual", quantity(report.synthesis.minimum_residual, "m")},
                {"points", json::array()},
                {"given", json::object()},
                {"solutions", json::array()}};

@@ -23,8 +23,8 @@ constexpr std::array<std::array<const char*, 2>, 2> pins{
 
 std::string evenness_table(const json& crown, const UnitSystem units) {
   constexpr std::array<NamedQuantity, 5> lines{
-      {{"greatest_line_load", "greatest line load", Dimension::force_per_length},
-       {"greatest_line_load_place", "its place along the pin", Dimension::length},
+      {{"maximum_line_load", "maximum line load", Dimension::force_per_length},
+       {"maximum_line_load_place", "its place along the pin", Dimension::length},
        {"even_line_load", "even line load", Dimension::force_per_length},
        {"mid_length_pressure", "contact pressure in the middle", Dimension::stress},
        {"peak_pressure", "peak contact pressure", Dimension::stress}}};
@@ -35,7 +35,7 @@ std::string evenness_table(const json& crown, const UnitSystem units) {
     table.rows.push_back({escaped(name)});
     for (const auto& pin : pins) table.rows.back().push_back(value_of(crown.at(pin[0])));
   };
-  add("greatest over even line load",
+  add("maximum over even line load",
       [](const json& pin) { return significant(pin.at("ratio"), 4); });
   for (const NamedQuantity& line : lines)
     add(labelled(line.name, line.dimension, units),
@@ -81,9 +81,9 @@ Chart search_chart(const json& crown, const UnitSystem units) {
   const std::string parameter = crown.at("crown").at("parameter");
   Chart chart{"chart-crown-search",
               "The search",
-              fmt::format("Greatest over even line load against the {}", parameter),
+              fmt::format("Maximum over even line load against the {}", parameter),
               {labelled(parameter, Dimension::length, units), true},
-              {"greatest over even line load"},
+              {"maximum over even line load"},
               {}};
   for (const char* const meshes : {"coarse", "finer"})
     chart.series.push_back({fmt::format("on {} meshes", meshes), SeriesStyle::markers, {}});

@@ -11,8 +11,8 @@ namespace geneva::post {
 namespace {
 
 constexpr const char* cut_control = R"(<label>Cut <select name="cut">
-<option value="across">across, at the greatest pressure</option>
-<option value="along">along, at the greatest pressure</option>
+<option value="across">across, at the maximum pressure</option>
+<option value="along">along, at the maximum pressure</option>
 <option value="none">none</option>
 </select></label>
 )";

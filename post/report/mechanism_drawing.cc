@@ -26,7 +26,7 @@ constexpr double width = 640.;
 constexpr double height = 490.;
 constexpr double margin = 16.;
 constexpr double bottom_margin = 46.;  ///< for the centre distance
-constexpr double arrow_length = 80.;   ///< of the greatest force [pixels]
+constexpr double arrow_length = 80.;   ///< of the maximum force [pixels]
 
 using Place = std::array<double, 3>;
 using Pixel = std::array<double, 2>;
@@ -125,17 +125,17 @@ std::string line(const std::string& attributes, const Pixel& from, const Pixel& 
                      attributes, from[0], from[1], to[0], to[1]);
 }
 
-double greatest_force(const json& mechanism) {
-  double greatest = 0.;
+double maximum_force(const json& mechanism) {
+  double maximum = 0.;
   for (const json& step : mechanism.at("steps"))
     if (!step.at("pin_force").is_null())
-      greatest = std::max(greatest, std::abs(step.at("pin_force").get<double>()));
-  return greatest;
+      maximum = std::max(maximum, std::abs(step.at("pin_force").get<double>()));
+  return maximum;
 }
 
 /// The contact point, and the force on the wheel along the normal of the wall.
 std::string force_arrow(const json& mechanism, const json& step, const Projection& projection) {
-  if (step.at("engaged_pin").is_null() || greatest_force(mechanism) == 0.)
+  if (step.at("engaged_pin").is_null() || maximum_force(mechanism) == 0.)
     return line("id=\"mechanism-force\" class=\"force\"", {0., 0.}, {0., 0.}) +
            circle("id=\"mechanism-contact\" class=\"arrow\"", {0., 0.}, 0.);
   const Place pin = step.at("pins").at(step.at("engaged_pin").get<std::size_t>()).get<Place>();
@@ -145,7 +145,7 @@ std::string force_arrow(const json& mechanism, const json& step, const Projectio
   const double side = force < 0. ? -1. : 1.;
   const double radius = mechanism.at("pin_diameter").get<double>() / 2.;
   const double length =
-      arrow_length * std::abs(force) / greatest_force(mechanism) / pixels_per_metre(projection);
+      arrow_length * std::abs(force) / maximum_force(mechanism) / pixels_per_metre(projection);
   Place contact = pin;
   Place tip = pin;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -106,7 +106,7 @@ std::string wheels_table(const json& design, const UnitSystem units) {
        {"moment of inertia", Dimension::inertia, "optimum_inertia", "inertia"},
        {"pin force", Dimension::force, "force", "force"},
        {"peak contact pressure", Dimension::stress, "peak_pressure", "peak_pressure"}}};
-  HtmlTable table{"Johnson's wheel of least contact stress beside the wheel of the case",
+  HtmlTable table{"Johnson's wheel of minimum contact stress beside the wheel of the case",
                   {"", "best, Johnson's proportions", "best as drawn", "wheel of the case"},
                   {}};
   for (const Line& line : lines) {

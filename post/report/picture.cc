@@ -54,8 +54,13 @@ Picture::Picture(const int width, const int height, const Colour background)
     pixels_.insert(pixels_.end(), background.begin(), background.end());
 }
 
+std::size_t Picture::place_of(const int column, const int row) const {
+  const auto width = static_cast<std::size_t>(width_);
+  return 3 * (static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column));
+}
+
 Colour Picture::at(const int column, const int row) const {
-  const auto first = static_cast<std::size_t>(3 * (row * width_ + column));
+  const std::size_t first = place_of(column, row);
   return {pixels_.at(first), pixels_.at(first + 1), pixels_.at(first + 2)};
 }
 
@@ -79,7 +84,7 @@ void Picture::paint(const std::array<Corner, 3>& corners) {
       if (of_b < 0. || of_c < 0. || of_b + of_c > 1.) continue;
       const Colour colour =
           colour_of(a.value + of_b * (b.value - a.value) + of_c * (c.value - a.value));
-      std::copy(colour.begin(), colour.end(), pixels_.begin() + 3 * (row * width_ + column));
+      std::copy(colour.begin(), colour.end(), &pixels_[place_of(column, row)]);
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ class Picture {
   [[nodiscard]] std::vector<unsigned char> png() const;
 
  private:
+  [[nodiscard]] std::size_t place_of(int column, int row) const;
+
   int width_;
   int height_;
   std::vector<unsigned char> pixels_;

@@ -96,7 +96,7 @@ std::string checks_table(const json& summary) {
 std::string safety_table(const json& summary, const UnitSystem units) {
   if (summary.at("safety").empty()) return "";
   HtmlTable table{"How near to the limits that the case gives",
-                  {"quantity", "as analysed", "greatest in the cycle", "allowed", "safety factor",
+                  {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
                    labelled("at a driver angle of", Dimension::angle, units), "verdict"},
                   {}};
   for (const json& row : summary.at("safety")) {
@@ -133,7 +133,7 @@ std::string axis_label(const std::string& name, const CsvColumn& column) {
   return column.unit.empty() ? name : fmt::format("{} [{}]", name, column.unit);
 }
 
-/// The rows of the contact pair with the greatest pressure.
+/// The rows of the contact pair with the maximum pressure.
 CsvTable leading_rows(const ResultsDirectory& results, const std::string& table) {
   const json& contact = results.document("summary")->at("contact");
   return results.table(table)->rows_with(
@@ -161,7 +161,7 @@ Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
   Chart chart{
       "chart-pressure",
       "Contact pressure beside Hertz's",
-      fmt::format("Contact pressure along the contact; its greatest value is {} {}",
+      fmt::format("Contact pressure along the contact; its maximum value is {} {}",
                   shown(summary.at("contact").at("peak_pressure"), Dimension::stress, units),
                   pressure.unit),
       {axis_label("distance from the middle of the contact", arc)},
@@ -182,13 +182,13 @@ Chart depth_chart(const ResultsDirectory& results) {
   const CsvColumn& depth = table.column("depth");
   Chart chart{"chart-depth",
               "Stress below the middle of the contact beside McEwen's",
-              "Normal stresses and greatest shear against the depth below the contact",
+              "Normal stresses and maximum shear against the depth below the contact",
               {axis_label("depth", depth)},
               {axis_label("stress", table.column("stress_along"))},
               {}};
   const std::array<std::array<const char*, 2>, 3> stresses{{{"stress_along", "along the contact"},
                                                             {"stress_across", "across it"},
-                                                            {"greatest_shear", "greatest shear"}}};
+                                                            {"maximum_shear", "maximum shear"}}};
   for (const auto& [column, name] : stresses) {
     chart.series.push_back(
         series(name, SeriesStyle::markers, depth.values, table.column(column).values));
@@ -271,8 +271,8 @@ Chart section_pressure_chart(const ResultsDirectory& results) {
   const CsvColumn& z = table.column("z");
   const CsvColumn& pressure = table.column("peak_pressure");
   return {"chart-section-pressure",
-          "Greatest contact pressure along the pin",
-          "Greatest contact pressure of each section along the pin",
+          "Maximum contact pressure along the pin",
+          "Maximum contact pressure of each section along the pin",
           {axis_label("place along the pin, z", z)},
           {axis_label("contact pressure", pressure)},
           {series("this program", SeriesStyle::line, z.values, pressure.values)}};

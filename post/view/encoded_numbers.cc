@@ -35,7 +35,7 @@ std::vector<unsigned char> decoded_bytes(const std::string& text) try {
 
 namespace {
 constexpr std::uint16_t no_number = 65535;
-constexpr double greatest_step = 65534.;
+constexpr double maximum_step = 65534.;
 }  // namespace
 
 Quantised quantised(const std::vector<float>& values) {
@@ -52,7 +52,7 @@ Quantised quantised(const std::vector<float>& values) {
     result.steps.push_back(!std::isfinite(value) ? no_number
                            : range == 0.         ? std::uint16_t{0}
                                                  : static_cast<std::uint16_t>(std::lround(
-                                                       greatest_step * (value - result.low) / range)));
+                                                       maximum_step * (value - result.low) / range)));
   return result;
 }
 
@@ -62,7 +62,7 @@ std::vector<float> restored(const Quantised& values) {
   for (const std::uint16_t step : values.steps)
     result.push_back(step == no_number
                          ? std::numeric_limits<float>::quiet_NaN()
-                         : static_cast<float>(values.low + range * step / greatest_step));
+                         : static_cast<float>(values.low + range * step / maximum_step));
   return result;
 }
 

@@ -179,16 +179,16 @@ Point<3> place_of_peak(const fem::ContactResult<2>& /*unused*/,
                        const ContactAnalysis<2>& analysis) {
   return {analysis.centre.place[0], analysis.centre.place[1], 0.};
 }
-/// The middle of the nodes that carry the greatest pressure of all nodes, which the peak with its
+/// The middle of the nodes that carry the maximum pressure of all nodes, which the peak with its
 /// correction may exceed, to a thousandth: of a flat contact all.
 Point<3> place_of_peak(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& /*unused*/) {
   constexpr double nearly_all = 0.999;
-  double greatest = 0.;
-  for (const auto& node : contact.nodes) greatest = std::max(greatest, node.pressure);
+  double maximum = 0.;
+  for (const auto& node : contact.nodes) maximum = std::max(maximum, node.pressure);
   Point<3> sum;
   double n_nodes = 0.;
   for (const fem::ContactNode<3>& node : contact.nodes)
-    if (node.pressure >= nearly_all * greatest) {
+    if (node.pressure >= nearly_all * maximum) {
       sum += in_space<3>(node.position);
       ++n_nodes;
     }
@@ -227,7 +227,7 @@ Point<3> within(const fem::ContactResult<3>& contact, const Point<3>& point,
   return point + shift * normal;
 }
 
-/// Cuts through the point of greatest pressure.
+/// Cuts through the point of maximum pressure.
 std::vector<json> cuts(const fem::Solution<2>& /*unused*/, const Results<2>& /*unused*/,
                        const fem::ContactResult<2>& /*unused*/,
                        const ContactAnalysis<2>& /*unused*/, const ViewScale& /*unused*/) {

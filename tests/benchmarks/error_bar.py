@@ -259,7 +259,7 @@ def summary_lines(verdicts):
                   f"median {statistics.median(ratios):.2f}",
                   f"true error: mean {percent(statistics.mean(errors), True)} %, mean size "
                   f"{percent(statistics.mean(map(abs, errors)))} %, "
-                  f"greatest {percent(max(errors, key=abs), True)} %",
+                  f"maximum {percent(max(errors, key=abs), True)} %",
                   f"true error above the accuracy asked for, with exit code 0: {share(beyond, len(judged))}",
                   f"median unknowns {statistics.median(v.run['unknowns'] for v in judged):.0f}, "
                   f"median time {statistics.median(v.run['seconds'] for v in judged):.1f} s"]

@@ -499,7 +499,7 @@ class Wheel:
         return math.pi / 2 * density * self.thickness * (outer**4 - inner**4)
 
     def engagement(self):
-        """Greatest driver angle at which the pin stands in the slot with room for its contact before the wall's end."""
+        """Maximum driver angle at which the pin stands in the slot with room for its contact before the wall's end."""
         sign = 1 if self.type == "external" else -1
         entry = math.pi / 2 - sign * math.pi / self.stations
         width = self.pin + self.clearance
@@ -516,9 +516,9 @@ class Wheel:
         return low
 
 
-def draw_wheel(draw, wheel_type, greatest_stations=24):
+def draw_wheel(draw, wheel_type, maximum_stations=24):
     """A wheel with Johnson's proportions or a thinner pin."""
-    stations = draw.whole(3, greatest_stations)
+    stations = draw.whole(3, maximum_stations)
     diameter = draw.by_factor(0.01, 1.0)
     shrunk = min(1.0, math.sin(math.pi / stations) / math.sin(math.pi / 10))  # with the pitch, beyond the table
     widest = JOHNSON_PIN[min(stations, 10) - 3] * shrunk

@@ -12,7 +12,7 @@ from geneva_cli import CliTest, change_case, environment, flat, number, read_sum
 # Figures are the same but for the round-off of another start and another share of the ranks.
 TOLERANCE = 1e-8
 # Beside the names: how the solver came there, what is only round-off, and which of several equal places is named.
-INCIDENTAL = ("case.name", "iterations", "defect", "checks", "place", "ranks", "notices")
+INCIDENTAL = ("case.name", "iterations", "residual", "checks", "place", "ranks", "notices")
 
 
 def findings(results):

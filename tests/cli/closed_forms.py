@@ -10,7 +10,7 @@ import json
 import math
 
 import closed_motion
-from closed_motion import greatest, slope, value, zero
+from closed_motion import maximum, slope, value, zero
 
 # Definitions of the units, exact.
 INCH = 0.0254
@@ -37,7 +37,7 @@ def relative_radius(first, second=math.inf):
 
 
 def hertz_line(force_per_length, radius, modulus):
-    """Cylinders with parallel axes (Johnson, Contact Mechanics, 4.2): p0, b, the greatest shear and its depth.
+    """Cylinders with parallel axes (Johnson, Contact Mechanics, 4.2): p0, b, the maximum shear and its depth.
 
     Below the middle the shear is p0 (s - s^2/sqrt(1 + s^2)) at the depth s b; it is greatest where
     s^2 = (sqrt(5) - 1)/2: 0.30028 p0 at 0.78615 b.
@@ -50,7 +50,7 @@ def hertz_line(force_per_length, radius, modulus):
 
 
 def hertz_point(force, radius, modulus, poissons_ratio):
-    """Spheres (Johnson, Contact Mechanics, 3.4): p0, a, the greatest shear on the axis and its depth."""
+    """Spheres (Johnson, Contact Mechanics, 3.4): p0, a, the maximum shear on the axis and its depth."""
     width = (3 * force * radius / (4 * modulus))**(1 / 3)
     peak = 3 * force / (2 * math.pi * width**2)
 
@@ -144,7 +144,7 @@ def drawn_wheel_inertia(stations, diameter, density, proportions):
 
 
 def mechanism(stations, diameter, speed, friction, cylinder, material, uses_johnson_inertia):
-    """Load, closed-form contact and torque of a case at the wheel's greatest acceleration.
+    """Load, closed-form contact and torque of a case at the wheel's maximum acceleration.
 
     The pin force is F = ((J_G + J_L) a + M_f)/x (Johnson, Eq. 1) with x^2 = r^2 + c^2 - 2 r c cos(theta).
     """
@@ -193,15 +193,15 @@ class Mover:
     def hertz(self, force):
         return hertz_line(abs(force) / self.thickness, self.pin / 2, self.modulus)
 
-    def greatest(self, function):
-        return greatest(function, self.motion.begin, self.motion.end)
+    def maximum(self, function):
+        return maximum(function, self.motion.begin, self.motion.end)
 
     def peak_force(self):
-        return self.greatest(self.force)
+        return self.maximum(self.force)
 
     def peak_acceleration(self):
         """Forwards."""
-        return self.greatest(lambda at: self.motion.place(at).acceleration)
+        return self.maximum(lambda at: self.motion.place(at).acceleration)
 
 
 def load_values(mover, at, drawn=None):
@@ -238,9 +238,9 @@ def kinematics_values(mover):
     """Keys of kinematics.json; the driver runs at its reference speed between the engagements."""
     motion, speed, mechanism = mover.motion, mover.speed, mover.mechanism
     place = motion.place
-    wheel_speed = mover.greatest(lambda at: place(at).speed)
+    wheel_speed = mover.maximum(lambda at: place(at).speed)
     peak = mover.peak_acceleration()
-    force, braking = mover.peak_force(), mover.greatest(lambda at: -mover.force(at))
+    force, braking = mover.peak_force(), mover.maximum(lambda at: -mover.force(at))
     forces = {at: value(mover.force, at) for at in (force, braking, peak)}
     strongest = force if forces[force] >= -forces[braking] * (1 - 1e-9) else braking
 
@@ -248,7 +248,7 @@ def kinematics_values(mover):
         """Square of pressure times slip over a constant, on one wall."""
         return sign * mover.force(at) * place(at).slip(mover.pin, sign)**2
 
-    walls = {sign: mover.greatest(lambda at, sign=sign: wear(at, sign)) for sign in (1, -1)}
+    walls = {sign: mover.maximum(lambda at, sign=sign: wear(at, sign)) for sign in (1, -1)}
     wall = max(walls, key=lambda sign: (round(math.log(value(lambda at: wear(at, sign), walls[sign])), 9), sign))
     worn = walls[wall]
 
@@ -421,7 +421,7 @@ def kinematics():
 
 
 def run_values(case, angle=None):
-    """Keys of summary.json at a driver angle of a case with constant driver speed, or at the greatest pin force."""
+    """Keys of summary.json at a driver angle of a case with constant driver speed, or at the maximum pin force."""
     mover = movers()[case]
     is_drawn = case not in ("spherical-eight-station", "long-dwell", "four-bar-geneva")
     return load_values(mover, mover.peak_force() if angle is None else angle, mover.inertia if is_drawn else None)
@@ -517,7 +517,7 @@ def crank_rocker(swing, rocker, pivot_distance):
     return {"crank_rocker.crank": crank, "crank_rocker.coupler": pivot_distance, "crank_rocker.rocker": rocker,
             "crank_rocker.frame": frame, "crank_rocker.crank_pivot_x": -pivot_distance,
             "crank_rocker.crank_pivot_y": height, "crank_rocker.swing": swing, "crank_rocker.time_ratio": 1.0,
-            "crank_rocker.least_transmission_angle": math.acos(crank * frame / (pivot_distance * rocker)),
+            "crank_rocker.minimum_transmission_angle": math.acos(crank * frame / (pivot_distance * rocker)),
             **{f"crank_rocker.extreme_positions.{key}": value for key, value in extremes.items()}}
 
 

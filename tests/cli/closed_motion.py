@@ -305,8 +305,8 @@ def value(function, at):
     return complex(function(at)).real
 
 
-def greatest(function, begin, end):
-    """Place of the greatest value of an analytic function, the first of several equal ones.
+def maximum(function, begin, end):
+    """Place of the maximum value of an analytic function, the first of several equal ones.
 
     The slope of a function that is greatest at an end does not change its sign beside it: then the end is the place.
     """

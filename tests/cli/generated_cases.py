@@ -19,7 +19,7 @@ import random_cases  # noqa: E402
 SPECIMENS = {("plane", 0): "Value = 2.1803068", ("space", 2): "Crown radius = 10.1511515"}
 
 # Accuracies of a run and of its truth in cases whose reported error once missed the true one: a soft roller that ended
-# on its first mesh with six nodes, punches with their greatest pressure beside the end, a wide one with coarse cells
+# on its first mesh with six nodes, punches with their maximum pressure beside the end, a wide one with coarse cells
 # below its middle, and a sphere under a prescribed displacement with coarse cells far away.
 ONCE_MISSED = {92: (0.02, 0.002), 97: (0.02, 0.005), 442: (0.02, 0.005), 378: (0.005, 0.0005)}
 
@@ -123,9 +123,9 @@ class Run(CliTest):
         for name, text in random_cases.draw_case("space", ABOVE_ALL_NODES).files(0.05).items():
             (directory / name).write_text(text)
         contact = self.run_case(directory)["contact"]
-        greatest = max(float(row["contact_pressure [Pa]"]) for row in csv.DictReader(
+        maximum = max(float(row["contact_pressure [Pa]"]) for row in csv.DictReader(
             (directory / "results" / "contact.csv").read_text().splitlines()))
-        self.assertGreater(number(contact["peak_pressure"]), 1.001 * greatest)
+        self.assertGreater(number(contact["peak_pressure"]), 1.001 * maximum)
         view = json.loads((directory / "results" / "view.json").read_text())
         self.assertEqual({mesh["name"]: "von_mises" in mesh["fields"] for mesh in view["meshes"]},
                          {"model": True, "across": True, "along": True, "contact": False})

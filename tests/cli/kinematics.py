@@ -19,15 +19,15 @@ SIX, INTERNAL, SPHERE = "six-station-360rpm", "internal-six-station", "spherical
 PINS, LINKAGE = "irregular-two-pin", "four-bar-geneva"
 HARMONIC, CYCLOIDAL = "servo-harmonic", "servo-cycloidal"
 
-# Lecture 4 and ME341, driver of unit speed: greatest speed and acceleration, recomputed in double precision.
+# Lecture 4 and ME341, driver of unit speed: maximum speed and acceleration, recomputed in double precision.
 EXTERNAL_TABLE = {3: (6.4641, 31.392), 4: (2.41421, 5.4070), 5: (1.42592, 2.2988), 6: (1.0, 1.3496), 7: (None, 0.92840),
                   8: (0.61991, 0.69976), 9: (None, 0.55908), 10: (None, 0.46484)}
 INTERNAL_TABLE = {3: (0.46410, 1.73205), 4: (0.41421, 1.0), 5: (0.37019, 0.72654), 6: (0.33333, 0.57735),
                   8: (0.27677, 0.41421)}
-# with the angle of the greatest acceleration before the line of centres
+# with the angle of the maximum acceleration before the line of centres
 SPHERICAL_TABLE = {3: (1.73205, 2.1716, 18.28), 4: (1.0, 0.88009, 30.36), 5: (0.72654, 0.57875, 41.31),
                    6: (0.57735, 0.45597, 53.26), 8: (0.41421, 0.35355, 90.0)}
-# greatest pin force over that at the greatest acceleration with inertia alone, and its angle before the line of centres
+# maximum pin force over that at the maximum acceleration with inertia alone, and its angle before the line of centres
 FORCE_TABLE = {3: (1.0176, 4.12), 4: (1.0172, 9.94), 5: (1.0167, 15.27), 6: (1.0160, 19.965), 8: (1.0144, 27.76),
                10: (1.0129, 34.01)}
 
@@ -96,7 +96,7 @@ class ShippedCases(Kinematics):
         self.assert_value(values, "motion_time", 1 / 18, 1e-12)
         self.assert_value(values, "dwell_time.0", 1 / 9, 1e-12)  # printed: 0.0555 s
         self.assert_value(values, "motion_fraction", 1 / 3, 1e-12)  # printed as that of the dwell
-        self.assert_close(values["peak_speed_ratio"] * speed, 37.699, 1e-5, "greatest speed")
+        self.assert_close(values["peak_speed_ratio"] * speed, 37.699, 1e-5, "maximum speed")
         self.assert_value(values, "peak_acceleration_ratio", 1.3496, 3e-5)  # printed: 1.372
         self.assert_close(values["peak_acceleration_ratio"] * speed**2, 1918.14, 3e-6, "printed: 1950")
         self.assert_angle(values, "peak_acceleration_angle", -22.903, 5e-4)
@@ -232,7 +232,7 @@ class Tables(Kinematics):
         self.assertTrue(values["bounded"])
         # the straight stretch is (r + (a/2) cos(alpha))/sin(alpha) - r from the wheel's axis, and 2 (r/a) wide
         least = (0.04 + 0.03 * math.cos(math.pi / 6)) / math.sin(math.pi / 6) - 0.04
-        self.assert_close(values["peak_speed_ratio"], 0.04 / least, 1e-10, "greatest speed")
+        self.assert_close(values["peak_speed_ratio"], 0.04 / least, 1e-10, "maximum speed")
         self.assert_value(values, "engagement_angle", 2 * math.pi / 3 + 0.06 / 0.04, 1e-10)
         self.assert_value(values, "time_ratio", (2 * math.pi / 3 + 1.5) / (2 * math.pi / 3 * 2 + 1.5), 1e-10)
 
@@ -351,7 +351,7 @@ class Loads(Kinematics):
         curves = self.curves(case)
         acceleration = curves["acceleration_ratio"]
         self.assertLess(max(acceleration), -min(acceleration))
-        self.assert_close(number(values["peak_acceleration_ratio"]), max(acceleration), 1e-4, "greatest forwards")
+        self.assert_close(number(values["peak_acceleration_ratio"]), max(acceleration), 1e-4, "maximum forwards")
         self.assertLess(number(values["peak_acceleration_angle"]), 0)
         self.assertGreater(values["peak_force_ratio"], 1)
 
@@ -399,15 +399,15 @@ class Loads(Kinematics):
         self.assertIsNone(rolling["peak_pressure_times_slip_angle"])
         self.assertEqual(number(sliding["peak_bore_pressure_times_speed"]), 0)
         without, curves = self.curves(fixed), self.curves(roller)
-        greatest = 0.0
+        maximum = 0.0
         for i, slip in enumerate(without["slip_speed [mm/s]"]):
             for name in ("slip_speed", "slip_speed_driving", "slip_speed_braking"):
                 self.assertEqual(curves[f"{name} [mm/s]"][i], 0)
             self.assertEqual(without["bore_speed [mm/s]"][i], 0)
             self.assertAlmostEqual(curves["bore_speed [mm/s]"][i], abs(slip) / 2, delta=1e-8)
             mean = abs(curves["pin_force [N]"][i]) / (8.4 * 16.8)  # MPa
-            greatest = max(greatest, mean * curves["bore_speed [mm/s]"][i])
-        self.assert_close(number(rolling["peak_bore_pressure_times_speed"]) / 1e3, greatest, 1e-4, "in the bore")
+            maximum = max(maximum, mean * curves["bore_speed [mm/s]"][i])
+        self.assert_close(number(rolling["peak_bore_pressure_times_speed"]) / 1e3, maximum, 1e-4, "in the bore")
 
     def test_a_roller_without_friction_has_the_force_of_a_smooth_pin(self):
         smooth, roller = self.copy_case(SIX), self.changed(SIX, {**self.ROLLER, "Roller bore friction": "0"})
@@ -416,7 +416,7 @@ class Loads(Kinematics):
         self.assertEqual(self.curves(smooth)["pin_force [N]"], self.curves(roller)["pin_force [N]"])
 
     def test_the_force_jumps_where_the_slip_reverses(self):
-        """The greatest force of a rough pin is the limit from the hindered side, (x + mu d/2)/(x - mu d/2) of the other."""
+        """The maximum force of a rough pin is the limit from the hindered side, (x + mu d/2)/(x - mu d/2) of the other."""
         mover = closed_forms.movers()["johnson-optimum-wheel"]
         case = self.changed("johnson-optimum-wheel", {"Slot friction": "0.3"})
         values = self.kinematics(case)

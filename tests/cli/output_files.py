@@ -45,7 +45,7 @@ MECHANISM_QUANTITIES = {
 }
 PLAIN = ("case.name", "case.title", "contact.peak_pressure_error", "contact.peak_pressure_correction",
          "contact.force_error", "contact.half_width_error", "contact.max_shear_error", "contact.max_shear_depth_error",
-         "contact.active_nodes", "equilibrium.force_defect", "equilibrium.moment_defect", "mesh.levels", "mesh.cells", "mesh.dofs", "solver.converged", "versions.geneva",
+         "contact.active_nodes", "equilibrium.force_residual", "equilibrium.moment_residual", "mesh.levels", "mesh.cells", "mesh.dofs", "solver.converged", "versions.geneva",
          "versions.deal\\.II", "versions.gmsh")
 
 
@@ -221,7 +221,7 @@ class Contact(FinishedRuns):
         columns, units = self.columns(name)
         contact = read_summary(results)["contact"]
         of_mesh = number(contact["peak_pressure"]) / (1. + contact["peak_pressure_correction"])
-        # That of the summary is a fit through the nodes around the greatest one, which scatter by less than 0.1 %.
+        # That of the summary is a fit through the nodes around the maximum one, which scatter by less than 0.1 %.
         self.assert_close(max(columns["contact_pressure"]), of_mesh * STRESS_FACTOR[units["contact_pressure"]],
                           1e-3, "peak pressure")
 
@@ -273,7 +273,7 @@ class Summary(FinishedRuns):
             section, _, name = key.partition(".")
             self.assertIn(name.replace("\\", ""), summary[section])
 
-    def test_the_place_of_the_greatest_stress_is_there(self):
+    def test_the_place_of_the_maximum_stress_is_there(self):
         place = read_summary(self.results(MECHANISM))["wheel"]["max_von_mises_place"]
         self.assertEqual({key: entry["unit"] for key, entry in place.items()}, {"x": "m", "y": "m"})
 
@@ -338,7 +338,7 @@ class Output(FinishedRuns):
             self.assertIn(heading, output)
         row = next(line for line in output.splitlines() if line.startswith("peak contact pressure [psi]"))
         self.assertRegex(row, r"\] +\d+ \+- 0\.\d+ % +\d+ +72600 +[+-]?\d\.\d\d %$")
-        for name in ("contact force", "half-width", "greatest shear", "its depth", "bore torque"):
+        for name in ("contact force", "half-width", "maximum shear", "its depth", "bore torque"):
             row = next(line for line in output.splitlines() if line.startswith(name))
             self.assertRegex(row, r"\] +\S+ \+- [\d.]+ % ", "every figure has its error")
 

@@ -333,7 +333,7 @@ class PlaneReport(ReportTest):
         distance = self.summary["load"]["pin_distance"]["value"] / 0.0254
         self.assertAlmostEqual(float(found.group(3)), distance, delta=0.003)
 
-    def test_draws_the_greatest_contact_pressure(self):
+    def test_draws_the_maximum_contact_pressure(self):
         self.choose("field", "contact_pressure")
         self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * PSI,
                           self.peak_of_mesh(), 1e-3, "colour bar")
@@ -419,10 +419,10 @@ class CrownReport(ReportTest):
         crown = json.loads((self.results / "crown.json").read_text())
         series = self.chart("chart-crown-line_load")
         self.assertEqual(set(series), {"as it is", "most even"})
-        greatest = {name: max(point["y"] for point in points) for name, points in series.items()}
-        self.assertLess(greatest["most even"], greatest["as it is"])
+        maximum = {name: max(point["y"] for point in points) for name, points in series.items()}
+        self.assertLess(maximum["most even"], maximum["as it is"])
         for name, key in (("as it is", "before"), ("most even", "after")):
-            self.assertGreaterEqual(greatest[name] * 1e3, crown[key]["greatest_line_load"]["value"])
+            self.assertGreaterEqual(maximum[name] * 1e3, crown[key]["maximum_line_load"]["value"])
         trials = self.chart("chart-crown-search")
         for meshes in ("coarse", "finer"):
             tried = [trial["ratio"] for trial in crown["search"] if trial["meshes"] == meshes]
@@ -471,7 +471,7 @@ class WholeReport(ReportTest):
             self.assert_close(mark["x"], math.degrees(load["driver_angle"]["value"]), 1e-9, "angle")
             self.assert_close(mark["y"] * unit, value, 1e-3, name)  # straight between points half a degree apart
 
-    def test_draws_the_greatest_hertz_pressure(self):
+    def test_draws_the_maximum_hertz_pressure(self):
         kinematics = json.loads((self.results / "kinematics.json").read_text())
         drawn = max(point["y"] for point in self.chart("chart-hertz_pressure")["Hertz pressure"])
         self.assert_close(drawn * PSI, kinematics["peak_hertz_pressure"]["value"], 1e-3, "pressure")
@@ -533,12 +533,12 @@ end
         cycle = json.loads((case / "results" / "kinematics.json").read_text())
         for row, key, allowed in ((hertz, "peak_hertz_pressure", 80000 * PSI),
                                   (wear, "peak_pressure_times_slip", 1e6 * PSI * 0.0254)):
-            greatest, angle = cycle[key]["value"], cycle[f"{key}_angle"]["value"]
-            self.assert_close(row["cycle"]["value"], greatest, 1e-12, key)
-            self.assert_close(row["factor"], allowed / greatest, 1e-12, key)
+            maximum, angle = cycle[key]["value"], cycle[f"{key}_angle"]["value"]
+            self.assert_close(row["cycle"]["value"], maximum, 1e-12, key)
+            self.assert_close(row["factor"], allowed / maximum, 1e-12, key)
             self.assert_close(row["driver_angle"]["value"], angle, 1e-12, key)
             self.assertLess(row["factor"], row["computed_factor"])
-        pin = rows["greatest von Mises stress of the pin"]
+        pin = rows["maximum von Mises stress of the pin"]
         self.assertIsNone(pin["cycle"])
         self.assertEqual(pin["factor"], pin["computed_factor"])
         self.assertEqual(pin["driver_angle"], summary["load"]["driver_angle"])
@@ -549,7 +549,7 @@ end
         self.assertIn("✓ allowed", report)
 
     def test_a_pair_that_passes_where_it_is_analysed_may_fail_elsewhere(self):
-        """At the greatest acceleration pressure x slip is 1.91e6 psi in/s, at -22.8 deg of the driver 4.47e6."""
+        """At the maximum acceleration pressure x slip is 1.91e6 psi in/s, at -22.8 deg of the driver 4.47e6."""
         case = self.copy_case("johnson-optimum-wheel")
         text = (case / "case.prm").read_text() + self.LIMITS.replace("1e6", "3e6")
         (case / "case.prm").write_text(text)
@@ -564,7 +564,7 @@ end
         self.assertIn("-22.8", report)
 
     def test_the_greater_of_analysis_and_cycle_decides(self):
-        """At the greatest pin force the computed pressure and Hertz's of the whole cycle differ by 0.02 % only."""
+        """At the maximum pin force the computed pressure and Hertz's of the whole cycle differ by 0.02 % only."""
         case = self.copy_case("johnson-optimum-wheel")
         (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)
         change_case(case, {"Mechanism/Driver angle": "at maximum pin force"})

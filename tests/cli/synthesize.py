@@ -56,9 +56,9 @@ class Synthesize(CliTest):
         angles = curve["rocker_angle [deg]"]
         self.assert_close(min(angles), 75, 1e-12, "first extreme position")
         self.assert_close(max(angles), 105, 1e-12, "last extreme position")
-        least = math.degrees(number(look_up(summary, "crank_rocker.least_transmission_angle")))
+        least = math.degrees(number(look_up(summary, "crank_rocker.minimum_transmission_angle")))
         self.assertGreaterEqual(min(curve["transmission_angle [deg]"]), least)
-        self.assert_close(min(curve["transmission_angle [deg]"]), least, 1e-4, "least transmission angle")
+        self.assert_close(min(curve["transmission_angle [deg]"]), least, 1e-4, "minimum transmission angle")
 
     def test_the_points_are_those_of_the_linkage_that_the_readme_names(self):
         points = read_points(self.source / "cases" / PATH)
@@ -107,11 +107,11 @@ class Synthesize(CliTest):
         (case / "points.csv").write_text(f"x [mm], y [mm]\n{rows}\n")
         change_case(case, {"Synthesis/Starts": "1"})
         run, summary, table = self.synthesize(case, NOT_CONVERGED)
-        for word in ("geneva: not converged", "1 start,", "least residual", "mm", "'Starts'", "'Seed'"):
+        for word in ("geneva: not converged", "1 start,", "minimum residual", "mm", "'Starts'", "'Seed'"):
             self.assertIn(word, run.err)
         self.assertEqual(len(run.err.splitlines()), 1)
         self.assertEqual(summary["path"]["solutions"], [])
-        self.assertGreater(number(summary["path"]["least_residual"]), 1e-9)
+        self.assertGreater(number(summary["path"]["minimum_residual"]), 1e-9)
         self.assertEqual(table["crank [mm]"], [])
 
     def test_units_change_files_but_not_figures(self):
@@ -167,7 +167,7 @@ class SynthesizeRefusals(Refusals):
                                               command=command)
 
     def test_missing_parameters_are_named(self):
-        for shipped, name in ((QUICK_RETURN, "Stations"), (QUICK_RETURN, "Greatest wheel speed"),
+        for shipped, name in ((QUICK_RETURN, "Stations"), (QUICK_RETURN, "Maximum wheel speed"),
                               (QUICK_RETURN, "Frame"), (CRANK_ROCKER, "Swing"), (CRANK_ROCKER, "Rocker"),
                               (CRANK_ROCKER, "Crank pivot distance")):
             self.assert_change_refused(shipped, {f"Synthesis/{name}": None}, f"'{name}' is missing")

@@ -20,10 +20,10 @@ struct Point {
 
 /// Distance of the nodes where the pressure is greatest.
 double edge_length(const fem::ContactResult<2>& contact) {
-  const auto greatest =
+  const auto maximum =
       std::max_element(contact.nodes.begin(), contact.nodes.end(),
                        [](const auto& a, const auto& b) { return a.pressure < b.pressure; });
-  return std::next(greatest)->arc_length - greatest->arc_length;
+  return std::next(maximum)->arc_length - maximum->arc_length;
 }
 
 /// Root of the mean square of p - p(Hertz) over the contact, relative to p0.

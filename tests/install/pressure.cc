@@ -15,11 +15,11 @@ int main(int argc, char** argv) try {
     const geneva::Contact& contact = analysis.contacts.front();
     double stress = 0.;
     for (const double value : fields.von_mises) stress = value > stress ? value : stress;
-    double greatest = 0.;
-    MPI_Allreduce(&stress, &greatest, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    double maximum = 0.;
+    MPI_Allreduce(&stress, &maximum, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     if (rank == 0)
       std::printf("%.17g %.17g %zu %.17g %d\n", contact.peak_pressure, analysis.error,
-                  analysis.meshes.size(), greatest, analysis.is_converged ? 1 : 0);
+                  analysis.meshes.size(), maximum, analysis.is_converged ? 1 : 0);
     if (i + 2 == argc) geneva::write(analysis, argv[argc - 1]);
   }
   return 0;

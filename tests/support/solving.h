@@ -37,19 +37,19 @@ inline double peak_pressure(const fem::Solution<2>& solution) {
 /// Relative difference of a value from what it should be.
 inline double error_of(const double value, const double exact) { return value / exact - 1.; }
 
-/// Greatest difference of the nodes' pressure from Hertz's for |x| < share b, as a share of p0;
+/// Maximum difference of the nodes' pressure from Hertz's for |x| < share b, as a share of p0;
 /// x is counted from the centre of pressure.
 inline double pressure_deviation(const fem::Solution<2>& solution, const loads::HertzLine& hertz,
                                  const double share) {
   const fem::ContactResult<2>& contact = solution.contacts.front();
   const double centre = post::pressure_centre(solution, contact).arc_length;
-  double greatest = 0.;
+  double maximum = 0.;
   for (const fem::ContactNode<2>& node : contact.nodes) {
     const double x = node.arc_length - centre;
     if (std::abs(x) >= share * hertz.half_width) continue;
-    greatest = std::max(greatest, std::abs(node.pressure - hertz.pressure(x)));
+    maximum = std::max(maximum, std::abs(node.pressure - hertz.pressure(x)));
   }
-  return greatest / hertz.peak_pressure;
+  return maximum / hertz.peak_pressure;
 }
 
 /// Longest over shortest distance of neighbouring nodes in contact.

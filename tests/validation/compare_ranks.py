@@ -49,14 +49,14 @@ def main():
         found = figures(mpiexec, program, ranks)
         if len(found) != len(reference):
             sys.exit(f"{ranks} ranks: {len(found)} words instead of {len(reference)}")
-        greatest = 0.0
+        maximum = 0.0
         for index, (expected, value) in enumerate(zip(reference, found)):
             if isinstance(expected, float) and expected != 0.0 and abs(expected) > NO_OVERLAP:
-                greatest = max(greatest, abs(float(value) / expected - 1.0))
+                maximum = max(maximum, abs(float(value) / expected - 1.0))
             if not agree(expected, value):
                 failures += 1
                 print(f"{ranks} ranks: {value} instead of {expected} (word {index})")
-        print(f"{ranks} ranks: greatest relative difference {greatest:.1e}")
+        print(f"{ranks} ranks: maximum relative difference {maximum:.1e}")
     sys.exit(1 if failures else 0)
 
 

@@ -107,14 +107,14 @@ Solution<3> flush_rollers(const LineContact& contact) {
                        geneva::test::with_accuracy(0.05), {});
 }
 
-/// Greatest magnitudes of the strains along the pin and across the contact.
-struct GreatestStrains {
+/// Maximum magnitudes of the strains along the pin and across the contact.
+struct MaximumStrains {
   double along = 0.;
   double across = 0.;
 };
 
-GreatestStrains strains_in_middle_third(const Solution<3>& solution, const double length) {
-  GreatestStrains greatest;
+MaximumStrains strains_in_middle_third(const Solution<3>& solution, const double length) {
+  MaximumStrains maximum;
   for (const auto& cell : post::cell_stresses(solution)) {
     if (cell.centre[2] > length / 6.) continue;
     const Material& material = solution.problem.bodies[cell.body].material;
@@ -124,12 +124,12 @@ GreatestStrains strains_in_middle_third(const Solution<3>& solution, const doubl
           ((1. + material.poissons_ratio) * cell.stress[i][i] - material.poissons_ratio * trace) /
           material.youngs_modulus);
     };
-    greatest.along = std::max(greatest.along, strain(2));
-    greatest.across = std::max(greatest.across, strain(1));
+    maximum.along = std::max(maximum.along, strain(2));
+    maximum.across = std::max(maximum.across, strain(1));
   }
-  greatest.along = dealii::Utilities::MPI::max(greatest.along, MPI_COMM_WORLD);
-  greatest.across = dealii::Utilities::MPI::max(greatest.across, MPI_COMM_WORLD);
-  return greatest;
+  maximum.along = dealii::Utilities::MPI::max(maximum.along, MPI_COMM_WORLD);
+  maximum.across = dealii::Utilities::MPI::max(maximum.across, MPI_COMM_WORLD);
+  return maximum;
 }
 
 TEST(LineContactInSpace, OfEqualLengthIsInPlaneStrainInItsMiddleThird) {
@@ -138,7 +138,7 @@ TEST(LineContactInSpace, OfEqualLengthIsInPlaneStrainInItsMiddleThird) {
   contact.thickness = 3. * contact.radius;
   const Solution<3> solution = flush_rollers(contact);
   EXPECT_EQ(solution.stop.outcome, Outcome::converged);
-  const GreatestStrains strains = strains_in_middle_third(solution, 6. * contact.radius);
+  const MaximumStrains strains = strains_in_middle_third(solution, 6. * contact.radius);
   EXPECT_LT(strains.along, 0.02 * strains.across);
   EXPECT_GT(strains.along, 0.);
 }

@@ -32,7 +32,7 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderOnBlock) {
   EXPECT_EQ(solution.contacts[0].max_penetration, 0.);
 }
 
-/// Greatest number of iterations of an active-set step on the last mesh.
+/// Maximum number of iterations of an active-set step on the last mesh.
 unsigned int most_iterations(const fem::Solution<2>& solution) {
   const auto& iterations = solution.history.back().linear_iterations;
   return *std::max_element(iterations.begin(), iterations.end());
@@ -79,8 +79,8 @@ TEST(JohnsonContactMechanics, ClosedFormOfTheSolutionIsThatOfItsInput) {
   // The force comes from the solution, which carries it to the solver's 1e-10.
   EXPECT_NEAR(error_of(form.peak_pressure(), hertz(contact).peak_pressure), 0., 1e-9);
   EXPECT_NEAR(error_of(form.half_width(), hertz(contact).half_width), 0., 1e-9);
-  EXPECT_LT(results.equilibrium.force_defect, 1e-9);
-  EXPECT_LT(results.equilibrium.moment_defect, 1e-9);
+  EXPECT_LT(results.equilibrium.force_residual, 1e-9);
+  EXPECT_LT(results.equilibrium.moment_residual, 1e-9);
 }
 
 TEST(JohnsonContactMechanics, Eq443And445CylinderInConcaveGroove) {
@@ -132,10 +132,10 @@ TEST(McEwen, Eq449StressFieldBelowTheContact) {
   EXPECT_LT(results.contacts[0].difference->source_body, 0.005 + finite_size) << "cylinder";
 }
 
-/// 0.300 p0 at 0.786 b. A stress of b/R p0 across the load adds half of it to the greatest shear,
+/// 0.300 p0 at 0.786 b. A stress of b/R p0 across the load adds half of it to the maximum shear,
 /// which is 1.7 b/R of 0.3 p0. The depth of a flat maximum is the square root as uncertain as its
 /// value: the shear falls by 0.3 (dz/z)^2, and 0.05 % of the value is 4 % of the depth.
-TEST(McEwen, Eq449GreatestShearAndItsDepth) {
+TEST(McEwen, Eq449MaximumShearAndItsDepth) {
   const LineContact contact;
   const post::Results<2> results = post::analyse(solve(contact));
   const double finite_size = hertz(contact).half_width / contact.radius;

@@ -89,9 +89,9 @@ TEST(Resultant, OfASphereIsItsAxialLoad) {
   }
 }
 
-/// The greatest shear below a circle grows as Poisson's ratio falls: it is in the body with the
+/// The maximum shear below a circle grows as Poisson's ratio falls: it is in the body with the
 /// smaller one, and that of the closed form is meant there.
-TEST(SphereOnBlock, HasItsGreatestShearInTheBodyWithTheSmallerPoissonsRatio) {
+TEST(SphereOnBlock, HasItsMaximumShearInTheBodyWithTheSmallerPoissonsRatio) {
   const double R = 0.01;
   fem::Problem<2> problem = sphere_on_block_problem(100.);
   problem.bodies = {{"sphere", {2e11, 0.1}, {}}, {"block", {2e11, 0.4}, {}}};
@@ -226,7 +226,7 @@ TEST(JohnsonContactMechanics, Eq445OneOfTwoContactsStaysOpen) {
 }
 
 /// Cylinders pressed on a block that is held, one with a hundredth of the other's force: its peak
-/// is a tenth. The estimate is that of the greatest pressure.
+/// is a tenth. The estimate is that of the maximum pressure.
 TEST(JohnsonContactMechanics, Eq445OfTwoContactsOneIsLightlyLoaded) {
   LineContact one;
   fem::Problem<2> problem = two_cylinders_problem(one);
@@ -297,8 +297,8 @@ TEST(TaylorPapadopoulos, ContactPatchTestOnMeshesThatDoNotMatch) {
         EXPECT_NEAR(cell.stress.in_plane[0][1], 0., 1e-9 * pressure);
         EXPECT_NEAR(cell.stress.out_of_plane, -0.3 * pressure, 1e-9 * pressure);
       }
-      EXPECT_LT(post::analyse(solution).equilibrium.force_defect, 1e-10);
-      EXPECT_LT(post::analyse(solution).equilibrium.moment_defect, 1e-10);
+      EXPECT_LT(post::analyse(solution).equilibrium.force_residual, 1e-10);
+      EXPECT_LT(post::analyse(solution).equilibrium.moment_residual, 1e-10);
     }
 }
 
@@ -326,7 +326,7 @@ TEST(Limits, OfLevelsIsSaidAndTheSolutionIsOfUse) {
   EXPECT_NEAR(solution.contacts[0].force[1], LineContact().force, 1e-8 * LineContact().force);
   const post::Results<2> results = post::analyse(solution);
   EXPECT_TRUE(results.contacts[0].hertz.has_value());
-  EXPECT_LT(results.equilibrium.force_defect, 1e-8);
+  EXPECT_LT(results.equilibrium.force_residual, 1e-8);
 }
 
 TEST(Limits, OfUnknownsIsSaidAndKept) {
@@ -378,7 +378,7 @@ TEST(Limits, TheLastGoodMeshStandsWhereTheActiveSetDoesNotSettle) {
   ASSERT_EQ(solution.contacts.size(), 1U);
   EXPECT_NEAR(solution.contacts[0].force[1], LineContact().force, 1e-8 * LineContact().force);
   EXPECT_EQ(solution.contacts[0].active_nodes, solution.history.back().active_nodes);
-  EXPECT_LT(post::analyse(solution).equilibrium.force_defect, 1e-8);
+  EXPECT_LT(post::analyse(solution).equilibrium.force_residual, 1e-8);
 }
 
 /// A punch with square edges: K. L. Johnson, 1985, section 2.8 (rigid, Eq. 2.64) and 5.1 (elastic).

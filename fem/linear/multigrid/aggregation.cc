@@ -11,10 +11,10 @@ namespace {
 class Aggregation {
  public:
   Aggregation(const std::vector<std::vector<int>>& neighbours,
-              const std::vector<unsigned int>& bodies, const unsigned int least_nodes)
+              const std::vector<unsigned int>& bodies, const unsigned int minimum_nodes)
       : neighbours_(neighbours),
         bodies_(bodies),
-        least_nodes_(least_nodes),
+        minimum_nodes_(minimum_nodes),
         result_{std::vector<int>(bodies.size(), no_aggregate), {}} {}
 
   Aggregates run() {
@@ -52,7 +52,7 @@ class Aggregation {
     visit_neighbours(node, [&](const std::size_t other) {
       if (other != node && !is_taken(other)) members.push_back(other);
     });
-    if (members.size() < least_nodes_) return;
+    if (members.size() < minimum_nodes_) return;
     for (const std::size_t member : members)
       result_.of_nodes[member] = static_cast<int>(result_.bodies.size());
     result_.bodies.push_back(bodies_[node]);
@@ -75,15 +75,15 @@ class Aggregation {
 
   const std::vector<std::vector<int>>& neighbours_;
   const std::vector<unsigned int>& bodies_;
-  unsigned int least_nodes_;
+  unsigned int minimum_nodes_;
   Aggregates result_;
 };
 
 }  // namespace
 
 Aggregates aggregate(const std::vector<std::vector<int>>& neighbours,
-                     const std::vector<unsigned int>& bodies, const unsigned int least_nodes) {
-  return Aggregation(neighbours, bodies, least_nodes).run();
+                     const std::vector<unsigned int>& bodies, const unsigned int minimum_nodes) {
+  return Aggregation(neighbours, bodies, minimum_nodes).run();
 }
 
 }  // namespace geneva::fem

@@ -23,8 +23,8 @@ inline constexpr double aggregation_damping = 4. / 3.;
 /// each other, which rigid motions of a common aggregate cannot follow.
 /// @param neighbours of each node, without itself, of any body; nodes without any get no aggregate
 /// @param bodies of each node
-/// @param least_nodes of an aggregate, 1 or 2; a node that stays alone gets none if it is 2
+/// @param minimum_nodes of an aggregate, 1 or 2; a node that stays alone gets none if it is 2
 Aggregates aggregate(const std::vector<std::vector<int>>& neighbours,
-                     const std::vector<unsigned int>& bodies, unsigned int least_nodes);
+                     const std::vector<unsigned int>& bodies, unsigned int minimum_nodes);
 
 }  // namespace geneva::fem

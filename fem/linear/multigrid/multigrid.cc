@@ -95,7 +95,7 @@ void Multigrid<dim>::factorise() {
 }
 
 template <int dim>
-double Multigrid<dim>::greatest_smoothed() const {
+double Multigrid<dim>::maximum_smoothed() const {
   return margin * largest_eigenvalue_;
 }
 
@@ -104,7 +104,7 @@ void Multigrid<dim>::make_smoother() {
   // Of the eigenvalues that are smoothed; 6 and 20 take an iteration more.
   constexpr double ratio = 10.;
   smoother_ = std::make_unique<Chebyshev<CondensedMatrix<dim>>>(
-      matrix_, largest_eigenvalue_ / ratio, greatest_smoothed());
+      matrix_, largest_eigenvalue_ / ratio, maximum_smoothed());
 }
 
 template <int dim>

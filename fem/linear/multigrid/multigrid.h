@@ -31,8 +31,8 @@ class Multigrid : public Preconditioner {
   void vmult(Vector& correction, const Vector& residual) const override;
   void renew() override;
 
-  /// The greatest eigenvalue of the matrix, scaled by its diagonal, for which the smoother is made.
-  [[nodiscard]] double greatest_smoothed() const;
+  /// The maximum eigenvalue of the matrix, scaled by its diagonal, for which the smoother is made.
+  [[nodiscard]] double maximum_smoothed() const;
 
   [[nodiscard]] bool is_definite() const override { return !direct_ || direct_->is_definite(); }
 

@@ -46,9 +46,9 @@
 
   // A short logarithmic axis gets the round numbers that a linear one would have, a longer one 1, 2
   // and 5 in each decade.
-  function divide(axis, least, greatest) {
-    if (!(least > 0 && least < greatest)) return;
-    const marks = greatest < 3 * least ? evenMarks(least, greatest) : decadeMarks(least, greatest);
+  function divide(axis, least, maximum) {
+    if (!(least > 0 && least < maximum)) return;
+    const marks = maximum < 3 * least ? evenMarks(least, maximum) : decadeMarks(least, maximum);
     axis.min = marks[0];
     axis.max = marks[marks.length - 1];
     axis.afterBuildTicks = (scale) => {
@@ -57,20 +57,20 @@
     axis.ticks.callback = (value) => Number(value.toPrecision(6)).toLocaleString(undefined, { maximumSignificantDigits: 6 });
   }
 
-  function evenMarks(least, greatest) {
-    const coarse = Math.pow(10, Math.floor(Math.log10((greatest - least) / 4)));
-    const step = coarse * [1, 2, 5, 10].find((factor) => greatest - least <= 5 * factor * coarse);
-    const first = Math.floor(least / step); // 1 or more: the step is at most the least value
-    const last = Math.ceil(greatest / step);
+  function evenMarks(least, maximum) {
+    const coarse = Math.pow(10, Math.floor(Math.log10((maximum - least) / 4)));
+    const step = coarse * [1, 2, 5, 10].find((factor) => maximum - least <= 5 * factor * coarse);
+    const first = Math.floor(least / step); // 1 or more: the step is at most the minimum value
+    const last = Math.ceil(maximum / step);
     return Array.from({ length: last - first + 1 }, (_, i) => (first + i) * step);
   }
 
-  function decadeMarks(least, greatest) {
+  function decadeMarks(least, maximum) {
     const first = Math.floor(Math.log10(least));
-    const last = Math.ceil(Math.log10(greatest));
+    const last = Math.ceil(Math.log10(maximum));
     const shares = last - first > 3 ? [1] : [1, 2, 5];
     const marks = Array.from({ length: last - first + 1 }, (_, i) => shares.map((share) => share * Math.pow(10, first + i))).flat();
-    return marks.filter((mark, i) => !(marks[i + 1] <= least) && !(i > 0 && marks[i - 1] >= greatest));
+    return marks.filter((mark, i) => !(marks[i + 1] <= least) && !(i > 0 && marks[i - 1] >= maximum));
   }
 
   const coordinates = (chart, index) => chart.series.flatMap((one) => one.points.map((point) => point[index])).filter((value) => value > 0);

@@ -5,10 +5,10 @@
   const view = JSON.parse(document.getElementById("view").textContent);
   const FIELDS = [
     ["von_mises", "von Mises stress"],
-    ["max_shear", "greatest shear"],
-    ["principal_stress_1", "greatest principal stress"],
+    ["max_shear", "maximum shear"],
+    ["principal_stress_1", "maximum principal stress"],
     ["principal_stress_2", "middle principal stress"],
-    ["principal_stress_3", "least principal stress"],
+    ["principal_stress_3", "minimum principal stress"],
     ["displacement", "displacement"],
     ["contact_pressure", "contact pressure"],
     ["hertz_difference", "contact pressure less Hertz's"],
@@ -22,7 +22,7 @@
     return new Type(bytes.buffer);
   }
 
-  // Numbers that are kept as steps between the least and the greatest.
+  // Numbers that are kept as steps between the minimum and the maximum.
   function restored({ low, high, steps }) {
     return Float32Array.from(decoded(steps, Uint16Array), (step) => (step === 65535 ? NaN : low + ((high - low) * step) / 65534));
   }
@@ -290,8 +290,8 @@
   function deform() {
     const share = Number(control("deformation").value);
     const u = isZone() ? relativeDisplacement(zone) : relativeDisplacement(Infinity);
-    const greatest = u > 0 ? (0.15 * (isZone() ? zone : extent)) / u : 0;
-    const factor = share * Math.max(greatest, 1);
+    const maximum = u > 0 ? (0.15 * (isZone() ? zone : extent)) / u : 0;
+    const factor = share * Math.max(maximum, 1);
     uniforms.factor.value = isMountain() ? 0 : factor;
     control("deformation").nextElementSibling.textContent =
       factor === 0 ? "undeformed" : `${Number(factor.toPrecision(2))} times`;
@@ -299,12 +299,12 @@
 
   function relativeDisplacement(within) {
     const { points, displacements } = meshes.model;
-    let greatest = 0;
+    let maximum = 0;
     for (let i = 0; i < points.length; i += 3) {
       if (Math.hypot(points[i], points[i + 1], points[i + 2]) > within) continue;
-      greatest = Math.max(greatest, Math.hypot(...still.map((s, k) => displacements[i + k] - s)));
+      maximum = Math.max(maximum, Math.hypot(...still.map((s, k) => displacements[i + k] - s)));
     }
-    return greatest;
+    return maximum;
   }
 
   function boundsOfShown() {

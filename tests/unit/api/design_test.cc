@@ -18,8 +18,6 @@ using geneva::loads::GivenLengths;
 using geneva::model::Case;
 using geneva::post::DesignReport;
 
-namespace fs = std::filesystem;
-
 constexpr double inch = 0.0254;
 
 std::string design_text(const std::string& lines, const std::string& inside = "") {
@@ -165,7 +163,8 @@ TEST(Design, TheCurveIsWrittenInOutputUnits) {
 
 TEST(Design, SeveralCasesStandSideBySide) {
   DesignReport first = design(CaseDirectory(mechanism_text()).read()).report;
-  DesignReport second = design(CaseDirectory(design_text("set Shaft = 1 in x 3 in\n")).read()).report;
+  DesignReport second =
+      design(CaseDirectory(design_text("set Shaft = 1 in x 3 in\n")).read()).report;
   first.about.name = "first";
   second.about.name = "a-name-that-is-longer-than-its-column";
   const std::string table = geneva::post::design_table({first, second}, UnitSystem::inch_pound);

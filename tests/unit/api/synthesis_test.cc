@@ -33,7 +33,7 @@ std::string synthesis_text(const std::string& lines, const std::string& after = 
 }
 
 const std::string quick_return =
-    "set Kind = quick return\nset Stations = 6\nset Greatest wheel speed = 360 rpm\n";
+    "set Kind = quick return\nset Stations = 6\nset Maximum wheel speed = 360 rpm\n";
 const std::string crank_rocker =
     "set Kind = crank-rocker\nset Swing = 30 deg\nset Rocker = 100 mm\n"
     "set Crank pivot distance = 80 mm\n";
@@ -63,7 +63,7 @@ TEST(SynthesisCase, AQuickReturnArrivesInSiUnits) {
   EXPECT_FALSE(given.geometry.has_value());
   const auto& input = std::get<QuickReturnInput>(*given.synthesis);
   EXPECT_EQ(input.stations, 6);
-  EXPECT_NEAR(input.greatest_wheel_speed, 12. * pi, 1e-12);
+  EXPECT_NEAR(input.maximum_wheel_speed, 12. * pi, 1e-12);
   EXPECT_NEAR(input.centre_distance.value(), 0.1, 1e-15);
   EXPECT_FALSE(input.crank.has_value());
   EXPECT_EQ(CaseDirectory(given.completed).read().completed, given.completed);
@@ -100,7 +100,7 @@ TEST(SynthesisCase, APathArrivesInSiUnitsWithItsGivenDimensions) {
 
 TEST(SynthesisCase, MissingValuesAreNamed) {
   EXPECT_EQ(refusal(synthesis_text("set Kind = quick return\nset Stations = 6\n")),
-            "DIR/case.prm: 'Greatest wheel speed' is missing in the subsection 'Synthesis': 'Kind' "
+            "DIR/case.prm: 'Maximum wheel speed' is missing in the subsection 'Synthesis': 'Kind' "
             "= 'quick return' needs it");
   EXPECT_EQ(refusal(synthesis_text(quick_return)),
             "DIR/case.prm: 'Frame' is missing in the subsection 'Synthesis': 'Frame' or 'Crank' "

@@ -22,7 +22,7 @@ TEST(Allocation, ThatFailsIsCountedAndThrows) {
   ::operator delete(got);
   AllocationWatch watch;
   EXPECT_NO_THROW(watch.require_none());
-  (void)::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow);
+  EXPECT_EQ(::operator new(std::numeric_limits<std::size_t>::max() / 2, std::nothrow), nullptr);
   EXPECT_TRUE(has_unsettled_allocation());
   EXPECT_THROW(watch.require_none(), std::bad_alloc);
   EXPECT_FALSE(has_unsettled_allocation());

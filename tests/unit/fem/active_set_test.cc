@@ -144,7 +144,7 @@ TEST(ActiveSet, TakesRoundOffForNoReasonToChange) {
   EXPECT_EQ(updated(interface, state), interface.status);
 }
 
-/// gap_j(u) = 0 solved for the component with the greatest share of the normal.
+/// gap_j(u) = 0 solved for the component with the maximum share of the normal.
 TEST(ContactLines, CloseTheGapOfEveryActiveNode) {
   const double slope = 0.3;
   ContactInterface<2> interface;
@@ -254,7 +254,7 @@ TEST(ContactResult, ForceIsThePressureTimesTheNodesAreasAlongTheNormal) {
   EXPECT_EQ(result.peak_pressure, 5.);
 }
 
-TEST(ContactResult, PenetrationIsTheGreatestOverlapOfInactiveNodes) {
+TEST(ContactResult, PenetrationIsTheMaximumOverlapOfInactiveNodes) {
   ContactInterface<2> interface = flat_pair(3);
   interface.status = {slip, open, open, open};
   const ContactState state{{1., 0., 0., 0.}, {-0.5, -0.1, -0.2, 0.3}, 1.};
@@ -322,7 +322,7 @@ TEST(ErrorEstimate, TellsAPeakBesideAnEndFromOneInTheMiddle) {
       << "half of a contact with the peak on the plane of symmetry";
   EXPECT_FALSE(peaks_beside_end<2>({with_active(active), with_active(half)},
                                    {rising(active, 1., 5), rising(half, 2., 0)}))
-      << "the pair with the greatest pressure decides";
+      << "the pair with the maximum pressure decides";
 }
 
 TEST(ErrorEstimate, OfALoneNodeBeyondTheContactCountsLittle) {

@@ -63,7 +63,7 @@ TEST(Chebyshev, MultipliesErrorsByItsPolynomial) {
 /// magnifies errors.
 TEST(Chebyshev, MagnifiesErrorsFarBeyondItsRange) {
   const SymmetricMatrix<3> matrix = pairs();
-  const auto greatest_factor = [&](const double highest) {
+  const auto maximum_factor = [&](const double highest) {
     const Chebyshev<SymmetricMatrix<3>> iteration(matrix, highest / 10., highest);
     const Vector solution = eigenvector(matrix, 1.5);
     Vector load(solution);
@@ -73,9 +73,9 @@ TEST(Chebyshev, MagnifiesErrorsFarBeyondItsRange) {
     error -= solution;
     return error.linfty_norm();
   };
-  EXPECT_NEAR(greatest_factor(1.5), 81. / 161., 1e-14) << "1/T2(11/9)";
-  EXPECT_NEAR(greatest_factor(1.5 / 1.1), 1., 1e-14) << "T2(11/9)/T2(11/9)";
-  EXPECT_GT(greatest_factor(1.5 / 1.6), 4.);
+  EXPECT_NEAR(maximum_factor(1.5), 81. / 161., 1e-14) << "1/T2(11/9)";
+  EXPECT_NEAR(maximum_factor(1.5 / 1.1), 1., 1e-14) << "T2(11/9)/T2(11/9)";
+  EXPECT_GT(maximum_factor(1.5 / 1.6), 4.);
 }
 
 TEST(LargestEigenvalue, OfTheScaledMatrixIsFound) {

@@ -66,7 +66,7 @@ Vector displacement(const Discretisation<2>& grid) {
   return result;
 }
 
-double greatest_error(const Discretisation<2>& grid, const Vector& values) {
+double maximum_error(const Discretisation<2>& grid, const Vector& values) {
   double error = 0.;
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
@@ -100,7 +100,7 @@ TEST(DistributionForRefinement, KeepsTheFlagsAndTheDisplacement) {
     if (cell->is_locally_owned()) {
       EXPECT_EQ(bool(cell->refine_flag_set()), cell->center()[1] < 0.5);
     }
-  EXPECT_LT(greatest_error(grid, values), 1e-14);
+  EXPECT_LT(maximum_error(grid, values), 1e-14);
 }
 
 TEST(DistributionForRefinement, LeavesCellsThatAreSharedEvenlyWhereTheyAre) {

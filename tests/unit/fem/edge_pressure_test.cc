@@ -40,7 +40,7 @@ TEST(EdgePressure, IsThatOfTheLastMeshThatRefinedTheContact) {
   EXPECT_DOUBLE_EQ(edge.pressure, 3.1);
 }
 
-TEST(EdgePressure, IsBoundedWhereItSettlesOrIsNotTheGreatest) {
+TEST(EdgePressure, IsBoundedWhereItSettlesOrIsNotTheMaximum) {
   EXPECT_TRUE(edge_pressure({level(1., 1.5)}).is_bounded) << "one mesh says nothing";
   EXPECT_TRUE(edge_pressure({level(1., 1.5), level(1., 1.51)}).is_bounded) << "it settles";
   EXPECT_TRUE(edge_pressure({level(1., 0.5), level(1., 0.7)}).is_bounded) << "the middle leads";

@@ -61,25 +61,25 @@ Problem<2> problem_on(const mesh::MeshData<2>& mesh,
   return problem;
 }
 
-/// Greatest entry of a cell's matrix.
+/// Maximum entry of a cell's matrix.
 double size_of(const dealii::FullMatrix<double>& matrix) { return matrix.linfty_norm(); }
 
-/// The greatest force K u on any cell relative to K's size: 0 for motions without strain.
-double greatest_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
-                           const Field<2>& motion) {
+/// The maximum force K u on any cell relative to K's size: 0 for motions without strain.
+double maximum_cell_force(const mesh::MeshData<2>& mesh, const PlaneKind plane,
+                          const Field<2>& motion) {
   const Discretisation<2> grid(mesh);
   const auto systems = all_systems(*grid.dof_handler, problem_on(mesh, plane), mesh.surfaces);
   auto system = systems.begin();
-  double greatest = 0.;
+  double maximum = 0.;
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     const dealii::Vector<double> displacement = values_on(cell, motion);
     dealii::Vector<double> force(displacement.size());
     system->stiffness.vmult(force, displacement);
-    greatest = std::max(greatest, force.linfty_norm() / size_of(system->stiffness));
+    maximum = std::max(maximum, force.linfty_norm() / size_of(system->stiffness));
     ++system;
   }
-  return greatest;
+  return maximum;
 }
 
 /// K u - f at every unknown, on every rank.
@@ -197,16 +197,16 @@ TEST(Stiffness, KnowsNoForceFromRigidMotionsInAPlane) {
       const auto along_x = [](const Point<2>&) { return Tensor<1, 2>({1., 0.}); };
       const auto along_y = [](const Point<2>&) { return Tensor<1, 2>({0., 1.}); };
       const auto rotation = [](const Point<2>& x) { return Tensor<1, 2>({-x[1], x[0]}); };
-      EXPECT_LT(greatest_cell_force(mesh, plane, along_x), round_off);
-      EXPECT_LT(greatest_cell_force(mesh, plane, along_y), round_off);
-      EXPECT_LT(greatest_cell_force(mesh, plane, rotation), round_off);
+      EXPECT_LT(maximum_cell_force(mesh, plane, along_x), round_off);
+      EXPECT_LT(maximum_cell_force(mesh, plane, along_y), round_off);
+      EXPECT_LT(maximum_cell_force(mesh, plane, rotation), round_off);
     }
 }
 
 TEST(Stiffness, KnowsNoForceFromAnAxialTranslationOfABodyOfRevolution) {
   const auto along_y = [](const Point<2>&) { return Tensor<1, 2>({0., 1.}); };
-  EXPECT_LT(greatest_cell_force(patch(0.1), PlaneKind::axisymmetric, along_y), round_off);
-  EXPECT_LT(greatest_cell_force(patch(), PlaneKind::axisymmetric, along_y), round_off) << "on axis";
+  EXPECT_LT(maximum_cell_force(patch(0.1), PlaneKind::axisymmetric, along_y), round_off);
+  EXPECT_LT(maximum_cell_force(patch(), PlaneKind::axisymmetric, along_y), round_off) << "on axis";
 }
 
 TEST(Stiffness, IsSymmetricAndLeavesOnlyRigidMotionsFree) {

@@ -127,12 +127,12 @@ TEST(Equilibrium, TakesADisplacementOverToAFinerMesh) {
   Equilibrium<2> equilibrium = equilibrium_of(heavy(false));
   State<2> state = equilibrium.at_rest();
   const auto found = std::get<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps));
-  const double greatest = found.displacement.linfty_norm();
+  const double maximum = found.displacement.linfty_norm();
   const auto unknowns = equilibrium.n_unknowns();
   equilibrium.mesh().triangulation->set_all_refine_flags();
   state = equilibrium.refine(found.displacement, std::move(state));
   EXPECT_GT(equilibrium.n_unknowns(), 3 * unknowns);
-  EXPECT_DOUBLE_EQ(state.displacement.linfty_norm(), greatest);
+  EXPECT_DOUBLE_EQ(state.displacement.linfty_norm(), maximum);
   EXPECT_TRUE(std::holds_alternative<LevelState>(equilibrium.advance(state, {}, {}, ignore_steps)));
 }
 

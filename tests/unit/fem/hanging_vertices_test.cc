@@ -37,7 +37,7 @@ Discretisation<3> half_refined_pipe(const Grading& grading = std::nullopt) {
 }
 
 /// How far hanging nodes stand off the places that the nodes they hang on give them.
-double greatest_gap(const Discretisation<3>& mesh) {
+double maximum_gap(const Discretisation<3>& mesh) {
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(*mesh.dof_handler, relevant);
   dealii::AffineConstraints<double> constraints(relevant);
@@ -74,9 +74,9 @@ std::vector<dealii::Point<3>> vertices_of(const Discretisation<3>& mesh) {
 TEST(HangingVertices, StandBesideOnCurvedSurfacesUntilTheGapsAreClosed) {
   for (const Grading& grading : {Grading(), Grading({1.})}) {
     const Discretisation<3> pipe = half_refined_pipe(grading);
-    EXPECT_GT(greatest_gap(pipe), 0.01);
+    EXPECT_GT(maximum_gap(pipe), 0.01);
     close_gaps(*pipe.triangulation);
-    EXPECT_LT(greatest_gap(pipe), 1e-14);
+    EXPECT_LT(maximum_gap(pipe), 1e-14);
   }
 }
 

@@ -160,7 +160,7 @@ TEST(Prolongation, LetsEliminatedUnknownsFollow) {
   }
 }
 
-/// The greatest extent along z of the nodes that one coarse node moves.
+/// The maximum extent along z of the nodes that one coarse node moves.
 double thickness_moved(const Block& block) {
   const Prolongation<3> prolonged = block.prolonged();
   const CoupledNodes<3> nodes = block.nodes();
@@ -245,8 +245,8 @@ TEST(Multigrid, TakesTheLargestEigenvalueAnewWhereUnknownsAreConstrained) {
     Vector vector;
     largest_eigenvalue(block.matrix(), MPI_COMM_WORLD, vector);
     const double largest = largest_eigenvalue(block.matrix(), vector, 200);
-    EXPECT_GT(multigrid.greatest_smoothed(), largest);
-    EXPECT_LT(multigrid.greatest_smoothed(), 1.3 * largest);
+    EXPECT_GT(multigrid.maximum_smoothed(), largest);
+    EXPECT_LT(multigrid.maximum_smoothed(), 1.3 * largest);
     return largest;
   };
   const double before = expect_smoothed();

@@ -27,8 +27,8 @@ Discretisation<2> square() {
   return grid;
 }
 
-/// Greatest difference of the numbers of a cell's nodes, as far as they are this rank's.
-Dof greatest_distance(const dealii::DoFHandler<2>& dof_handler) {
+/// Maximum difference of the numbers of a cell's nodes, as far as they are this rank's.
+Dof maximum_distance(const dealii::DoFHandler<2>& dof_handler) {
   const dealii::IndexSet& owned = dof_handler.locally_owned_dofs();
   Dof result = 0;
   for (const auto& cell : dof_handler.active_cell_iterators()) {
@@ -38,19 +38,19 @@ Dof greatest_distance(const dealii::DoFHandler<2>& dof_handler) {
       if (owned.is_element(cell->vertex_dof_index(vertex, 0)))
         nodes.push_back(cell->vertex_dof_index(vertex, 0) / 2);
     if (nodes.empty()) continue;
-    const auto [least, greatest] = std::minmax_element(nodes.begin(), nodes.end());
-    result = std::max(result, *greatest - *least);
+    const auto [least, maximum] = std::minmax_element(nodes.begin(), nodes.end());
+    result = std::max(result, *maximum - *least);
   }
   return result;
 }
 
 TEST(NumberByNeighbours, NumbersNodesOfACellCloseToEachOther) {
   const Discretisation<2> grid = square();
-  const Dof before = greatest_distance(*grid.dof_handler);
+  const Dof before = maximum_distance(*grid.dof_handler);
   number_by_neighbours(*grid.dof_handler);
   // From a corner on, the nodes that are k cells away are 2 k + 1.
   const Dof farthest = 2 * (2 * n_cells + 1);
-  EXPECT_LT(greatest_distance(*grid.dof_handler), farthest);
+  EXPECT_LT(maximum_distance(*grid.dof_handler), farthest);
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) {
     EXPECT_GT(before, farthest);
   }

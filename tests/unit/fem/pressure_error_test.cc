@@ -55,7 +55,7 @@ ContactNode<3> node(const double z, const double pressure) {
   return result;
 }
 
-TEST(LengthwisePressure, IsTheGreatestInTheMiddleHalfAndAtBothEnds) {
+TEST(LengthwisePressure, IsTheMaximumInTheMiddleHalfAndAtBothEnds) {
   ContactResult<3> contact{};
   contact.nodes = {node(-2., 7.), node(-1.5, 9.), node(-1., 4.),
                    node(0., 3.),  node(1., 5.),   node(2., 6.)};

@@ -91,7 +91,7 @@ TEST(Load, RefusesAListOfAnotherLength) {
   EXPECT_THROW(at_instant(full_problem(), {{}, {}, {1., 1.}, {}}), std::invalid_argument);
 }
 
-TEST(Scaling, UnitsAreTheGreatestExtentAndModulus) {
+TEST(Scaling, UnitsAreTheMaximumExtentAndModulus) {
   Problem<2> other = problem();
   other.bodies[1].material.youngs_modulus = 3e11;
   const Scales scales = scales_of(other, mesh());

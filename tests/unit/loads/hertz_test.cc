@@ -59,7 +59,7 @@ TEST(HertzLine, SatisfiesTheTextbookEquations) {
   EXPECT_NEAR(line.half_width, 0.332186e-3, 5e-10);
 }
 
-TEST(HertzLine, GreatestShearIsThreeTenthsOfPeakPressureAtFourFifthsOfHalfWidth) {
+TEST(HertzLine, MaximumShearIsThreeTenthsOfPeakPressureAtFourFifthsOfHalfWidth) {
   const HertzLine line = hertz_line(1e6, 0.01, 1e11);
   EXPECT_NEAR(line.max_shear / line.peak_pressure, 0.300283, 5e-7);  // the digits given
   EXPECT_NEAR(line.max_shear_depth / line.half_width, 0.786151, 5e-7);
@@ -148,16 +148,16 @@ TEST(McEwen, EveryLevelCarriesTheForce) {
   EXPECT_NEAR(force, -pi / 2., 1e-10);
 }
 
-double greatest_shear(const ContactStress& stress) {
+double maximum_shear(const ContactStress& stress) {
   return std::hypot((stress.xx - stress.zz) / 2., stress.xz);
 }
 
-TEST(McEwen, ReachesTheGreatestShearAtItsDepthOnly) {
+TEST(McEwen, ReachesTheMaximumShearAtItsDepthOnly) {
   const HertzLine line = hertz_line(1e6, 0.01, 1e11);
-  const double shear = greatest_shear(line.stress(0., line.max_shear_depth));
+  const double shear = maximum_shear(line.stress(0., line.max_shear_depth));
   EXPECT_NEAR(shear / line.max_shear, 1., closed_form);
   for (const double factor : {0.99, 1.01})
-    EXPECT_LT(greatest_shear(line.stress(0., factor * line.max_shear_depth)), shear);
+    EXPECT_LT(maximum_shear(line.stress(0., factor * line.max_shear_depth)), shear);
 }
 
 TEST(McEwen, RefusesPointsAboveTheSurface) {
@@ -165,11 +165,11 @@ TEST(McEwen, RefusesPointsAboveTheSurface) {
                  {"depth below the contact is -1 mm"});
 }
 
-RC_GTEST_PROP(McEwenProperty, NoPointExceedsTheGreatestShear, ()) {
+RC_GTEST_PROP(McEwenProperty, NoPointExceedsTheMaximumShear, ()) {
   const HertzLine line = hertz_line(1e6, 0.01, 1e11);
   const ContactStress stress =
       line.stress(between(-3., 3.) * line.half_width, between(0., 3.) * line.half_width);
-  RC_ASSERT(greatest_shear(stress) <= line.max_shear * (1. + closed_form));
+  RC_ASSERT(maximum_shear(stress) <= line.max_shear * (1. + closed_form));
 }
 
 RC_GTEST_PROP(McEwenProperty, NormalStressesAreEvenAndShearIsOdd, ()) {
@@ -219,7 +219,7 @@ TEST(HertzPoint, SatisfiesTheTextbookEquations) {
               closed_form);
 }
 
-TEST(HertzPoint, GreatestShearForPoissonsRatioOfThreeTenths) {
+TEST(HertzPoint, MaximumShearForPoissonsRatioOfThreeTenths) {
   const HertzPoint point = hertz_point(100., 0.01, 1e11, 0.3);
   EXPECT_NEAR(point.max_shear / point.peak_pressure, 0.310, 5e-4);  // the digits of the textbook
   EXPECT_NEAR(point.max_shear_depth / point.contact_radius, 0.48, 5e-3);
@@ -232,12 +232,12 @@ double axial_shear(double zeta, double nu) {
   return std::abs(axial - radial) / 2.;
 }
 
-RC_GTEST_PROP(HertzPointProperty, NoDepthExceedsTheGreatestShear, ()) {
+RC_GTEST_PROP(HertzPointProperty, NoDepthExceedsTheMaximumShear, ()) {
   const double nu = between(-0.99, 0.49);
   const HertzPoint point = hertz_point(100., 0.01, 1e11, nu);
-  const double greatest = point.max_shear / point.peak_pressure;
-  RC_ASSERT(axial_shear(between(0., 3.), nu) <= greatest * (1. + closed_form));
-  RC_ASSERT(std::abs(axial_shear(point.max_shear_depth / point.contact_radius, nu) - greatest) <
+  const double maximum = point.max_shear / point.peak_pressure;
+  RC_ASSERT(axial_shear(between(0., 3.), nu) <= maximum * (1. + closed_form));
+  RC_ASSERT(std::abs(axial_shear(point.max_shear_depth / point.contact_radius, nu) - maximum) <
             closed_form);
 }
 

@@ -48,8 +48,8 @@ TEST_P(EveryWheel, HasAValidMeshOfGoodCellsForThePinAtBothEndsAndBetween) {
     const MeshData<2> mesh =
         way == 0.1 ? wheel().mesh : meshed(type(), stations(), diameter, way).mesh;
     check(mesh);
-    EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << way;
-    EXPECT_GT(least_scaled_jacobian_refined(mesh), 0.15) << way;
+    EXPECT_GT(minimum_scaled_jacobian(mesh), 0.15) << way;
+    EXPECT_GT(minimum_scaled_jacobian_refined(mesh), 0.15) << way;
   }
 }
 
@@ -232,7 +232,7 @@ TEST(ExternalWheelMesh, CopesWithAThinWebBetweenSlotsAndBore) {
   input.pin_diameter = 0.0186;
   input.slot_width = 0.0192;
   input.bore_radius = 0.0095;  // the web is 1.6 mm
-  EXPECT_GT(least_scaled_jacobian_refined(meshed(input).mesh), 0.15);
+  EXPECT_GT(minimum_scaled_jacobian_refined(meshed(input).mesh), 0.15);
 }
 
 TEST(ExternalWheelMesh, CopesWithAPinMuchThinnerThanItsSlotAndALargeCore) {
@@ -240,14 +240,14 @@ TEST(ExternalWheelMesh, CopesWithAPinMuchThinnerThanItsSlotAndALargeCore) {
   input.pin_diameter = 0.002;
   input.slot_width = 0.014;
   input.pin_core_radius = 0.0009;
-  EXPECT_GT(least_scaled_jacobian_refined(meshed(input).mesh), 0.15);
+  EXPECT_GT(minimum_scaled_jacobian_refined(meshed(input).mesh), 0.15);
 }
 
 TEST(InternalWheelMesh, CopesWithAThinWebOverTheSlotsAndDeepSlots) {
   auto input = test::wheel_of<loads::InternalDimensionsInput>(6);
   input.slot_depth = 0.05;   // 35.8 mm would do
   input.rim_radius = 0.103;  // the web is 3 mm
-  EXPECT_GT(least_scaled_jacobian_refined(meshed(input).mesh), 0.15);
+  EXPECT_GT(minimum_scaled_jacobian_refined(meshed(input).mesh), 0.15);
 }
 
 }  // namespace

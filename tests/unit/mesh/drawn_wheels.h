@@ -17,7 +17,7 @@ enum class WheelType { external, internal };
 struct DrawnWheel {
   loads::CommonDimensions dimensions;
   double pin_distance;                   ///< [m]
-  double size;                           ///< greatest radius [m]
+  double size;                           ///< maximum radius [m]
   std::map<std::string, double> radius;  ///< of the circles by surface [m]
   std::vector<loads::Outline> outlines;  ///< wheel and pin
   MeshData<2> mesh;

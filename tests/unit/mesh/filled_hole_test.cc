@@ -31,8 +31,8 @@ TEST(FilledHole, MakesASolidPin) {
     const MeshData<2> hollow = pin_on_block(1., core);
     const MeshData<2> solid = with_filled_hole(hollow, "pin core");
     EXPECT_NEAR(area(solid, pin_of(solid)), pi / 4., 1e-12) << core;
-    EXPECT_GT(least_scaled_jacobian(solid), 0.2) << core;
-    EXPECT_GT(least_scaled_jacobian_refined(solid), 0.2) << core;
+    EXPECT_GT(minimum_scaled_jacobian(solid), 0.2) << core;
+    EXPECT_GT(minimum_scaled_jacobian_refined(solid), 0.2) << core;
     EXPECT_EQ(edges_by_surface(solid).count("pin core"), 0U);
     EXPECT_EQ(edges_by_surface(solid)["pin"], edges_by_surface(hollow)["pin"]);
   }

@@ -48,8 +48,8 @@ TEST(LocalOutlineMesh, HasAFewHundredGoodCellsWhateverTheBlock) {
     check(mesh);
     EXPECT_GE(mesh.cells.size(), 70U) << width << " x " << depth;
     EXPECT_LE(mesh.cells.size(), 700U) << width << " x " << depth;
-    EXPECT_GT(least_scaled_jacobian(mesh), 0.15) << width << " x " << depth;
-    EXPECT_GT(least_scaled_jacobian_refined(mesh), 0.15) << width << " x " << depth;
+    EXPECT_GT(minimum_scaled_jacobian(mesh), 0.15) << width << " x " << depth;
+    EXPECT_GT(minimum_scaled_jacobian_refined(mesh), 0.15) << width << " x " << depth;
   }
 }
 

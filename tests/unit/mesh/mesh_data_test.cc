@@ -50,11 +50,11 @@ TEST(ScaledJacobian, IsZeroWhereTwoVerticesCoincide) {
 
 TEST(ScaledJacobian, AfterRefinementSeesTheBentEdge) {
   MeshData<2> mesh = two_bodies();
-  EXPECT_NEAR(least_scaled_jacobian_refined(mesh), 1., 1e-15);
+  EXPECT_NEAR(minimum_scaled_jacobian_refined(mesh), 1., 1e-15);
   mesh.circles = {{{0.5, 0.5}, std::sqrt(0.5)}};
   mesh.faces[0].circle = 0;
-  EXPECT_LT(least_scaled_jacobian_refined(mesh), 0.99);
-  EXPECT_DOUBLE_EQ(least_scaled_jacobian(mesh), 1.);
+  EXPECT_LT(minimum_scaled_jacobian_refined(mesh), 0.99);
+  EXPECT_DOUBLE_EQ(minimum_scaled_jacobian(mesh), 1.);
 }
 
 TEST(MeshCheck, AcceptsBodiesThatTouchWithoutSharingVertices) { check(two_bodies()); }

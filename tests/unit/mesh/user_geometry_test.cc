@@ -101,7 +101,7 @@ TEST(GeoFile, OfTwoBlocksHasTheirCellsAndNamesInOrder) {
   EXPECT_EQ(edges_of(mesh, "lower top"), 4U);
   EXPECT_EQ(edges_of(mesh, "upper base"), 3U);
   EXPECT_EQ(edges_of(mesh, ""), 2U + 2U + 3U + 3U + 3U);
-  EXPECT_NEAR(least_scaled_jacobian(mesh), 1., 1e-12);
+  EXPECT_NEAR(minimum_scaled_jacobian(mesh), 1., 1e-12);
   EXPECT_TRUE(mesh.circles.empty());
 }
 
@@ -379,7 +379,7 @@ TEST(MshFile, HasItsClockwiseCellsTurned) {
   Msh msh;
   msh.elements = "3\n1 1 2 3 1 1 2\n3 3 2 1 1 1 4 3 2\n4 3 2 2 2 5 6 7 8\n";
   msh.names = "3\n2 1 \"left\"\n2 2 \"right\"\n1 3 \"base\"\n";
-  EXPECT_NEAR(least_scaled_jacobian(read("wheel.msh", msh.text())), 1., 1e-15);
+  EXPECT_NEAR(minimum_scaled_jacobian(read("wheel.msh", msh.text())), 1., 1e-15);
 }
 
 TEST(MshFile, IsReadInAllFormatsAlike) {

@@ -63,7 +63,7 @@ TEST(CaseText, AFileOfMoreThanAMegabyteIsRefused) {
 
 TEST(CaseText, ControlCharactersAreRefused) {
   const std::string reason = " has no place in a text: delete it";
-  EXPECT_EQ(refusal(std::string("set Title = a\nset Title = \0b\n", 30)),
+  EXPECT_EQ(refusal(std::string("set Title = a\nset Title = \0b\n", 29)),
             "DIR/case.prm, line 2: the character with the code 0" + reason);
   EXPECT_EQ(refusal("set Title = \x1b[2J\n"),
             "DIR/case.prm, line 1: the character with the code 27" + reason);

@@ -51,7 +51,7 @@ TEST(Parameters, EveryParameterHasAnExplanationAndADefaultThatItsRuleAllows) {
   for (const Parameter& parameter : all_parameters()) {
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
     EXPECT_EQ(parameter.help.back(), '.') << parameter.name;
-    EXPECT_EQ(parameter.help.find_first_of("\\"), std::string::npos) << parameter.name;
+    EXPECT_EQ(parameter.help.find('\\'), std::string::npos) << parameter.name;
     if (parameter.required)
       EXPECT_TRUE(parameter.default_value.empty()) << parameter.name;
     else

@@ -125,8 +125,9 @@ TEST(Design, WithoutGivenLengthsStayingMakesNoDifference) {
 }
 
 TEST(Design, APinThatStaysAsksForAnotherInertiaThanEquationNine) {
-  // s^2 ~ (J + J_L + M_f/a)/(D t d) with t ~ D and d fixed: with J ~ D^p locally, the least stress
-  // asks for J = 2/(p - 2) (J_L + M_f/a), where p > 5 since the slots do not grow with the wheel
+  // s^2 ~ (J + J_L + M_f/a)/(D t d) with t ~ D and d fixed: with J ~ D^p locally, the minimum
+  // stress asks for J = 2/(p - 2) (J_L + M_f/a), where p > 5 since the slots do not grow with the
+  // wheel
   DesignInput input = example_one();
   input.dimensions.pin_diameter = 0.68 * inch;
   input.given_lengths = GivenLengths::stay;
@@ -174,10 +175,10 @@ TEST(Design, TheCurveRunsInEqualRatiosAndIsLeastAtTheOptima) {
   for (std::size_t i = 1; i < curve.size(); ++i)
     EXPECT_NEAR(curve[i].diameter / curve[i - 1].diameter, std::pow(10., 0.01), 1e-12);
   const double least = johnson_optimum(input)->peak_pressure;
-  const double least_drawn = drawn_optimum(input).wheel.peak_pressure;
+  const double minimum_drawn = drawn_optimum(input).wheel.peak_pressure;
   for (const DesignPoint& point : curve) {
     EXPECT_GE(point.johnson->peak_pressure, least);
-    EXPECT_GE(point.drawn->peak_pressure, least_drawn);
+    EXPECT_GE(point.drawn->peak_pressure, minimum_drawn);
   }
 }
 
@@ -234,15 +235,15 @@ TEST(WorkingCycle, MotionOverDwellIsTheTimeRatio) {
     EXPECT_NEAR(cycle.motion_time + cycle.dwell_time, 2. * pi / 10., 1e-15);
     // the driver turns through the engagement while the wheel moves
     EXPECT_NEAR(cycle.motion_time, 2. * ExternalGeneva(n).engagement_angle() / 10., 1e-15);
-    EXPECT_LE(cycle.greatest_pins * cycle.motion_fraction, 1. + 1e-12);
-    EXPECT_GT((cycle.greatest_pins + 1) * cycle.motion_fraction, 1.);
+    EXPECT_LE(cycle.maximum_pins * cycle.motion_fraction, 1. + 1e-12);
+    EXPECT_GT((cycle.maximum_pins + 1) * cycle.motion_fraction, 1.);
   }
 }
 
 TEST(WorkingCycle, AtMostSixPinsForThreeStations) {
   const int pins[] = {6, 4, 3, 3, 2, 2};
-  for (int n = 3; n <= 8; ++n) EXPECT_EQ(working_cycle(n, 1.).greatest_pins, pins[n - 3]) << n;
-  EXPECT_EQ(working_cycle(24, 1.).greatest_pins, 2);
+  for (int n = 3; n <= 8; ++n) EXPECT_EQ(working_cycle(n, 1.).maximum_pins, pins[n - 3]) << n;
+  EXPECT_EQ(working_cycle(24, 1.).maximum_pins, 2);
 }
 
 TEST(WorkingCycle, RefusesWhatIsNoCycle) {
@@ -256,7 +257,7 @@ RC_GTEST_PROP(DesignProperty, EquationNineIsTheMinimumForBothWheels, ()) {
   input.load = {between(1e-5, 1e-1), between(0., 10.)};
   input.driver_speed = between(1., 100.);
   input.density = between(1000., 20000.);
-  // the relative rise is of second order, 1e-6 at the least step: far above rounding
+  // the relative rise is of second order, 1e-6 at the minimum step: far above rounding
   const double step = between(1e-3, 0.9);
   const DesignedWheel drawn = drawn_optimum(input).wheel;
   RC_ASSERT(drawn_wheel(input, drawn.diameter * (1. + step)).peak_pressure > drawn.peak_pressure);

@@ -247,7 +247,7 @@ RC_GTEST_PROP(JohnsonProperty, OptimumIsAMinimumOfEquationEight, ()) {
     return johnson_stress_of_diameter(diameter, row, load, acceleration, rho, {2.1e11, 0.3},
                                       {2.1e11, 0.3});
   };
-  // the relative rise is of second order, 1e-6 at the least step: far above rounding
+  // the relative rise is of second order, 1e-6 at the minimum step: far above rounding
   const double step = between(1e-3, 0.9);
   RC_ASSERT(stress(optimum * (1. + step)) > stress(optimum));
   RC_ASSERT(stress(optimum * (1. - step)) > stress(optimum));

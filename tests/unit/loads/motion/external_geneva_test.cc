@@ -122,14 +122,14 @@ double difference(const Function& function, double x, double h) {
 
 /// The functions' nearest singularities lie at theta = +- i delta, delta = ln(1/s). By Cauchy's
 /// estimate on circles of radius delta/2 their fifth derivative is below 5! M (2/delta)^5 with M
-/// at most 4 times the greatest value; with h = 1e-3 delta truncation is below h^4/30 of that,
-/// 5e-10 of greatest/delta, and rounding about 1e-12 of it.
+/// at most 4 times the maximum value; with h = 1e-3 delta truncation is below h^4/30 of that,
+/// 5e-10 of maximum/delta, and rounding about 1e-12 of it.
 double difference_step(const ExternalGeneva& geneva) {
   return 1e-3 * std::log(1. / geneva.crank_ratio());
 }
 
-double difference_tolerance(const ExternalGeneva& geneva, double greatest) {
-  return 1e-9 * greatest / std::log(1. / geneva.crank_ratio());
+double difference_tolerance(const ExternalGeneva& geneva, double maximum) {
+  return 1e-9 * maximum / std::log(1. / geneva.crank_ratio());
 }
 
 double random_driver_angle(const ExternalGeneva& geneva) {

@@ -81,8 +81,8 @@ double difference(const Function& function, double x, double h, bool is_angle) {
   return (45. * rise(h) - 9. * rise(2. * h) + rise(3. * h)) / (60. * h);
 }
 
-double greatest_derivative_error(const State& s) {
-  double greatest = 0.;
+double maximum_derivative_error(const State& s) {
+  double maximum = 0.;
   using Quantity = std::array<double, 4> FourBarMotion::*;
   const FourBarMotion here = motion(s.linkage, s.assembly, s.crank_angle);
   // a step that is small against the distance of the nearest singularity, about 1/rate
@@ -103,24 +103,24 @@ double greatest_derivative_error(const State& s) {
       const double expected = difference(below, s.crank_angle, h, is_angle);
       const double magnitude =
           std::max({1., std::abs((here.*quantity)[order - 1]), std::abs((here.*quantity)[order])});
-      greatest = std::max(greatest, std::abs((here.*quantity)[order] - expected) / magnitude);
+      maximum = std::max(maximum, std::abs((here.*quantity)[order] - expected) / magnitude);
     }
-  return greatest;
+  return maximum;
 }
 
 TEST(FourBar, DerivativesAreThoseOfFiniteDifferencesAtAThousandStates) {
   std::mt19937_64 engine(4);
-  double greatest = 0.;
+  double maximum = 0.;
   for (int k = 0; k < 1000; ++k)
-    greatest = std::max(greatest, greatest_derivative_error(random_state(engine)));
-  EXPECT_LT(greatest, 1e-7);
+    maximum = std::max(maximum, maximum_derivative_error(random_state(engine)));
+  EXPECT_LT(maximum, 1e-7);
 }
 
 TEST(FourBar, ClosesAtAThousandStates) {
   std::mt19937_64 engine(5);
-  double greatest = 0.;
-  for (int k = 0; k < 1000; ++k) greatest = std::max(greatest, closure_error(random_state(engine)));
-  EXPECT_LT(greatest, 1e-13);  // lengths up to 9
+  double maximum = 0.;
+  for (int k = 0; k < 1000; ++k) maximum = std::max(maximum, closure_error(random_state(engine)));
+  EXPECT_LT(maximum, 1e-13);  // lengths up to 9
 }
 
 TEST(FourBar, OpenLinkageHasItsJointLeftOfTheLineFromPinToRockerPivot) {

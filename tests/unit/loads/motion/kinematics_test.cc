@@ -71,7 +71,7 @@ TEST(Lecture4, TimesOfExternalAndInternalGenevas) {
   }
 }
 
-TEST(Lecture4, PlaceOfTheGreatestAccelerationOfTheSphericalGeneva) {
+TEST(Lecture4, PlaceOfTheMaximumAccelerationOfTheSphericalGeneva) {
   const std::vector<std::pair<int, double>> rows{{3, 18.28}, {4, 30.36}, {5, 41.31}, {6, 53.26}};
   for (const auto& [n, angle] : rows)
     EXPECT_NEAR(
@@ -95,7 +95,7 @@ TEST(Lecture4, LongDwellGrowsWithTheSpacing) {
   }
 }
 
-/// Greatest force over that at the greatest acceleration without friction, and its place.
+/// Maximum force over that at the maximum acceleration without friction, and its place.
 TEST(Johnson1956, Eq1LeavesOutThatTheArmStillShrinks) {
   const std::vector<std::array<double, 3>> rows{{3., 1.0176, 4.12},  {4., 1.0172, 9.94},
                                                 {5., 1.0167, 15.27}, {6., 1.0160, 19.965},
@@ -110,7 +110,7 @@ TEST(Johnson1956, Eq1LeavesOutThatTheArmStillShrinks) {
   }
 }
 
-/// Friction jumps where slip reverses, and slip where a chain link stops turning: the greatest
+/// Friction jumps where slip reverses, and slip where a chain link stops turning: the maximum
 /// values are those of the side on which they are greater.
 TEST(Characteristics, AreExceededAtNoInstant) {
   WheelTrain train{2e-3, {1e-3, 0.2}, 0., 0.3, 0.015};

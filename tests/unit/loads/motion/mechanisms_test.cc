@@ -25,8 +25,8 @@ double between(Random& random, double low, double high) {
 }
 int stations(Random& random) { return std::uniform_int_distribution<>(3, 24)(random); }
 
-/// Greatest |f| over the engagement, on a fine grid; the ends are on it.
-double greatest(const Mechanism& mechanism, double Jet::*derivative) {
+/// Maximum |f| over the engagement, on a fine grid; the ends are on it.
+double maximum(const Mechanism& mechanism, double Jet::*derivative) {
   double result = 0.;
   for (int i = 0; i <= 20000; ++i) {
     const double angle = mechanism.entry + (mechanism.exit - mechanism.entry) * i / 20000.;
@@ -49,17 +49,17 @@ void expect_digits(double found, double given) {
   EXPECT_NEAR(found, given, given > 10. ? 5.1e-4 : given > 1. ? 5.1e-5 : 5.1e-6);
 }
 
-TEST_P(Lecture4Table, GreatestSpeedAndAcceleration) {
+TEST_P(Lecture4Table, MaximumSpeedAndAcceleration) {
   const Row row = GetParam();
   const Mechanism external = external_geneva(row.stations, c);
   const Mechanism internal = internal_geneva(row.stations, c);
   const Mechanism spherical = spherical_geneva(row.stations, pi / 2., c);
-  expect_digits(greatest(external, &Jet::first), row.external_speed);
-  expect_digits(greatest(external, &Jet::second), row.external_acceleration);
-  expect_digits(greatest(internal, &Jet::first), row.internal_speed);
-  expect_digits(greatest(internal, &Jet::second), row.internal_acceleration);
-  expect_digits(greatest(spherical, &Jet::first), row.spherical_speed);
-  expect_digits(greatest(spherical, &Jet::second), row.spherical_acceleration);
+  expect_digits(maximum(external, &Jet::first), row.external_speed);
+  expect_digits(maximum(external, &Jet::second), row.external_acceleration);
+  expect_digits(maximum(internal, &Jet::first), row.internal_speed);
+  expect_digits(maximum(internal, &Jet::second), row.internal_acceleration);
+  expect_digits(maximum(spherical, &Jet::first), row.spherical_speed);
+  expect_digits(maximum(spherical, &Jet::second), row.spherical_acceleration);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -157,7 +157,7 @@ TEST(InternalMechanism, IsLecture4) {
                 s * (std::cos(angle) + s) / (1. + s * s + 2. * s * std::cos(angle)), 1e-13);
     EXPECT_NEAR(std::abs(mechanism.motion(mechanism.entry).wheel_angle.second), std::tan(pi / n),
                 1e-12)
-        << "greatest at entry";
+        << "maximum at entry";
   }
 }
 

@@ -138,9 +138,9 @@ TEST(PinLoad, HasTheArmOfSlotFriction) {
   }
 }
 
-/// Johnson's optimum wheel (Example 1, unrounded) about its greatest force: the surface slides
+/// Johnson's optimum wheel (Example 1, unrounded) about its maximum force: the surface slides
 /// with 14.55 in/s, the axis with 75.09 in/s.
-TEST(PinLoad, KnowsTheSlipOfJohnsonsWheelAtGreatestForce) {
+TEST(PinLoad, KnowsTheSlipOfJohnsonsWheelAtMaximumForce) {
   const double diameter = 4.53;  // in; speeds in in/s
   const Mechanism mechanism = external_geneva(4, diameter / std::sqrt(2.));
   const auto pins = engagements(mechanism, {0.});
@@ -196,7 +196,7 @@ TEST(PinLoad, HasOneWallThatAgreesWithItsOwnFriction) {
   }
 }
 
-/// The greatest force lies where friction turns from helping to hindering, on the hindering side.
+/// The maximum force lies where friction turns from helping to hindering, on the hindering side.
 TEST(PeakForceAngle, IsOnTheGreaterSideOfAJumpOfFriction) {
   const WheelTrain train = rough_train(0.1, 0.15 * std::sqrt(2.) * centre_distance);
   const double angle = peak_force_angle(driven(4), train);
@@ -451,7 +451,7 @@ TEST(WheelTrain, IsRefusedWithNegativeValuesOrAJammedPin) {
 }
 
 TEST(PeakForceAngle, TendsToTheLineOfCentresWhenFrictionPrevails) {
-  // F ~ M_f/x, greatest where x is least; the inertia's share shifts it by about its size, 1e-9,
+  // F ~ M_f/x, maximum where x is least; the inertia's share shifts it by about its size, 1e-9,
   // and a flat maximum is found to the root of a rounding
   EXPECT_NEAR(peak_force_angle(driven(6, 1e-3), {2e-3, {1e-3, 10.}}), 0., 1e-7);
 }

@@ -60,14 +60,14 @@ RC_GTEST_PROP(CrankRockerProperty, NoTransmissionAngleIsSmallerThanTheLeast, ())
     const FourBarMotion m = motion(c.linkage, c.assembly, crank_angle);
     return std::asin(std::abs(std::sin(m.coupler_angle[0] - m.rocker_angle[0])));
   };
-  RC_ASSERT(transmission(between(0., 2. * pi)) > c.least_transmission_angle - 1e-7);
+  RC_ASSERT(transmission(between(0., 2. * pi)) > c.minimum_transmission_angle - 1e-7);
   const double along_frame = std::atan2(c.linkage.rocker_pivot[1] - c.linkage.crank_pivot[1],
                                         c.linkage.rocker_pivot[0] - c.linkage.crank_pivot[0]);
-  RC_ASSERT(std::abs(transmission(along_frame) - c.least_transmission_angle) < 1e-7);
-  RC_ASSERT(std::abs(transmission(along_frame + pi) - c.least_transmission_angle) < 1e-7);
+  RC_ASSERT(std::abs(transmission(along_frame) - c.minimum_transmission_angle) < 1e-7);
+  RC_ASSERT(std::abs(transmission(along_frame + pi) - c.minimum_transmission_angle) < 1e-7);
   const double cosine = c.linkage.crank * c.frame / (c.linkage.coupler * c.linkage.rocker);
-  RC_ASSERT(std::abs(std::cos(c.least_transmission_angle) - cosine) < 1e-14);
-  RC_ASSERT(c.least_transmission_angle < pi / 2. - c.swing / 2.);
+  RC_ASSERT(std::abs(std::cos(c.minimum_transmission_angle) - cosine) < 1e-14);
+  RC_ASSERT(c.minimum_transmission_angle < pi / 2. - c.swing / 2.);
 }
 
 TEST(CrankRocker, RefusesSwingsBeyondThoseOfACrankRocker) {

@@ -31,7 +31,7 @@ Points curve(const FourBar& linkage, int count, double first, double last) {
   return points;
 }
 
-/// Greatest difference of the nine dimensions, alpha as the length of its arc.
+/// Maximum difference of the nine dimensions, alpha as the length of its arc.
 double difference(const FourBar& one, const FourBar& other) {
   return std::max({std::abs(one.crank_pivot[0] - other.crank_pivot[0]),
                    std::abs(one.crank_pivot[1] - other.crank_pivot[1]),
@@ -155,7 +155,7 @@ TEST(PathSynthesis, IsReproducible) {
   const PathSynthesis one = synthesise_path(task);
   const PathSynthesis two = synthesise_path(task);
   ASSERT_EQ(one.solutions.size(), two.solutions.size());
-  EXPECT_EQ(one.least_residual, two.least_residual);
+  EXPECT_EQ(one.minimum_residual, two.minimum_residual);
   for (std::size_t i = 0; i < one.solutions.size(); ++i)
     EXPECT_EQ(difference(one.solutions[i].linkage, two.solutions[i].linkage), 0.);
 }
@@ -166,7 +166,7 @@ TEST(PathSynthesis, IsTheSameInAnyUnitOfLength) {
   for (auto& p : points) p = {1024. * p[0], 1024. * p[1]};  // a power of two: no rounding
   const PathSynthesis larger = synthesise_path({points, {}, 300});
   ASSERT_EQ(metres.solutions.size(), larger.solutions.size());
-  EXPECT_EQ(1024. * metres.least_residual, larger.least_residual);
+  EXPECT_EQ(1024. * metres.minimum_residual, larger.minimum_residual);
 }
 
 TEST(PathSynthesis, FivePointsWithFourGivenDimensions) {
@@ -205,8 +205,8 @@ TEST(PathSynthesis, FindsNoLinkageForNinePointsOnAStraightLine) {
   const PathSynthesis synthesis = synthesise_path({points, {}, 1000});
   EXPECT_TRUE(synthesis.solutions.empty());
   EXPECT_EQ(synthesis.starts, 1000);
-  EXPECT_GT(synthesis.least_residual, 1e-9);
-  EXPECT_LT(synthesis.least_residual, 0.1);
+  EXPECT_GT(synthesis.minimum_residual, 1e-9);
+  EXPECT_LT(synthesis.minimum_residual, 0.1);
 }
 
 TEST(PathSynthesis, SaysThatPermutedPointsAreOutOfOrder) {

@@ -103,7 +103,7 @@ TEST(QuickReturn, ExtremesOfTheRockerAreExtremesAtHalfThePitch) {
 
 TEST(QuickReturn, RefusesWhatItCannotReplace) {
   expect_refused([] { quick_return({2, 12., 0.1, {}}); }, {"number of stations is 2", "3 to 24"});
-  expect_refused([] { quick_return({4, 0., 0.1, {}}); }, {"greatest wheel speed is 0 rad/s"});
+  expect_refused([] { quick_return({4, 0., 0.1, {}}); }, {"maximum wheel speed is 0 rad/s"});
   expect_refused([] { quick_return({4, 12., {}, {}}); }, {"neither crank AB nor", "give one"});
   expect_refused([] { quick_return({4, 12., 0.1, 0.2}); }, {"both given", "only one"});
   expect_refused([] { quick_return({4, 12., -0.1, {}}); }, {"crank AB is -100 mm", "positive"});
