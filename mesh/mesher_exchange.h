@@ -35,8 +35,8 @@ struct MesherLimits {
 };
 
 /// What the mesher says: a mesh, or why there is none.
-struct MesherAnswer {  // NOLINT(bugprone-exception-escape): that of nlohmann-json's own end
-  nlohmann::json mesh;              ///< see mesh_of; null if there are errors
+struct MesherAnswer {   // NOLINT(bugprone-exception-escape): that of nlohmann-json's own end
+  nlohmann::json mesh;  ///< see mesh_of; null if there are errors
   std::vector<std::string> errors;  ///< empty if there is a mesh
 };
 

@@ -166,17 +166,17 @@ std::string table_of(const CrankRockerReport& report, const UnitSystem units) {
   const loads::FourBar& linkage = mechanism.linkage;
   return fmt::format("crank-rocker, rocker's pivot D at the origin; the crank {}\n",
                      report.crank_turns_fully ? "turns fully" : "does not turn fully") +
-         value_lines(
-             {{"crank AB", linkage.crank, Dimension::length},
-              {"coupler BC", linkage.coupler, Dimension::length},
-              {"rocker CD", linkage.rocker, Dimension::length},
-              {"frame AD", mechanism.frame, Dimension::length},
-              {"crank's pivot A, x", linkage.crank_pivot[0], Dimension::length},
-              {"crank's pivot A, y", linkage.crank_pivot[1], Dimension::length},
-              {"swing of the rocker", report.swing, Dimension::angle},
-              {"times forward and back, ratio", report.time_ratio},
-              {"minimum transmission angle", mechanism.minimum_transmission_angle, Dimension::angle}},
-             units) +
+         value_lines({{"crank AB", linkage.crank, Dimension::length},
+                      {"coupler BC", linkage.coupler, Dimension::length},
+                      {"rocker CD", linkage.rocker, Dimension::length},
+                      {"frame AD", mechanism.frame, Dimension::length},
+                      {"crank's pivot A, x", linkage.crank_pivot[0], Dimension::length},
+                      {"crank's pivot A, y", linkage.crank_pivot[1], Dimension::length},
+                      {"swing of the rocker", report.swing, Dimension::angle},
+                      {"times forward and back, ratio", report.time_ratio},
+                      {"minimum transmission angle", mechanism.minimum_transmission_angle,
+                       Dimension::angle}},
+                     units) +
          position_lines({{"rocker farthest", entries_of(report.farthest, " ")},
                          {"rocker nearest", entries_of(report.nearest, " ")}},
                         units);

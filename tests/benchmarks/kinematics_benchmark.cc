@@ -22,7 +22,8 @@ void revolution(benchmark::State& state, const Mechanism& mechanism) {
   const DrivenMechanism driven(mechanism, pins, constant_speed(mechanism, pins, 60.));
   const WheelTrain train{1e-3, {1e-3, 0.1}, 0., 0.1, 0.01};
   const PinContact contact{1e11, 0.01, 0.01};
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(kinematics_rows(driven, train, contact, steps));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(kinematics_rows(driven, train, contact, steps));
 }
 
 void law_on_the_cross(benchmark::State& state) {
@@ -33,7 +34,8 @@ void law_on_the_cross(benchmark::State& state) {
       law_on_cross(mechanism, PlaneGeneva::external, 0.1, pins, MotionLaw::cycloidal, 0.1));
   const WheelTrain train{1e-3, {1e-3, 0.1}};
   const PinContact contact{1e11, 0.01, 0.01};
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(kinematics_rows(driven, train, contact, steps));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(kinematics_rows(driven, train, contact, steps));
 }
 
 BENCHMARK_CAPTURE(revolution, external, external_geneva(6, 0.1))->Unit(benchmark::kMillisecond);
