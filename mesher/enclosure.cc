@@ -121,14 +121,14 @@ bool enclose_calls() {
   if (filter == nullptr) return false;
   int error = 0;
   for (const int call : calls) error |= seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0);
-  constexpr int reading = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
-  error |= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(open), 1,
-                            SCMP_A1(SCMP_CMP_MASKED_EQ, reading, 0));
-  error |= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(openat), 1,
-                            SCMP_A2(SCMP_CMP_MASKED_EQ, reading, 0));
+  const auto allow_if = [&](const int call, const scmp_arg_cmp condition) {
+    error |= seccomp_rule_add_array(filter, SCMP_ACT_ALLOW, call, 1, &condition);
+  };
+  constexpr scmp_datum_t writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
+  allow_if(SCMP_SYS(open), {1, SCMP_CMP_MASKED_EQ, writing, 0});
+  allow_if(SCMP_SYS(openat), {2, SCMP_CMP_MASKED_EQ, writing, 0});
   // abort() signals the process itself
-  error |= seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(tgkill), 1,
-                            SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid())));
+  allow_if(SCMP_SYS(tgkill), {0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(getpid()), 0});
   error |= seccomp_load(filter);
   seccomp_release(filter);
   return error == 0;
