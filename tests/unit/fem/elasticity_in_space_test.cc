@@ -20,7 +20,6 @@ using dealii::Point;
 using dealii::Tensor;
 using geneva::test::equal_steps;
 
-constexpr double pi = 3.14159265358979323846;
 const Material steel{2., 0.3};
 
 /// A ring sector around a centre off the origin, extruded in uneven layers.

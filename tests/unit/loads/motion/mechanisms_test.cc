@@ -254,7 +254,8 @@ TEST(Pins, OfWhichAtMostSoManyAreEquallySpaced) {
     EXPECT_EQ(most_pins(mechanism), pins) << n;
     EXPECT_EQ(engagements(mechanism, equally_spaced_pins(mechanism, pins)).size(),
               static_cast<std::size_t>(pins));
-    expect_refused([&] { engagements(mechanism, equally_spaced_pins(mechanism, pins + 1)); },
+    const int too_many = pins + 1;
+    expect_refused([&] { engagements(mechanism, equally_spaced_pins(mechanism, too_many)); },
                    {"pins", "together", "equally spaced pins at most"});
   }
   EXPECT_EQ(most_pins(internal_geneva(4, c)), 1);
