@@ -35,11 +35,6 @@ void note(const FailureStage stage) {
   if (shared().flag != nullptr) *shared().flag = stage;
 }
 
-bool has_other_ranks() {
-  const std::lock_guard held(shared().mutex);
-  return shared().flag != nullptr;
-}
-
 void set_flag(Flag* const flag) {
   const std::lock_guard held(shared().mutex);
   shared().flag = flag;
@@ -85,8 +80,13 @@ FailureStage failure_on_this_machine() {
   return shared().flag == nullptr ? shared().last : shared().flag->load();
 }
 
+bool knows_other_ranks() {
+  const std::lock_guard held(shared().mutex);
+  return shared().flag != nullptr;
+}
+
 bool begin_to_end_alone() {
-  if (failure_on_this_machine() != FailureStage::none || !has_other_ranks()) return false;
+  if (failure_on_this_machine() != FailureStage::none || !knows_other_ranks()) return false;
   note(FailureStage::alone);
   wait_until_undone();
   return true;

@@ -39,6 +39,9 @@ enum class FailureStage {
 };
 FailureStage failure_on_this_machine();
 
+/// Whether there are other ranks, and an Ending of them: from any thread.
+bool knows_other_ranks();
+
 /// For a rank that cannot get to its end (Ending::fail) any more, from any thread: has rank 0 put
 /// away what is half done. The caller then ends the process, and the launcher the others.
 /// @return whether there are other ranks, and none of them has said why the run ends

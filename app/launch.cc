@@ -25,6 +25,12 @@ bool is_launched_as_first_rank() {
   return true;
 }
 
+bool is_launched_with_others() {
+  for (const char* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const char* const size = std::getenv(name)) return std::string(size) != "1";
+  return false;
+}
+
 void check_address_space() {
   constexpr rlim_t least = 1'000'000'000;  // with 0.6 GB the start of MPI hung
   rlimit limit{};

@@ -8,6 +8,9 @@ namespace geneva::app {
 /// is known before MPI is.
 bool is_launched_as_first_rank();
 
+/// Whether that launcher has started other ranks as well.
+bool is_launched_with_others();
+
 /// @throws base::InputError if the process may have too little memory for MPI to start
 void check_address_space();
 

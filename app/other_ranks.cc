@@ -45,8 +45,10 @@ OtherRanks other_ranks() {
     look_at_other_ranks(is_first);
     deadlocks.look();
   };
-  const auto speaks = [is_first] {
-    return is_first && failure_on_this_machine() == FailureStage::none;
+  // Before the ranks know each other the launcher interrupts them where one has failed and said so.
+  const auto speaks = [is_first, has_others = is_launched_with_others()] {
+    return is_first && failure_on_this_machine() == FailureStage::none &&
+           (!has_others || knows_other_ranks());
   };
   return {look, speaks};
 }
