@@ -119,7 +119,7 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
   const double error = solution.error_estimate;
   const std::string reached =
       error < 1. ? fmt::format("{:.2g} %", 100. * error) : std::string("not even 100 %");
-  const std::string message =
+  std::string message =
       fmt::format("not converged: the accuracy reached is {}, wanted is {:.2g} %: {}", reached,
                   100. * accuracy, model::message_of(solution.stop));
   const double offered = rounded_up(error);

@@ -21,8 +21,8 @@ constexpr double a_while = 60.;
 
 }  // namespace
 
-CheckpointKeeper::CheckpointKeeper(const model::Case& given, fs::path results, std::string last,
-                                   std::string command)
+CheckpointKeeper::CheckpointKeeper(const model::Case& given, const fs::path& results,
+                                   std::string last, std::string command)
     : mode_(given.checkpoints),
       is_in_space_(given.dimension == 3),
       file_(api::unfinished_checkpoint(results)),

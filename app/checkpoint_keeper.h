@@ -12,7 +12,7 @@ class CheckpointKeeper {
  public:
   /// @param last that of the run which this one continues; may be empty
   /// @param command that would continue the run: "geneva run --continue CASE"
-  CheckpointKeeper(const model::Case& given, std::filesystem::path results, std::string last,
+  CheckpointKeeper(const model::Case& given, const std::filesystem::path& results, std::string last,
                    std::string command);
 
   /// Whether the run may want one at all.

@@ -36,7 +36,7 @@ double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t e
                    const int inwards, const std::size_t count) {
   const auto edge_node = nodes.begin() + static_cast<std::ptrdiff_t>(edge);
   const auto node = [&](const int steps) -> const ContactNode<2>& {
-    return edge_node[inwards * steps];
+    return edge_node[static_cast<std::ptrdiff_t>(inwards) * steps];
   };
   const double last = node(0).arc_length;
   const int half = static_cast<int>(count) / 2;

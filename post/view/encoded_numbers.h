@@ -32,7 +32,7 @@ std::vector<Number> decoded(const std::string& text) {
   return numbers;
 }
 
-/// Numbers as 65 535 equal steps from the least to the maximum of them; half the memory of single
+/// Numbers as 65 535 equal steps from the minimum to the maximum; half the memory of single
 /// precision, and finer than colours and eyes.
 struct Quantised {
   float low;

@@ -22,7 +22,7 @@ std::vector<Eigen::Triplet<double>> condensed_entries(const SymmetricMatrix<n>& 
                                                       const Elimination& elimination) {
   const NodePattern& pattern = matrix.pattern();
   Triplets entries;
-  entries.reserve(n * n * pattern.n_blocks());
+  entries.reserve(static_cast<std::size_t>(n * n) * pattern.n_blocks());
   matrix.visit_blocks([&](const std::size_t node, const std::size_t place, const auto& block) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
