@@ -12,11 +12,11 @@
 #include "api/analysis_state.h"
 #include "api/checkpoint_file.h"
 #include "api/mechanism_results.h"
+#include "api/mesher_on_rank_zero.h"
 #include "api/version.h"
 #include "base/allocation.h"
 #include "fem/adaptivity/resource_limits.h"
 #include "fem/contact_problem.h"
-#include "mesh/mesher.h"
 #include "model/naming.h"
 #include "model/stop_message.h"
 #include "model/together.h"
@@ -37,10 +37,9 @@ bool is_first(const MPI_Comm communicator) {
 template <int dim>
 model::Model<dim> model_of(const MPI_Comm communicator, const Case& given,
                            mesh::Mesher* const started) {
-  std::optional<mesh::Mesher> own;
-  if (is_first(communicator) && started == nullptr) own.emplace(mesh::installed_mesher());
-  mesh::Mesher* const mesher = own ? &*own : started;
-  return model::naming(given, [&] { return model::make_model<dim>(communicator, given, mesher); });
+  api::MesherOnRankZero mesher(communicator, started);
+  return model::naming(given,
+                       [&] { return model::make_model<dim>(communicator, given, mesher.get()); });
 }
 
 template <int dim>

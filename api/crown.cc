@@ -1,6 +1,5 @@
 #include "api/crown.h"
 
-#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,16 +8,15 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "api/mechanism_picture.h"
+#include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
 #include "api/version.h"
 #include "base/errors.h"
 #include "fem/contact_problem.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
-#include "mesh/mesher.h"
 #include "model/input/case_file.h"
 #include "model/model.h"
 #include "model/naming.h"
@@ -191,10 +189,8 @@ void no_progress(const std::string& /*text*/) {}
 Crown design_crown(const Case& given, const MPI_Comm communicator, const Tell& progress,
                    mesh::Mesher* const started) {
   const Tell tell = progress ? progress : no_progress;
-  std::optional<mesh::Mesher> own;
-  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  if (is_first && started == nullptr) own.emplace(mesh::installed_mesher());
-  mesh::Mesher* const mesher = own ? &*own : started;
+  api::MesherOnRankZero on_rank_zero(communicator, started);
+  mesh::Mesher* const mesher = on_rank_zero.get();
   return model::naming(given, [&] {
     check(given);
     post::CrownReport report = search(communicator, given, tell, mesher);
