@@ -45,4 +45,4 @@ target_link_libraries(geneva_dealii_pch PRIVATE geneva_dealii geneva_warnings fm
 target_precompile_headers(geneva_dealii_pch PRIVATE
   <deal.II/distributed/tria.h> <deal.II/dofs/dof_handler.h> <deal.II/dofs/dof_tools.h>
   <deal.II/fe/fe_system.h> <deal.II/fe/fe_values.h> <deal.II/lac/affine_constraints.h>
-  <deal.II/lac/trilinos_vector.h> <deal.II/lac/trilinos_sparse_matrix.h> <Eigen/Core> <fmt/format.h>)
+  <deal.II/lac/la_parallel_vector.h> <Eigen/Core> <fmt/format.h>)

@@ -227,7 +227,7 @@ void AccuracyLoop<dim>::go_back_to_last_mesh() {
   state_ = {};
   found_ = {};
   solution_.contacts.clear();
-  solution_.displacement.clear();
+  solution_.displacement.reinit(0);
   solution_.dof_handler.reset();
   solution_.element.reset();
   solution_.triangulation.reset();

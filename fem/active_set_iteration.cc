@@ -14,7 +14,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 using Sets = std::vector<std::vector<NodeStatus>>;
 
 template <int dim>
@@ -162,7 +161,8 @@ class SystemOfSets {
 /// Evaluates the contacts.
 template <int dim>
 void evaluate_at(const Level<dim>& level, const Vector& displacement, LevelState& state) {
-  state.displacement = displacement;
+  state.displacement.copy_locally_owned_data_from(displacement);
+  state.displacement.update_ghost_values();
   state.forces = surface_forces(level.forced, state.displacement);
   state.contacts.clear();
   for (const ContactInterface<dim>& interface : level.interfaces)
@@ -226,13 +226,11 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
   return std::nullopt;
 }
 
-template LevelState state_at(const Level<2>&, const dealii::TrilinosWrappers::MPI::Vector&);
-template LevelState state_at(const Level<3>&, const dealii::TrilinosWrappers::MPI::Vector&);
+template LevelState state_at(const Level<2>&, const Vector&);
+template LevelState state_at(const Level<3>&, const Vector&);
 template std::optional<LevelState> solve_level(const dealii::DoFHandler<2>&, Level<2>&,
-                                               const dealii::TrilinosWrappers::MPI::Vector&,
-                                               const Settings&, const StepObserver&);
+                                               const Vector&, const Settings&, const StepObserver&);
 template std::optional<LevelState> solve_level(const dealii::DoFHandler<3>&, Level<3>&,
-                                               const dealii::TrilinosWrappers::MPI::Vector&,
-                                               const Settings&, const StepObserver&);
+                                               const Vector&, const Settings&, const StepObserver&);
 
 }  // namespace geneva::fem

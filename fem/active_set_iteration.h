@@ -4,25 +4,25 @@
 #include <optional>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/level.h"
 
 namespace geneva::fem {
 
 /// Converged state on one level.
 struct LevelState {
-  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
-  SurfaceForces forces;                                ///< K u - f
-  std::vector<ContactState> contacts;                  ///< by interface
-  std::vector<unsigned int> linear_iterations;         ///< by active-set step
-  double assemble_and_solve_seconds = 0.;              ///< of the last step
-  bool cycled = false;  ///< the active set came back to an earlier one
+  Vector displacement;                          ///< ghosted
+  SurfaceForces forces;                         ///< K u - f
+  std::vector<ContactState> contacts;           ///< by interface
+  std::vector<unsigned int> linear_iterations;  ///< by active-set step
+  double assemble_and_solve_seconds = 0.;       ///< of the last step
+  bool cycled = false;                          ///< the active set came back to an earlier one
 };
 
 /// The state that a displacement is on a level with its active sets.
 /// @param displacement without ghosts
 template <int dim>
-LevelState state_at(const Level<dim>& level,
-                    const dealii::TrilinosWrappers::MPI::Vector& displacement);
+LevelState state_at(const Level<dim>& level, const Vector& displacement);
 
 /// Told after every active-set step.
 using StepObserver = std::function<void(unsigned int step, unsigned int linear_iterations)>;
@@ -33,7 +33,7 @@ using StepObserver = std::function<void(unsigned int step, unsigned int linear_i
 /// @return nothing if the active set did not settle within the allowed steps
 template <int dim>
 std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler, Level<dim>& level,
-                                      const dealii::TrilinosWrappers::MPI::Vector& guess,
-                                      const Settings& settings, const StepObserver& observer);
+                                      const Vector& guess, const Settings& settings,
+                                      const StepObserver& observer);
 
 }  // namespace geneva::fem

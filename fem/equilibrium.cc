@@ -15,8 +15,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 template <int dim>
 std::vector<NodeStatus> inherited_status(const ContactInterface<dim>& interface,
                                          const ContactResult<dim>& contact, const double length) {
@@ -148,9 +146,7 @@ State<dim> Equilibrium<dim>::refine_as(const Checkpoint<dim>& checkpoint) {
 
 template <int dim>
 Vector Equilibrium<dim>::ghosted(const Vector& displacement) const {
-  Vector result(level_.owned, level_.ghosts, communicator_);
-  result = displacement;
-  return result;
+  return with_ghosts(displacement, level_.ghosts);
 }
 
 template class Equilibrium<2>;

@@ -8,6 +8,7 @@
 #include "fem/active_set_iteration.h"
 #include "fem/checkpoint.h"
 #include "fem/discretisation/refined_mesh.h"
+#include "fem/discretisation/vector.h"
 #include "fem/level.h"
 #include "fem/problem/load.h"
 #include "fem/problem/stop.h"
@@ -18,7 +19,7 @@ namespace geneva::fem {
 /// known of the contacts by place, whatever the mesh.
 template <int dim>
 struct State {
-  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< without ghosts
+  Vector displacement;                       ///< without ghosts
   std::vector<ContactResult<dim>> contacts;  ///< of the last mesh that was solved; empty before
   std::vector<ArcIntervals> smooth;          ///< by pair, see ContactInterface
 };
@@ -46,7 +47,7 @@ class Equilibrium {
 
   /// Refines the flagged cells.
   /// @param displacement with ghosts; what else is known of the contacts is `now`'s
-  State<dim> refine(const dealii::TrilinosWrappers::MPI::Vector& displacement, State<dim> now);
+  State<dim> refine(const Vector& displacement, State<dim> now);
 
   /// Goes over from the coarse mesh to that of a checkpoint.
   /// @return the checkpoint's displacement
@@ -60,8 +61,7 @@ class Equilibrium {
   void set_smooth(const std::vector<ArcIntervals>& smooth);
 
   /// A vector with ghosts.
-  [[nodiscard]] dealii::TrilinosWrappers::MPI::Vector ghosted(
-      const dealii::TrilinosWrappers::MPI::Vector& displacement) const;
+  [[nodiscard]] Vector ghosted(const Vector& displacement) const;
 
   /// Of the mesh being solved or refined, also where memory ran out half-way.
   [[nodiscard]] std::size_t n_unknowns() const { return n_unknowns_; }

@@ -19,8 +19,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 template <int dim>
 dealii::IndexSet relevant_and_boundary(const dealii::DoFHandler<dim>& dof_handler,
                                        const Boundary<dim>& boundary) {

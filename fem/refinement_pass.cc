@@ -14,7 +14,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 using History = std::vector<LevelRecord>;
 
 /// Zones are made more even as long as that lowers their unevenness by this factor.

@@ -5,6 +5,7 @@
 
 #include "fem/adaptivity/pressure_error.h"
 #include "fem/adaptivity/refinement.h"
+#include "fem/discretisation/vector.h"
 #include "fem/equilibrium.h"
 
 namespace geneva::fem {
@@ -53,8 +54,7 @@ class RefinementPass {
   [[nodiscard]] const SurfaceIds& surface_ids() const { return surface_ids_; }
 
  private:
-  double flag(const Equilibrium<dim>& equilibrium,
-              const dealii::TrilinosWrappers::MPI::Vector& displacement,
+  double flag(const Equilibrium<dim>& equilibrium, const Vector& displacement,
               const std::vector<LevelRecord>& history) const;
   double level_off(const Equilibrium<dim>& equilibrium, const std::vector<LevelRecord>& history);
   bool surroundings_come_first(const Equilibrium<dim>& equilibrium, const LevelState& found,

@@ -3,7 +3,6 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <array>
 #include <cstddef>
@@ -14,6 +13,7 @@
 
 #include "fem/adaptivity/level_record.h"
 #include "fem/contact/contact_result.h"
+#include "fem/discretisation/vector.h"
 #include "fem/problem/moment.h"
 #include "fem/problem/problem.h"
 #include "fem/problem/scaling.h"
@@ -40,7 +40,7 @@ struct Solution {
   std::shared_ptr<const dealii::parallel::distributed::Triangulation<dim>> triangulation;
   std::shared_ptr<const dealii::FESystem<dim>> element;
   std::shared_ptr<const dealii::DoFHandler<dim>> dof_handler;
-  dealii::TrilinosWrappers::MPI::Vector displacement;  ///< ghosted
+  Vector displacement;  ///< ghosted
 
   std::vector<ContactResult<dim>> contacts;
   std::vector<Reaction<dim>> reactions;  ///< of supports, then ties

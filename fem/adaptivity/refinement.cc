@@ -279,8 +279,7 @@ ZoneCells<dim> zones_with_cells(dealii::DoFHandler<dim>& dof_handler,
 }
 
 template <int dim>
-unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler,
-                         const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler, const Vector& displacement) {
   dealii::Vector<float> indicators(dof_handler.get_triangulation().n_active_cells());
   dealii::KellyErrorEstimator<dim>::estimate(dof_handler, dealii::QGauss<dim - 1>(2), {},
                                              displacement, indicators);
@@ -300,7 +299,7 @@ unsigned int flag_energy(dealii::DoFHandler<dim>& dof_handler,
 /// none that is not larger than theirs.
 template <int dim>
 unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
-                                    const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                                    const Vector& displacement,
                                     const std::vector<ContactInterface<dim>>& interfaces,
                                     const SurfaceIds& surface_ids, const Sizes& sizes) {
   const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
@@ -317,8 +316,7 @@ unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
 }  // namespace
 
 template <int dim>
-unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
-                        const dealii::TrilinosWrappers::MPI::Vector& displacement,
+unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler, const Vector& displacement,
                         const std::vector<ContactInterface<dim>>& interfaces,
                         const SurfaceIds& surface_ids, const Wanted& wanted) {
   unsigned int flagged = 0;
@@ -371,8 +369,7 @@ unsigned int flag_zone_part(dealii::DoFHandler<dim>& dof_handler,
                                      dof_handler.get_communicator());
 }
 
-template unsigned int flag_cells(dealii::DoFHandler<2>&,
-                                 const dealii::TrilinosWrappers::MPI::Vector&,
+template unsigned int flag_cells(dealii::DoFHandler<2>&, const Vector&,
                                  const std::vector<ContactInterface<2>>&, const SurfaceIds&,
                                  const Wanted&);
 template int size_decay(const Problem<2>&);
@@ -386,8 +383,7 @@ template double size_measure(dealii::DoFHandler<3>&, const std::vector<ContactIn
 template unsigned int flag_zone_part(dealii::DoFHandler<2>&,
                                      const std::vector<ContactInterface<2>>&, const SurfaceIds&,
                                      ZonePart);
-template unsigned int flag_cells(dealii::DoFHandler<3>&,
-                                 const dealii::TrilinosWrappers::MPI::Vector&,
+template unsigned int flag_cells(dealii::DoFHandler<3>&, const Vector&,
                                  const std::vector<ContactInterface<3>>&, const SurfaceIds&,
                                  const Wanted&);
 template unsigned int flag_zone_part(dealii::DoFHandler<3>&,

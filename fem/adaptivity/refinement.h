@@ -1,7 +1,6 @@
 #pragma once
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "fem/adaptivity/refinement_zone.h"
 #include "fem/contact/interface.h"
+#include "fem/discretisation/vector.h"
 #include "fem/problem/problem.h"
 
 namespace geneva::fem {
@@ -29,8 +29,7 @@ struct Wanted {
 /// @param surface_ids boundary ids (source, target) of the interfaces
 /// @return number of flagged cells on all ranks
 template <int dim>
-unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler,
-                        const dealii::TrilinosWrappers::MPI::Vector& displacement,
+unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler, const Vector& displacement,
                         const std::vector<ContactInterface<dim>>& interfaces,
                         const SurfaceIds& surface_ids, const Wanted& wanted);
 

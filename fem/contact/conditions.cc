@@ -61,8 +61,7 @@ template <int dim>
 using Displacements = std::vector<dealii::Tensor<1, dim>>;
 
 template <int dim>
-Displacements<dim> displacements_of(const Surface<dim>& surface,
-                                    const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+Displacements<dim> displacements_of(const Surface<dim>& surface, const Vector& displacement) {
   Displacements<dim> result(surface.nodes.size());
   for (std::size_t node = 0; node < result.size(); ++node)
     for (unsigned int component = 0; component < dim; ++component)
@@ -139,8 +138,7 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface
 }
 
 template <int dim>
-ContactState evaluate(const ContactInterface<dim>& interface,
-                      const dealii::TrilinosWrappers::MPI::Vector& displacement,
+ContactState evaluate(const ContactInterface<dim>& interface, const Vector& displacement,
                       const SurfaceForces& forces, const std::set<global_dof_index>& held) {
   const auto source = displacements_of(interface.source, displacement);
   const auto target = displacements_of(interface.target, displacement);
@@ -161,13 +159,11 @@ ContactState evaluate(const ContactInterface<dim>& interface,
 
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
                                                    std::set<global_dof_index>&);
-template ContactState evaluate(const ContactInterface<2>&,
-                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
+template ContactState evaluate(const ContactInterface<2>&, const Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
                                                    std::set<global_dof_index>&);
-template ContactState evaluate(const ContactInterface<3>&,
-                               const dealii::TrilinosWrappers::MPI::Vector&, const SurfaceForces&,
+template ContactState evaluate(const ContactInterface<3>&, const Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 
 }  // namespace geneva::fem

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
 #include <set>
 #include <vector>
 
 #include "fem/contact/interface.h"
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/surface_forces.h"
 #include "fem/linear/constraints.h"
 
@@ -24,8 +23,7 @@ std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface
 /// (no differentiation).
 /// @param held dofs whose forces hold reactions of supports
 template <int dim>
-ContactState evaluate(const ContactInterface<dim>& interface,
-                      const dealii::TrilinosWrappers::MPI::Vector& displacement,
+ContactState evaluate(const ContactInterface<dim>& interface, const Vector& displacement,
                       const SurfaceForces& forces, const std::set<global_dof_index>& held);
 
 }  // namespace geneva::fem

@@ -15,8 +15,6 @@ namespace {
 /// would wait for the rank.
 constexpr double tolerated_excess = 0.02;
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 template <int dim>
 using Triangulation = dealii::parallel::distributed::Triangulation<dim>;
 
@@ -61,13 +59,11 @@ template <int dim>
 Vector received(dealii::DoFHandler<dim>& dof_handler,
                 dealii::parallel::distributed::SolutionTransfer<dim, Vector>& transfer) {
   dof_handler.distribute_dofs(dof_handler.get_fe());
-  const MPI_Comm communicator = dof_handler.get_communicator();
-  Vector own(dof_handler.locally_owned_dofs(), communicator);
-  transfer.interpolate(own);
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
-  Vector result(dof_handler.locally_owned_dofs(), relevant, communicator);
-  result = own;
+  Vector result(dof_handler.locally_owned_dofs(), relevant, dof_handler.get_communicator());
+  transfer.interpolate(result);
+  result.update_ghost_values();
   return result;
 }
 

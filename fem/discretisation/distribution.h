@@ -2,7 +2,8 @@
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/trilinos_vector.h>
+
+#include "fem/discretisation/vector.h"
 
 namespace geneva::fem {
 
@@ -14,7 +15,6 @@ namespace geneva::fem {
 /// @param displacement with ghosts, at least those of this rank's cells; moves with the cells
 template <int dim>
 void distribute_for_refinement(dealii::parallel::distributed::Triangulation<dim>& triangulation,
-                               dealii::DoFHandler<dim>& dof_handler,
-                               dealii::TrilinosWrappers::MPI::Vector& displacement);
+                               dealii::DoFHandler<dim>& dof_handler, Vector& displacement);
 
 }  // namespace geneva::fem

@@ -11,8 +11,6 @@
 
 namespace geneva::fem {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 template <int dim>
 RefinedMesh<dim>::RefinedMesh(const MPI_Comm communicator, const mesh::MeshData<dim>& coarse,
                               const double length)
@@ -38,10 +36,12 @@ Vector RefinedMesh<dim>::refine(Vector displacement) {
   transfer.prepare_for_coarsening_and_refinement(displacement);
   triangulation->execute_coarsening_and_refinement();
   number();
-  Vector finer(dof_handler->locally_owned_dofs(), dof_handler->get_communicator());
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(*dof_handler, relevant);
+  Vector finer(dof_handler->locally_owned_dofs(), relevant, dof_handler->get_communicator());
   transfer.interpolate(finer);
   moved_vertices_ = close_gaps(*triangulation);
-  return finer;
+  return without_ghosts(finer);
 }
 
 template <int dim>

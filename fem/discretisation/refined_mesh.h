@@ -3,12 +3,12 @@
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
 
 #include "fem/discretisation/hanging_vertices.h"
 #include "fem/discretisation/saved_field.h"
+#include "fem/discretisation/vector.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
@@ -24,12 +24,12 @@ class RefinedMesh {
   /// Refines the flagged cells.
   /// @param displacement with ghosts, at least those of this rank's cells
   /// @return the displacement on the finer mesh, without ghosts
-  dealii::TrilinosWrappers::MPI::Vector refine(dealii::TrilinosWrappers::MPI::Vector displacement);
+  Vector refine(Vector displacement);
 
   /// Goes over to the mesh of a saved displacement. To be called on the coarse mesh.
   /// @return the displacement, without ghosts
   /// @throws base::InputError if the mesh has no such cells
-  dealii::TrilinosWrappers::MPI::Vector refine_as(const SavedField<dim>& saved);
+  Vector refine_as(const SavedField<dim>& saved);
 
   /// Shared with the solution, which shows the mesh as it is when the refinement ends.
   std::shared_ptr<dealii::parallel::distributed::Triangulation<dim>> triangulation;

@@ -13,7 +13,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 using dealii::types::global_dof_index;
 
 /// A cell as it travels: its corners are named by their first unknown.

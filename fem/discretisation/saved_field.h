@@ -2,11 +2,12 @@
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <array>
 #include <cstddef>
 #include <vector>
+
+#include "fem/discretisation/vector.h"
 
 namespace geneva::fem {
 
@@ -29,8 +30,7 @@ struct SavedField {
 /// @param displacement with ghosts, at least those of each rank's cells
 /// @return the same on all ranks
 template <int dim>
-SavedField<dim> saved_field(const dealii::DoFHandler<dim>& dof_handler,
-                            const dealii::TrilinosWrappers::MPI::Vector& displacement);
+SavedField<dim> saved_field(const dealii::DoFHandler<dim>& dof_handler, const Vector& displacement);
 
 /// Refines a coarse mesh until it has the saved cells, shared out evenly over the ranks.
 /// @param saved the same on all ranks
@@ -41,8 +41,7 @@ void refine_as(dealii::parallel::distributed::Triangulation<dim>& triangulation,
 
 /// The saved displacement on the mesh that refine_as() made, without ghosts.
 template <int dim>
-dealii::TrilinosWrappers::MPI::Vector field_on(const dealii::DoFHandler<dim>& dof_handler,
-                                               const SavedField<dim>& saved);
+Vector field_on(const dealii::DoFHandler<dim>& dof_handler, const SavedField<dim>& saved);
 
 /// @throws base::InputError unless cells are in order, indices in range and values finite
 template <int dim>

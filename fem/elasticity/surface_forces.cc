@@ -86,8 +86,7 @@ double SurfaceForces::operator()(const Dof dof) const {
   return values_[*place];
 }
 
-SurfaceForces surface_forces(const ForcedUnknowns& unknowns,
-                             const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const Vector& displacement) {
   std::vector<double> shares(unknowns.dofs.size(), 0.);
   std::vector<double> displacements;
   for (const ForcedUnknowns::Cell& cell : unknowns.cells) {

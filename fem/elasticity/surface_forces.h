@@ -1,11 +1,11 @@
 #pragma once
 
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <set>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/cell_systems.h"
 
 namespace geneva::fem {
@@ -54,7 +54,6 @@ class SurfaceForces {
 
 /// K u - f at the unknowns.
 /// @param displacement u, with ghosts
-SurfaceForces surface_forces(const ForcedUnknowns& unknowns,
-                             const dealii::TrilinosWrappers::MPI::Vector& displacement);
+SurfaceForces surface_forces(const ForcedUnknowns& unknowns, const Vector& displacement);
 
 }  // namespace geneva::fem

@@ -13,7 +13,6 @@ namespace {
 
 using Constraints = dealii::AffineConstraints<double>;
 using Dof = dealii::types::global_dof_index;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// The cells' systems in the free unknowns, condensed each time they are visited (together they
 /// would take as much memory as the matrix), and one system for each constrained unknown.
@@ -120,7 +119,7 @@ void add_rows_of_others(const CellSystem& system, const OwnNodes& own, Rows<dim>
 
 /// What the systems of other ranks add to rows of this one, for what its own add to theirs.
 template <int dim>
-Rows<dim> received_rows(const CondensedSystems& systems, const Epetra_Map& map,
+Rows<dim> received_rows(const CondensedSystems& systems, const UnknownRanges& map,
                         const MPI_Comm communicator) {
   const OwnNodes own(map, dim);
   const auto is_of_other = [&](const Dof unknown) {
@@ -139,7 +138,7 @@ Rows<dim> received_rows(const CondensedSystems& systems, const Epetra_Map& map,
 /// Of the systems and of what was received; each node is coupled to itself at least.
 template <int dim>
 NodePattern pattern_of(const CondensedSystems& systems, const Rows<dim>& received,
-                       const Epetra_Map& map) {
+                       const UnknownRanges& map) {
   constexpr std::size_t usual_neighbours = dim == 2 ? 9 : 27;
   const OwnNodes own(map, dim);
   std::vector<std::vector<int>> coupled;
@@ -182,7 +181,7 @@ template <int dim>
 SymmetricMatrix<dim> assemble(const CellSystems& cells, const Constraints& constraints,
                               const dealii::IndexSet& unknowns, const MPI_Comm communicator,
                               Vector& load) {
-  const Epetra_Map map = unknowns.make_trilinos_map(communicator, false);
+  const UnknownRanges map(static_cast<int>(unknowns.n_elements()), communicator);
   const CondensedSystems systems(cells, constraints);
   const Rows<dim> received = received_rows<dim>(systems, map, communicator);
   SymmetricMatrix<dim> matrix(pattern_of<dim>(systems, received, map));

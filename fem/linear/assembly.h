@@ -2,10 +2,10 @@
 
 #include <deal.II/base/index_set.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/cell_systems.h"
 #include "fem/linear/multigrid/symmetric_matrix.h"
 
@@ -22,6 +22,6 @@ template <int dim>
 SymmetricMatrix<dim> assemble(const CellSystems& cells,
                               const dealii::AffineConstraints<double>& constraints,
                               const dealii::IndexSet& unknowns, MPI_Comm communicator,
-                              dealii::TrilinosWrappers::MPI::Vector& load);
+                              Vector& load);
 
 }  // namespace geneva::fem

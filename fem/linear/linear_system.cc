@@ -16,16 +16,14 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 /// Division by the diagonal.
 class Jacobi {
  public:
   explicit Jacobi(std::vector<double> diagonal) : diagonal_(std::move(diagonal)) {}
 
   void vmult(Vector& correction, const Vector& residual) const {
-    const double* const from = residual.trilinos_vector()[0];
-    double* const to = correction.trilinos_vector()[0];
+    const double* const from = residual.begin();
+    double* const to = correction.begin();
     for (std::size_t i = 0; i < diagonal_.size(); ++i) to[i] = from[i] / diagonal_[i];
   }
 
@@ -43,14 +41,6 @@ std::map<int, Shares> lines_beyond(const dealii::AffineConstraints<double>& othe
   return lines;
 }
 
-/// Loads that this rank may write to.
-Vector writable(const dealii::IndexSet& owned, const dealii::IndexSet& ghosts,
-                const MPI_Comm communicator) {
-  Vector result;
-  result.reinit(owned, ghosts, communicator, true);
-  return result;
-}
-
 }  // namespace
 
 template <int dim>
@@ -63,13 +53,13 @@ LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
       communicator_(dof_handler.get_communicator()),
       lasting_constraints_(constraints),
       constraints_(constraints),
-      whole_load_(writable(owned_, ghosts, communicator_)),
+      whole_load_(owned_, ghosts, communicator_),
       matrix_(assemble<dim>(cells, constraints, owned_, communicator_, whole_load_)),
       load_(owned_, communicator_) {
   for (const NodalForce& force : nodal_forces)
     if (owned_.is_element(force.dof)) whole_load_(force.dof) += force.value;
   whole_load_.compress(dealii::VectorOperation::add);
-  load_ = whole_load_;
+  load_.copy_locally_owned_data_from(whole_load_);
   zero_with_ghosts_.reinit(owned_, ghosts, communicator_);
 }
 
@@ -79,11 +69,11 @@ void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& const
   constraints_.copy_from(constraints);
   matrix_.eliminate(lines_beyond(lasting_constraints_, constraints_));
   Vector whole_load(load_);
-  whole_load = whole_load_;
+  whole_load.copy_locally_owned_data_from(whole_load_);
   Vector prescribed(load_);
   prescribed = 0.;
   for (const auto& line : matrix_.elimination().own())
-    prescribed.trilinos_vector()[0][line.unknown] = constraints_.get_inhomogeneity(
+    prescribed.begin()[line.unknown] = constraints_.get_inhomogeneity(
         owned_.nth_index_in_set(static_cast<unsigned int>(line.unknown)));
   matrix_.whole().residual(load_, prescribed, whole_load);
   matrix_.elimination().collect(load_);
@@ -136,7 +126,7 @@ template <int dim>
 double LinearSystem<dim>::rounding(const Vector& displacement,
                                    const std::vector<double>& diagonal) const {
   constexpr double accumulated = 4.;  // roundings of a row add up as the root of its entries
-  const double* const values = displacement.trilinos_vector()[0];
+  const double* const values = displacement.begin();
   double square = 0.;
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
     const double force = diagonal[i] * values[i];
@@ -160,8 +150,9 @@ double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
 template <int dim>
 void LinearSystem<dim>::distribute(Vector& displacement) const {
   Vector with_ghosts(zero_with_ghosts_);
-  with_ghosts = displacement;
-  double* const values = displacement.trilinos_vector()[0];
+  with_ghosts.copy_locally_owned_data_from(displacement);
+  with_ghosts.update_ghost_values();
+  double* const values = displacement.begin();
   for (const auto& line : constraints_.get_lines()) {
     if (!owned_.is_element(line.index)) continue;
     double value = line.inhomogeneity;

@@ -4,11 +4,11 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/cell_systems.h"
 #include "fem/linear/multigrid/condensed_matrix.h"
 #include "fem/linear/multigrid/preconditioner.h"
@@ -51,7 +51,7 @@ class LinearSystem {
   /// Smooths by a few conjugate gradients without a preconditioner that was set up.
   /// @param displacement as in solve()
   /// @return number of iterations
-  unsigned int smooth(dealii::TrilinosWrappers::MPI::Vector& displacement) const;
+  unsigned int smooth(Vector& displacement) const;
 
   /// Preconditioned conjugate gradients from the given first guess until the residual is below
   /// tolerance times the load, below reduction times that of the first guess, or what roundings
@@ -61,12 +61,9 @@ class LinearSystem {
   /// @return number of iterations
   /// @throws dealii::SolverControl::NoConvergence after 1000 iterations, or if the matrix is not
   /// positive definite
-  unsigned int solve(dealii::TrilinosWrappers::MPI::Vector& displacement, double tolerance,
-                     double reduction) const;
+  unsigned int solve(Vector& displacement, double tolerance, double reduction) const;
 
  private:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   void distribute(Vector& displacement) const;
   /// Residual that roundings leave: a stiff body on a soft one is displaced by far more than it is
   /// strained.

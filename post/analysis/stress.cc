@@ -18,7 +18,6 @@
 namespace geneva::post {
 
 using dealii::Point;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 namespace {
 
@@ -174,10 +173,8 @@ NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
   const dealii::IndexSet owned = result.dof_handler->locally_owned_dofs();
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(*result.dof_handler, relevant);
-  Vector sum;
-  Vector weight;
-  sum.reinit(owned, relevant, communicator, true);
-  weight.reinit(owned, relevant, communicator, true);
+  fem::Vector sum(owned, relevant, communicator);
+  fem::Vector weight(owned, relevant, communicator);
 
   fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QTrapezoid<dim>());
   std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
@@ -201,7 +198,7 @@ NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
   }
   sum.compress(dealii::VectorOperation::add);
   weight.compress(dealii::VectorOperation::add);
-  Vector average(owned, communicator);
+  fem::Vector average(owned, communicator);
   for (const auto dof : owned) average(dof) = sum(dof) / weight(dof);
   average.compress(dealii::VectorOperation::insert);
 
@@ -209,8 +206,7 @@ NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
   dealii::DoFTools::make_hanging_node_constraints(*result.dof_handler, hanging);
   hanging.close();
   hanging.distribute(average);
-  result.values.reinit(owned, relevant, communicator);
-  result.values = average;
+  result.values = fem::with_ghosts(average, relevant);
   return result;
 }
 

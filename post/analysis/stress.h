@@ -2,12 +2,12 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <array>
 #include <memory>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/elasticity.h"
 #include "fem/solution.h"
 
@@ -47,7 +47,7 @@ template <int dim>
 struct NodalStress {
   std::unique_ptr<dealii::FESystem<dim>> element;
   std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
-  dealii::TrilinosWrappers::MPI::Vector values;  ///< ghosted
+  fem::Vector values;  ///< ghosted
 };
 
 template <int dim>

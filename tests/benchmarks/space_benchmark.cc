@@ -84,7 +84,7 @@ PlainSolve plain_solve(const fem::Solution<3>& solution, const fem::Method metho
   result.memory = memory_now() - memory;
   system.constrain(fem::constraints(level));
   result.renewal = seconds();
-  dealii::TrilinosWrappers::MPI::Vector displacement(level.owned, MPI_COMM_WORLD);
+  fem::Vector displacement(level.owned, MPI_COMM_WORLD);
   result.iterations = system.solve(displacement, 1e-8, 0.);
   result.cycles = seconds();
   return result;

@@ -39,10 +39,8 @@ inline bool is_within_library(const char* const name) {
 
 /// Functions of libraries that no exception may leave: what they made by halves ends in a crash.
 /// deal.II 9.4 loses exceptions of its tasks while it builds an element of several components, and
-/// then reads what is not there. Epetra 13.2 keeps the address of what it has deleted while a
-/// vector with entries of other ranks is made. TBB waits for ever where an exception has left its
-/// own start, which the program lets it do first of all.
+/// then reads what is not there. TBB waits for ever where an exception has left its own start,
+/// which the program lets it do first of all.
 inline bool is_where_nothing_may_fail() {
-  return is_within({"FESystem", "initialize"}) || is_within({"Epetra_FEVector"}) ||
-         is_within_library("libtbb");
+  return is_within({"FESystem", "initialize"}) || is_within_library("libtbb");
 }

@@ -101,7 +101,7 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const in
   SymmetricMatrix<n>& matrix = problem.matrix;
   const std::vector<bool> is_moved = complete(matrix);
   const NodePattern& pattern = matrix.pattern();
-  if (pattern.unknowns().NumGlobalElements() <= most_for_factors) {
+  if (pattern.unknowns().n_all() <= most_for_factors) {
     direct_ = std::make_unique<DirectSolver<n>>(matrix, Elimination(pattern.unknowns(), {}),
                                                 communicator);
     return;
@@ -117,7 +117,7 @@ AlgebraicMultigrid<dim>::AlgebraicMultigrid(CoarseProblem<dim> problem, const in
       CoarseProblem<dim>{coarse_matrix(matrix, *prolongation_, communicator),
                          std::move(coarse.own_centres), std::move(aggregates.bodies)},
       most_for_factors, communicator);
-  coarse_zero_.reinit(dealii::IndexSet(coarse.unknowns), communicator);
+  coarse_zero_.reinit(coarse.unknowns.own(), communicator);
   matrix_.emplace(std::move(matrix));
   smoother_ =
       std::make_unique<Chebyshev<SymmetricMatrix<n>>>(*matrix_, largest / ratio, margin * largest);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <deal.II/base/point.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/chebyshev.h"
 #include "fem/linear/multigrid/direct_solver.h"
 #include "fem/linear/multigrid/node_matrix.h"
@@ -27,8 +27,6 @@ struct CoarseProblem {
 template <int dim>
 class AlgebraicMultigrid {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// @param most_for_factors levels with so many unknowns at most are factorised
   AlgebraicMultigrid(CoarseProblem<dim> problem, int most_for_factors, MPI_Comm communicator);
 

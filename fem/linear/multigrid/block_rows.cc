@@ -42,24 +42,8 @@ void add_packed(const std::vector<double>& packed, BlockRows<Block>& rows) {
 
 }  // namespace
 
-OwnNodes::OwnNodes(const Epetra_Map& unknowns, const int of_each)
-    : first(unknowns.NumMyElements() == 0 ? 0 : unknowns.MinMyGID() / of_each),
-      end(first + unknowns.NumMyElements() / of_each) {}
-
-NodeRanges::NodeRanges(const Epetra_Map& unknowns, const int of_each)
-    : ends_(static_cast<std::size_t>(unknowns.Comm().NumProc())) {
-  int n_own = unknowns.NumMyElements() / of_each;
-  unknowns.Comm().GatherAll(&n_own, ends_.data(), 1);
-  std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-}
-
-bool NodeRanges::are_of_one_rank(const int node, const int other) const {
-  return rank_of(node) == rank_of(other);
-}
-
-std::ptrdiff_t NodeRanges::rank_of(const int node) const {
-  return std::upper_bound(ends_.begin(), ends_.end(), node) - ends_.begin();
-}
+OwnNodes::OwnNodes(const UnknownRanges& unknowns, const int of_each)
+    : first(unknowns.first() / of_each), end(unknowns.end() / of_each) {}
 
 ColumnNodes::ColumnNodes(const OwnNodes& own, std::vector<int> others)
     : own_(own), others_(std::move(others)) {
@@ -88,27 +72,14 @@ std::vector<int> ColumnNodes::unknowns_of_others(const int of_each) const {
   return result;
 }
 
-std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unknowns,
-                           const int of_each) {
-  std::vector<int> numbers(nodes);
-  for (int& number : numbers) number *= of_each;
-  std::vector<int> owners(nodes.size());
-  std::vector<int> places(nodes.size());
-  unknowns.RemoteIDList(static_cast<int>(numbers.size()), numbers.data(), owners.data(),
-                        places.data());
-  return owners;
-}
-
 template <typename Block>
 std::vector<BlockRow<Block>> rows_of_others(const std::vector<BlockRow<Block>>& rows,
                                             const std::vector<int>& others,
-                                            const Epetra_Map& unknowns, const int of_each,
+                                            const UnknownRanges& unknowns, const int of_each,
                                             const MPI_Comm communicator) {
   const OwnNodes own(unknowns, of_each);
-  const std::vector<int> owners = owners_of(others, unknowns, of_each);
   std::map<unsigned int, std::vector<int>> asked;
-  for (std::size_t i = 0; i < others.size(); ++i)
-    asked[static_cast<unsigned int>(owners[i])].push_back(others[i]);
+  for (const int number : others) asked[unknowns.owner_of(of_each * number)].push_back(number);
   std::map<unsigned int, std::vector<double>> sent;
   for (const auto& [rank, numbers] : dealii::Utilities::MPI::some_to_some(communicator, asked))
     for (const int number : numbers)
@@ -123,43 +94,45 @@ std::vector<BlockRow<Block>> rows_of_others(const std::vector<BlockRow<Block>>& 
 }
 
 template <typename Block>
-void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Map& unknowns,
+void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const UnknownRanges& unknowns,
                     const MPI_Comm communicator) {
-  std::vector<int> of_others;
-  for (const auto& row : rows)
-    if (!own.have(row.first)) of_others.push_back(row.first);
-  const std::vector<int> owners = owners_of(of_others, unknowns, Block::ColsAtCompileTime);
+  const auto owner_of = [&](const int node) {
+    return unknowns.owner_of(Block::ColsAtCompileTime * node);
+  };
   std::map<unsigned int, std::size_t> sizes;
-  for (std::size_t i = 0; i < of_others.size(); ++i)
-    sizes[static_cast<unsigned int>(owners[i])] += packed_size(rows.at(of_others[i]));
+  for (const auto& [node, row] : rows)
+    if (!own.have(node)) sizes[owner_of(node)] += packed_size(row);
   std::map<unsigned int, std::vector<double>> sent;
   for (const auto& [rank, size] : sizes) sent[rank].reserve(size);
-  for (std::size_t i = 0; i < of_others.size(); ++i) {
-    const auto row = rows.find(of_others[i]);
-    pack(row->first, row->second, sent[static_cast<unsigned int>(owners[i])]);
-    rows.erase(row);
+  for (auto row = rows.begin(); row != rows.end();) {
+    if (own.have(row->first)) {
+      ++row;
+      continue;
+    }
+    pack(row->first, row->second, sent[owner_of(row->first)]);
+    row = rows.erase(row);
   }
   for (const auto& [rank, packed] : dealii::Utilities::MPI::some_to_some(communicator, sent))
     add_packed(packed, rows);
 }
 
-template void send_to_owners(BlockRows<Eigen::Matrix2d>&, const OwnNodes&, const Epetra_Map&,
+template void send_to_owners(BlockRows<Eigen::Matrix2d>&, const OwnNodes&, const UnknownRanges&,
                              MPI_Comm);
-template void send_to_owners(BlockRows<Eigen::Matrix3d>&, const OwnNodes&, const Epetra_Map&,
+template void send_to_owners(BlockRows<Eigen::Matrix3d>&, const OwnNodes&, const UnknownRanges&,
                              MPI_Comm);
 template void send_to_owners(BlockRows<Eigen::Matrix<double, 6, 6>>&, const OwnNodes&,
-                             const Epetra_Map&, MPI_Comm);
+                             const UnknownRanges&, MPI_Comm);
 template std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>> rows_of_others(
     const std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>>&, const std::vector<int>&,
-    const Epetra_Map&, int, MPI_Comm);
+    const UnknownRanges&, int, MPI_Comm);
 template std::vector<BlockRow<Eigen::Matrix3d>> rows_of_others(
-    const std::vector<BlockRow<Eigen::Matrix3d>>&, const std::vector<int>&, const Epetra_Map&, int,
-    MPI_Comm);
+    const std::vector<BlockRow<Eigen::Matrix3d>>&, const std::vector<int>&, const UnknownRanges&,
+    int, MPI_Comm);
 template std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>> rows_of_others(
     const std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>>&, const std::vector<int>&,
-    const Epetra_Map&, int, MPI_Comm);
+    const UnknownRanges&, int, MPI_Comm);
 template std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>> rows_of_others(
     const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&, const std::vector<int>&,
-    const Epetra_Map&, int, MPI_Comm);
+    const UnknownRanges&, int, MPI_Comm);
 
 }  // namespace geneva::fem

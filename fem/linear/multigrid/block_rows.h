@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Epetra_Map.h>
 #include <mpi.h>
 
 #include <cstddef>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "fem/linear/multigrid/block_row.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -18,27 +18,13 @@ using BlockRows = std::map<int, BlockRow<Block>>;
 /// The nodes of this rank: those from first on, before end.
 struct OwnNodes {
   /// @param unknowns of this rank, those of a node after each other
-  OwnNodes(const Epetra_Map& unknowns, int of_each);
+  OwnNodes(const UnknownRanges& unknowns, int of_each);
 
   [[nodiscard]] bool have(const int node) const { return node >= first && node < end; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - first); }
 
   int first;
   int end;
-};
-
-/// Which rank each node belongs to, for nodes that are numbered rank by rank.
-class NodeRanges {
- public:
-  /// @param unknowns of this rank, those of a node after each other
-  NodeRanges(const Epetra_Map& unknowns, int of_each);
-
-  [[nodiscard]] bool are_of_one_rank(int node, int other) const;
-
- private:
-  [[nodiscard]] std::ptrdiff_t rank_of(int node) const;
-
-  std::vector<int> ends_;  ///< of each rank's nodes, ascending
 };
 
 /// Places of the nodes that a rank's part of a matrix has in its columns: its own ones, then
@@ -59,10 +45,6 @@ class ColumnNodes {
   std::vector<int> others_;
 };
 
-/// Ranks that own nodes.
-/// @param unknowns of the nodes, of_each of each
-std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unknowns, int of_each);
-
 /// Rows of other ranks' nodes, which these send.
 /// @param rows of this rank's nodes, from the first on
 /// @param others numbers of the nodes
@@ -71,13 +53,13 @@ std::vector<int> owners_of(const std::vector<int>& nodes, const Epetra_Map& unkn
 template <typename Block>
 std::vector<BlockRow<Block>> rows_of_others(const std::vector<BlockRow<Block>>& rows,
                                             const std::vector<int>& others,
-                                            const Epetra_Map& unknowns, int of_each,
+                                            const UnknownRanges& unknowns, int of_each,
                                             MPI_Comm communicator);
 
 /// Sends the rows of other ranks' nodes to these and adds what they send.
 /// @param unknowns of the nodes
 template <typename Block>
-void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const Epetra_Map& unknowns,
+void send_to_owners(BlockRows<Block>& rows, const OwnNodes& own, const UnknownRanges& unknowns,
                     MPI_Comm communicator);
 
 }  // namespace geneva::fem

@@ -6,8 +6,6 @@ namespace geneva::fem {
 
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 template <typename Matrix>
 std::vector<double> inverse_diagonal(const Matrix& matrix) {
   std::vector<double> result = matrix.diagonal();
@@ -17,7 +15,7 @@ std::vector<double> inverse_diagonal(const Matrix& matrix) {
 
 /// factor D^-1 v
 void scale(Vector& vector, const std::vector<double>& inverse_diagonal, const double factor) {
-  double* const values = vector.trilinos_vector()[0];
+  double* const values = vector.begin();
   for (std::size_t i = 0; i < inverse_diagonal.size(); ++i)
     values[i] *= factor * inverse_diagonal[i];
 }
@@ -63,7 +61,7 @@ void Chebyshev<Matrix>::take_second_step(Vector& solution, Vector& step,
 template <typename Matrix>
 double largest_eigenvalue(const Matrix& matrix, const MPI_Comm communicator, Vector& vector) {
   constexpr int n_steps = 12;
-  vector.reinit(dealii::IndexSet(matrix.unknowns()), communicator);
+  vector.reinit(matrix.unknowns().own(), communicator);
   for (const auto row : vector.locally_owned_elements())
     vector(row) = std::sin(static_cast<double>(row * row % 7919));
   vector.compress(dealii::VectorOperation::insert);

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/condensed_matrix.h"
 #include "fem/linear/multigrid/symmetric_matrix.h"
 
@@ -16,8 +15,6 @@ namespace geneva::fem {
 template <typename Matrix>
 class Chebyshev {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// @param matrix symmetric and positive definite; must outlive this
   /// @param lowest, highest eigenvalues of the scaled matrix that are reduced, positive
   Chebyshev(const Matrix& matrix, double lowest, double highest);
@@ -39,13 +36,11 @@ class Chebyshev {
 /// The largest eigenvalue of a matrix scaled by its diagonal, from below: by the power method.
 /// @param vector in: where it starts, not zero; out: nearer to the eigenvector
 template <typename Matrix>
-double largest_eigenvalue(const Matrix& matrix, dealii::TrilinosWrappers::MPI::Vector& vector,
-                          int n_steps);
+double largest_eigenvalue(const Matrix& matrix, Vector& vector, int n_steps);
 
 /// From a vector that is the same in every run.
 /// @param vector out: near the eigenvector
 template <typename Matrix>
-double largest_eigenvalue(const Matrix& matrix, MPI_Comm communicator,
-                          dealii::TrilinosWrappers::MPI::Vector& vector);
+double largest_eigenvalue(const Matrix& matrix, MPI_Comm communicator, Vector& vector);
 
 }  // namespace geneva::fem

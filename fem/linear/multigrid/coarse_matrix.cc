@@ -81,13 +81,15 @@ class Factors {
 /// Adds first^T second to the rows of other ranks' nodes, as far as these read it.
 template <int n, int m>
 void add_rows_of_others(const Row<n, m>& first, const Row<n, m>& second, const OwnNodes& own,
-                        const NodeRanges& ranges, BlockRows<Eigen::Matrix<double, m, m>>& rows) {
+                        const UnknownRanges& unknowns,
+                        BlockRows<Eigen::Matrix<double, m, m>>& rows) {
+  const auto owner_of = [&](const int node) { return unknowns.owner_of(m * node); };
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (own.have(first.number(i))) continue;
     auto& row = rows[first.number(i)];
     for (std::size_t j = 0; j < second.size(); ++j)
       if (second.number(j) >= first.number(i) ||
-          !ranges.are_of_one_rank(first.number(i), second.number(j)))
+          owner_of(first.number(i)) != owner_of(second.number(j)))
         row.at(second.number(j)).noalias() += first.block(i).transpose() * second.block(j);
   }
 }
@@ -95,18 +97,17 @@ void add_rows_of_others(const Row<n, m>& first, const Row<n, m>& second, const O
 /// What other ranks add to rows of this one, for what it adds to theirs.
 template <int n, int m>
 BlockRows<Eigen::Matrix<double, m, m>> received_rows(const Factors<n, m>& factors,
-                                                     const Epetra_Map& unknowns,
+                                                     const UnknownRanges& unknowns,
                                                      const MPI_Comm communicator) {
   const OwnNodes own(unknowns, m);
-  const NodeRanges ranges(unknowns, m);
   const std::vector<bool> is_at_others = factors.nodes_with_columns_beyond(own);
   BlockRows<Eigen::Matrix<double, m, m>> rows;
   Row<n, m> right;
   for (std::size_t node = 0; node < factors.n_nodes(); ++node) {
     if (!is_at_others[node] || factors.left(node).size() == 0) continue;
     factors.find_right(node, right);
-    add_rows_of_others(factors.left(node), right, own, ranges, rows);
-    add_rows_of_others(right, factors.left(node), own, ranges, rows);
+    add_rows_of_others(factors.left(node), right, own, unknowns, rows);
+    add_rows_of_others(right, factors.left(node), own, unknowns, rows);
   }
   send_to_owners(rows, own, unknowns, communicator);
   return rows;
@@ -116,7 +117,7 @@ BlockRows<Eigen::Matrix<double, m, m>> received_rows(const Factors<n, m>& factor
 template <int n, int m>
 NodePattern pattern_of(const Factors<n, m>& factors,
                        const BlockRows<Eigen::Matrix<double, m, m>>& received,
-                       const Epetra_Map& unknowns) {
+                       const UnknownRanges& unknowns) {
   const OwnNodes own(unknowns, m);
   std::vector<std::vector<int>> coupled;
   for (int node = own.first; node < own.end; ++node) coupled.push_back({node});
@@ -173,7 +174,7 @@ SymmetricMatrix<m> coarse_matrix(const SymmetricMatrix<n>& matrix,
                                  const NodeMatrix<n, m>& prolongation,
                                  const MPI_Comm communicator) {
   const Factors<n, m> factors(matrix, prolongation, communicator);
-  const Epetra_Map& unknowns = prolongation.pattern().unknowns();
+  const UnknownRanges& unknowns = prolongation.pattern().unknowns();
   const auto received = received_rows(factors, unknowns, communicator);
   SymmetricMatrix<m> coarse(pattern_of(factors, received, unknowns));
   add(factors, coarse);

@@ -44,7 +44,8 @@ CoarseNodes<dim> coarse_nodes(const Aggregates& aggregates,
                               const NodePattern& pattern) {
   constexpr int n = n_rigid_motions<dim>;
   std::vector<dealii::Point<dim>> own_centres = centres_of(aggregates, positions);
-  Epetra_Map unknowns(-1, n * static_cast<int>(own_centres.size()), 0, pattern.unknowns().Comm());
+  UnknownRanges unknowns(n * static_cast<int>(own_centres.size()),
+                         pattern.unknowns().communicator());
   const OwnNodes own(unknowns, n);
   std::vector<double> numbers;
   std::vector<dealii::Point<dim>> centres;

@@ -2,12 +2,11 @@
 
 #include <deal.II/base/point.h>
 
-#include <Epetra_Map.h>
-
 #include <vector>
 
 #include "fem/linear/multigrid/aggregation.h"
 #include "fem/linear/multigrid/node_matrix.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -18,7 +17,7 @@ struct CoarseNodes {
   std::vector<int> of_nodes;  ///< number among those of all ranks, of each place's node
   std::vector<dealii::Point<dim>> centres;      ///< of the coarse node of each place's node
   std::vector<dealii::Point<dim>> own_centres;  ///< of this rank's coarse nodes
-  Epetra_Map unknowns;  ///< as many of each as there are rigid motions, numbered rank by rank
+  UnknownRanges unknowns;  ///< as many of each as there are rigid motions, numbered rank by rank
 };
 
 /// @param aggregates of this rank's nodes

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
 #include <map>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/elimination.h"
 #include "fem/linear/multigrid/symmetric_matrix.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -17,8 +17,6 @@ namespace geneva::fem {
 template <int n>
 class CondensedMatrix {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// @param whole A; no unknown follows another yet
   explicit CondensedMatrix(SymmetricMatrix<n> whole);
 
@@ -28,7 +26,7 @@ class CondensedMatrix {
 
   [[nodiscard]] const SymmetricMatrix<n>& whole() const { return whole_; }
   [[nodiscard]] const Elimination& elimination() const { return elimination_; }
-  [[nodiscard]] const Epetra_Map& unknowns() const { return whole_.unknowns(); }
+  [[nodiscard]] const UnknownRanges& unknowns() const { return whole_.unknowns(); }
 
   /// E^T A E v
   void vmult(Vector& result, const Vector& vector) const;

@@ -33,9 +33,9 @@ DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const Eliminatio
                               const MPI_Comm communicator, const int most_everywhere)
     : communicator_(communicator),
       is_first_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0),
-      is_everywhere_(matrix.unknowns().NumGlobalElements() <= most_everywhere),
-      n_unknowns_(matrix.unknowns().NumGlobalElements()),
-      n_own_(matrix.unknowns().NumMyElements()),
+      is_everywhere_(matrix.unknowns().n_all() <= most_everywhere),
+      n_unknowns_(matrix.unknowns().n_all()),
+      n_own_(matrix.unknowns().n_own()),
       counts_(gathered_one(communicator, n_own_)),
       firsts_(counts_.size() + 1, 0) {
   std::partial_sum(counts_.begin(), counts_.end(), firsts_.begin() + 1);
@@ -49,8 +49,8 @@ DirectSolver<n>::DirectSolver(const SymmetricMatrix<n>& matrix, const Eliminatio
 
 template <int n>
 void DirectSolver<n>::vmult(Vector& solution, const Vector& right_hand_side) const {
-  const double* const own = right_hand_side.trilinos_vector()[0];
-  Eigen::Map<Eigen::VectorXd>(solution.trilinos_vector()[0], n_own_) =
+  const double* const own = right_hand_side.begin();
+  Eigen::Map<Eigen::VectorXd>(solution.begin(), n_own_) =
       is_everywhere_ ? solved_everywhere(own) : solved_by_first(own);
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
 #include <Eigen/CholmodSupport>
 
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/elimination.h"
 #include "fem/linear/multigrid/symmetric_matrix.h"
 
@@ -16,8 +15,6 @@ namespace geneva::fem {
 template <int n>
 class DirectSolver {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// Unknowns up to which every rank has all factors: the coarsest level of four million unknowns
   /// has as many.
   static constexpr int most_on_every_rank = 20000;

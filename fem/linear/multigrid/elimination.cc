@@ -4,16 +4,16 @@ namespace geneva::fem {
 
 namespace {
 
-std::vector<Elimination::Line> lines_of(const Epetra_Map& unknowns,
+std::vector<Elimination::Line> lines_of(const UnknownRanges& unknowns,
                                         const std::map<int, Shares>& lines) {
   std::vector<Elimination::Line> own;
   for (const auto& [unknown, shares] : lines)
-    if (unknowns.MyGID(unknown))
-      own.push_back({static_cast<std::size_t>(unknowns.LID(unknown)), shares});
+    if (unknowns.have(unknown))
+      own.push_back({static_cast<std::size_t>(unknown - unknowns.first()), shares});
   return own;
 }
 
-NodePattern pattern_of(const Epetra_Map& unknowns, const std::vector<Elimination::Line>& lines) {
+NodePattern pattern_of(const UnknownRanges& unknowns, const std::vector<Elimination::Line>& lines) {
   std::vector<std::vector<int>> coupled;
   for (const Elimination::Line& line : lines) {
     coupled.emplace_back();
@@ -24,7 +24,7 @@ NodePattern pattern_of(const Epetra_Map& unknowns, const std::vector<Elimination
 
 }  // namespace
 
-Elimination::Elimination(const Epetra_Map& unknowns, const std::map<int, Shares>& lines)
+Elimination::Elimination(const UnknownRanges& unknowns, const std::map<int, Shares>& lines)
     : own_(lines_of(unknowns, lines)),
       lines_(lines.begin(), lines.end()),
       pattern_(pattern_of(unknowns, own_)) {
@@ -45,7 +45,7 @@ std::vector<int> Elimination::others() const {
 }
 
 void Elimination::distribute(Vector& vector) const {
-  double* const own = vector.trilinos_vector()[0];
+  double* const own = vector.begin();
   const double* const others = pattern_.on_others(own);
   const auto n_own = static_cast<int>(pattern_.own().size());
   for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -58,7 +58,7 @@ void Elimination::distribute(Vector& vector) const {
 
 void Elimination::collect(Vector& vector) const {
   const auto n_own = static_cast<int>(pattern_.own().size());
-  double* const values = vector.trilinos_vector()[0];
+  double* const values = vector.begin();
   pattern_.add(
       values,
       [&](double* const others) {

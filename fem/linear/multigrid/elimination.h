@@ -1,16 +1,14 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
-#include <Epetra_Map.h>
-
 #include <cstddef>
 #include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/node_matrix.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -20,8 +18,6 @@ using Shares = std::vector<std::pair<int, double>>;
 /// Constrained unknowns: u = E v.
 class Elimination {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   /// An unknown of this rank.
   struct Line {
     std::size_t unknown;  ///< place among the rank's unknowns
@@ -31,7 +27,7 @@ class Elimination {
   /// @param unknowns of this rank
   /// @param lines by constrained unknowns of any rank, in unconstrained ones; those of this rank
   /// at least
-  Elimination(const Epetra_Map& unknowns, const std::map<int, Shares>& lines);
+  Elimination(const UnknownRanges& unknowns, const std::map<int, Shares>& lines);
 
   /// Those of this rank.
   [[nodiscard]] const std::vector<Line>& own() const { return own_; }

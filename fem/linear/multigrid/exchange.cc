@@ -2,30 +2,23 @@
 
 #include <deal.II/base/index_set.h>
 
-#include <Epetra_MpiComm.h>
-
 #include <algorithm>
 
 namespace geneva::fem {
 
 namespace {
 
-dealii::IndexSet index_set(const std::vector<int>& unknowns, const Epetra_Map& of_all) {
-  dealii::IndexSet result(static_cast<dealii::types::global_dof_index>(of_all.NumGlobalElements()));
+dealii::IndexSet index_set(const std::vector<int>& unknowns, const UnknownRanges& of_all) {
+  dealii::IndexSet result(static_cast<dealii::types::global_dof_index>(of_all.n_all()));
   result.add_indices(unknowns.begin(), unknowns.end());
   result.compress();
   return result;
 }
 
-MPI_Comm communicator_of(const Epetra_Map& unknowns) {
-  return dynamic_cast<const Epetra_MpiComm&>(unknowns.Comm()).Comm();
-}
-
 }  // namespace
 
-Exchange::Exchange(const Epetra_Map& unknowns, const std::vector<int>& others)
-    : partitioner_(dealii::IndexSet(unknowns), index_set(others, unknowns),
-                   communicator_of(unknowns)),
+Exchange::Exchange(const UnknownRanges& unknowns, const std::vector<int>& others)
+    : partitioner_(unknowns.own(), index_set(others, unknowns), unknowns.communicator()),
       at_others_(others.size()),
       at_own_(partitioner_.n_import_indices()) {}
 

@@ -2,9 +2,9 @@
 
 #include <deal.II/base/partitioner.h>
 
-#include <Epetra_Map.h>
-
 #include <vector>
+
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -13,7 +13,7 @@ class Exchange {
  public:
   /// @param unknowns of this rank
   /// @param others the unknowns of other ranks, ascending
-  Exchange(const Epetra_Map& unknowns, const std::vector<int>& others);
+  Exchange(const UnknownRanges& unknowns, const std::vector<int>& others);
 
   /// Begins to receive the values of the others.
   /// @param own values at this rank's unknowns

@@ -1,5 +1,8 @@
 #include "fem/linear/multigrid/library_multigrid.h"
 
+#include <Epetra_Map.h>
+#include <Epetra_MpiComm.h>
+#include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 
 #include "fem/linear/multigrid/condensed_entries.h"
@@ -16,6 +19,10 @@ std::vector<dealii::Point<dim>> own_positions(const SymmetricMatrix<dim>& matrix
   const CoupledNodes<dim> nodes(matrix, dof_handler);
   return {nodes.positions().begin(),
           nodes.positions().begin() + static_cast<std::ptrdiff_t>(nodes.n_own())};
+}
+
+Epetra_Map map_of(const UnknownRanges& unknowns) {
+  return {unknowns.n_all(), unknowns.n_own(), 0, Epetra_MpiComm(unknowns.communicator())};
 }
 
 /// As its manual advises for elasticity (M. Gee and others, ML 5.0 Smoothed Aggregation User's
@@ -57,7 +64,8 @@ void LibraryMultigrid<dim>::renew() {
 template <int dim>
 void LibraryMultigrid<dim>::fill_matrix() {
   constexpr int entries_in_row = 0;  // found out by the matrix
-  condensed_ = std::make_unique<Epetra_FECrsMatrix>(Copy, matrix_.unknowns(), entries_in_row);
+  condensed_ =
+      std::make_unique<Epetra_FECrsMatrix>(Copy, map_of(matrix_.unknowns()), entries_in_row);
   const auto add = [&](const int row, const int column, const double value) {
     condensed_->InsertGlobalValues(1, &row, 1, &column, &value);
   };
@@ -88,7 +96,10 @@ std::vector<double> LibraryMultigrid<dim>::rigid_motions() const {
 
 template <int dim>
 void LibraryMultigrid<dim>::vmult(Vector& correction, const Vector& residual) const {
-  levels_->ApplyInverse(residual.trilinos_vector(), correction.trilinos_vector());
+  // Epetra's views of values cannot be const.
+  const Epetra_Vector from(View, condensed_->RowMap(), const_cast<double*>(residual.begin()));
+  Epetra_Vector to(View, condensed_->RowMap(), correction.begin());
+  levels_->ApplyInverse(from, to);
 }
 
 template class LibraryMultigrid<2>;

@@ -56,7 +56,7 @@ void Multigrid<dim>::make_levels(const dealii::DoFHandler<dim>& dof_handler,
       CoarseProblem<dim>{coarse_matrix(matrix_.whole(), *prolongation_, communicator_),
                          std::move(prolonged.positions), std::move(prolonged.bodies)},
       most_for_factors(dof_handler.n_dofs()), communicator_);
-  coarse_zero_.reinit(dealii::IndexSet(prolongation_->pattern().unknowns()), communicator_);
+  coarse_zero_.reinit(prolongation_->pattern().unknowns().own(), communicator_);
   make_smoother();
 }
 
@@ -72,7 +72,7 @@ void Multigrid<dim>::renew_eigenvalue() {
   const std::size_t n_changed = dealii::Utilities::MPI::sum(changed.size(), communicator_);
   if (n_changed == 0) return;
   const double size = eigenvector_.l2_norm() / std::sqrt(static_cast<double>(n_changed));
-  double* const values = eigenvector_.trilinos_vector()[0];
+  double* const values = eigenvector_.begin();
   for (const std::size_t i : changed) values[i] += i % 2 == 0 ? size : -size;
   largest_eigenvalue_ = margin * largest_eigenvalue(matrix_, eigenvector_, n_steps);
 }

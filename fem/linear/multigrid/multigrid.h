@@ -2,7 +2,6 @@
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
 #include <optional>

@@ -18,7 +18,7 @@ std::vector<int> others_in(const std::vector<std::vector<int>>& lists, const Own
 
 }  // namespace
 
-NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
+NodePattern::NodePattern(const UnknownRanges& unknowns, const int of_each,
                          std::vector<std::vector<int>> coupled)
     : unknowns_(unknowns),
       of_each_(static_cast<std::size_t>(of_each)),
@@ -35,7 +35,7 @@ NodePattern::NodePattern(const Epetra_Map& unknowns, const int of_each,
     std::sort(places_.begin() + first, places_.end());
   }
   find_blocks_beyond();
-  if (unknowns.Comm().NumProc() > 1)
+  if (unknowns.n_ranks() > 1)
     exchange_ = std::make_unique<Exchange>(unknowns_, columns_.unknowns_of_others(of_each));
 }
 
@@ -55,10 +55,10 @@ std::size_t NodePattern::block(const std::size_t row, const int place) const {
 }
 
 std::vector<double> NodePattern::on_all_nodes(const std::vector<double>& of_own_nodes) const {
-  Epetra_MultiVector own(unknowns_, 1);
+  std::vector<double> own(static_cast<std::size_t>(unknowns_.n_own()), 0.);
   for (std::size_t node = 0; node < of_own_nodes.size(); ++node)
-    own[0][node * of_each_] = of_own_nodes[node];
-  const double* const others = on_others(own[0]);
+    own[node * of_each_] = of_own_nodes[node];
+  const double* const others = on_others(own.data());
   std::vector<double> result = of_own_nodes;
   for (std::size_t node = own_.size(); node < n_places(); ++node)
     result.push_back(others[(node - own_.size()) * of_each_]);
@@ -96,8 +96,8 @@ void NodeMatrix<n, m>::add(const std::size_t row, const BlockRow<Block>& values)
 template <int n, int m>
 void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
   using Part = Eigen::Matrix<double, m, 1>;
-  const double* const own = vector.trilinos_vector()[0];
-  double* const to = result.trilinos_vector()[0];
+  const double* const own = vector.begin();
+  double* const to = result.begin();
   const auto part_of = [&](const std::size_t row) {
     return Eigen::Map<Eigen::Matrix<double, n, 1>>(to + n * row);
   };
@@ -114,13 +114,13 @@ void NodeMatrix<n, m>::vmult_add(Vector& result, const Vector& vector) const {
 template <int n, int m>
 void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
   using Part = Eigen::Matrix<double, m, 1>;
-  const double* const from = vector.trilinos_vector()[0];
+  const double* const from = vector.begin();
   const auto part_of = [&](const std::size_t row) {
     return Eigen::Map<const Eigen::Matrix<double, n, 1>>(from + n * row);
   };
   result = 0.;
   pattern_.add(
-      result.trilinos_vector()[0],
+      result.begin(),
       [&](double* const others) {
         visit_blocks_beyond(
             [&](const std::size_t row, const std::size_t place, const Block& block) {
@@ -136,7 +136,7 @@ void NodeMatrix<n, m>::Tvmult(Vector& result, const Vector& vector) const {
 
 template <int n, int m>
 NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
-                           const Epetra_Map& unknowns) {
+                           const UnknownRanges& unknowns) {
   std::vector<std::vector<int>> coupled;
   for (const auto& row : rows) coupled.push_back(row.numbers());
   NodeMatrix<n, m> matrix(NodePattern(unknowns, m, std::move(coupled)));
@@ -149,12 +149,12 @@ template class NodeMatrix<3, 3>;
 template class NodeMatrix<3, 6>;
 template class NodeMatrix<6, 6>;
 template NodeMatrix<2, 3> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 2, 3>>>&,
-                                    const Epetra_Map&);
+                                    const UnknownRanges&);
 template NodeMatrix<3, 3> matrix_of(const std::vector<BlockRow<Eigen::Matrix3d>>&,
-                                    const Epetra_Map&);
+                                    const UnknownRanges&);
 template NodeMatrix<3, 6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 3, 6>>>&,
-                                    const Epetra_Map&);
+                                    const UnknownRanges&);
 template NodeMatrix<6, 6> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, 6, 6>>>&,
-                                    const Epetra_Map&);
+                                    const UnknownRanges&);
 
 }  // namespace geneva::fem

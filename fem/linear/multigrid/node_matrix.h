@@ -1,16 +1,14 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
-#include <Epetra_Map.h>
-#include <Epetra_MultiVector.h>
 #include <Eigen/Core>
 
 #include <memory>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/block_rows.h"
 #include "fem/linear/multigrid/exchange.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -21,7 +19,7 @@ class NodePattern {
   /// @param unknowns of this rank's column nodes, those of a node after each other
   /// @param of_each number of unknowns of a column node
   /// @param coupled numbers of the column nodes that each row node is coupled to, once each
-  NodePattern(const Epetra_Map& unknowns, int of_each, std::vector<std::vector<int>> coupled);
+  NodePattern(const UnknownRanges& unknowns, int of_each, std::vector<std::vector<int>> coupled);
 
   [[nodiscard]] std::size_t n_rows() const { return first_blocks_.size() - 1; }
   /// This rank's column nodes.
@@ -44,7 +42,7 @@ class NodePattern {
   /// The block of two nodes that are coupled; if they are not, that of the next column.
   [[nodiscard]] std::size_t block(std::size_t row, int place) const;
 
-  [[nodiscard]] const Epetra_Map& unknowns() const { return unknowns_; }
+  [[nodiscard]] const UnknownRanges& unknowns() const { return unknowns_; }
   /// Blocks of a row in columns of other ranks.
   struct BlocksBeyond {
     std::size_t row;
@@ -75,7 +73,7 @@ class NodePattern {
  private:
   void find_blocks_beyond();
 
-  Epetra_Map unknowns_;
+  UnknownRanges unknowns_;
   std::size_t of_each_;
   OwnNodes own_;
   ColumnNodes columns_;
@@ -109,7 +107,6 @@ template <int n, int m>
 class NodeMatrix {
  public:
   using Block = Eigen::Matrix<double, n, m>;
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   /// Zero.
   explicit NodeMatrix(NodePattern pattern)
@@ -117,7 +114,7 @@ class NodeMatrix {
 
   [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
   /// Of the columns.
-  [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
+  [[nodiscard]] const UnknownRanges& unknowns() const { return pattern_.unknowns(); }
   [[nodiscard]] const Block& block(const std::size_t index) const { return blocks_[index]; }
   Block& block(const std::size_t index) { return blocks_[index]; }
 
@@ -142,6 +139,6 @@ class NodeMatrix {
 /// @param unknowns of this rank's column nodes
 template <int n, int m>
 NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m>>>& rows,
-                           const Epetra_Map& unknowns);
+                           const UnknownRanges& unknowns);
 
 }  // namespace geneva::fem

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
+#include "fem/discretisation/vector.h"
 
 namespace geneva::fem {
 
 /// Approximate inverse of a condensed stiffness whose constraints change with the active set.
 class Preconditioner {
  public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
   Preconditioner() = default;
   Preconditioner(const Preconditioner&) = delete;
   Preconditioner& operator=(const Preconditioner&) = delete;

@@ -179,7 +179,7 @@ void hold_constrained(std::vector<NodeRow<dim>>& rows, const Dependence& depende
 template <int dim>
 BlockRows<RigidDisplacement<dim>> rows_followed(const std::vector<NodeRow<dim>>& rows,
                                                 const Elimination& elimination,
-                                                const Epetra_Map& unknowns,
+                                                const UnknownRanges& unknowns,
                                                 const MPI_Comm communicator) {
   std::vector<int> nodes;
   for (const int unknown : elimination.others())
@@ -193,7 +193,7 @@ BlockRows<RigidDisplacement<dim>> rows_followed(const std::vector<NodeRow<dim>>&
 /// Gives the constrained unknowns their values.
 template <int dim>
 void distribute(std::vector<NodeRow<dim>>& rows, const Elimination& elimination,
-                const Epetra_Map& unknowns, const MPI_Comm communicator) {
+                const UnknownRanges& unknowns, const MPI_Comm communicator) {
   const OwnNodes own(unknowns, dim);
   const auto others = rows_followed<dim>(rows, elimination, unknowns, communicator);
   for (const auto& [unknown, shares] : elimination.own()) {

@@ -80,8 +80,8 @@ template <int n>
 void SymmetricMatrix<n>::add_product(Vector& result, const Vector& vector,
                                      const double factor) const {
   using Part = Eigen::Matrix<double, n, 1>;
-  const double* const own = vector.trilinos_vector()[0];
-  double* const to = result.trilinos_vector()[0];
+  const double* const own = vector.begin();
+  double* const to = result.begin();
   const double* const others =
       pattern_.on_others(own, [&] { add_product_of_own(to, own, factor); });
   for (const NodePattern::BlocksBeyond& blocks : pattern_.blocks_beyond()) {

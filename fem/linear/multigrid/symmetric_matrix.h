@@ -1,10 +1,10 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/node_matrix.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 namespace geneva::fem {
 
@@ -15,14 +15,13 @@ template <int n>
 class SymmetricMatrix {
  public:
   using Block = Eigen::Matrix<double, n, n>;
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   /// Zero.
   /// @param pattern symmetric, with all diagonal blocks
   explicit SymmetricMatrix(NodePattern pattern);
 
   [[nodiscard]] const NodePattern& pattern() const { return pattern_; }
-  [[nodiscard]] const Epetra_Map& unknowns() const { return pattern_.unknowns(); }
+  [[nodiscard]] const UnknownRanges& unknowns() const { return pattern_.unknowns(); }
 
   /// A block of the pattern.
   /// @param place of the column's node

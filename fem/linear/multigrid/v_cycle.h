@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/chebyshev.h"
 #include "fem/linear/multigrid/node_matrix.h"
 
@@ -15,11 +14,8 @@ namespace geneva::fem {
 /// @param correction out
 template <typename Matrix, int n, int m, typename Coarse>
 void v_cycle(const Matrix& matrix, const Chebyshev<Matrix>& smoother,
-             const NodeMatrix<n, m>& prolongation, const Coarse& coarse,
-             const dealii::TrilinosWrappers::MPI::Vector& coarse_zero,
-             dealii::TrilinosWrappers::MPI::Vector& correction,
-             const dealii::TrilinosWrappers::MPI::Vector& residual) {
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+             const NodeMatrix<n, m>& prolongation, const Coarse& coarse, const Vector& coarse_zero,
+             Vector& correction, const Vector& residual) {
   smoother.solve(correction, residual);
   Vector rest(residual);
   matrix.residual(rest, correction, residual);

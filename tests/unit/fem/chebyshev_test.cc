@@ -1,6 +1,5 @@
 #include "fem/linear/multigrid/chebyshev.h"
 
-#include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -8,14 +7,11 @@
 namespace geneva::fem::test {
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 /// Two nodes on each rank, each with the same stiffness and coupled to no other: scaled by its
 /// diagonal, the matrix has the eigenvalues 1/2, 3/2 and 1.
 SymmetricMatrix<3> pairs() {
-  const Epetra_MpiComm communicator(MPI_COMM_WORLD);
-  const Epetra_Map unknowns(-1, 6, 0, communicator);
-  const int first = unknowns.MinMyGID() / 3;
+  const UnknownRanges unknowns(6, MPI_COMM_WORLD);
+  const int first = unknowns.first() / 3;
   SymmetricMatrix<3> matrix(NodePattern(unknowns, 3, {{first}, {first + 1}}));
   for (std::size_t node = 0; node < 2; ++node)
     matrix.diagonal_block(node) << 4., 2., 0., 2., 4., 0., 0., 0., 4.;
@@ -24,7 +20,7 @@ SymmetricMatrix<3> pairs() {
 
 /// The eigenvector of an eigenvalue.
 Vector eigenvector(const SymmetricMatrix<3>& matrix, const double eigenvalue) {
-  Vector result(dealii::IndexSet(matrix.pattern().unknowns()), MPI_COMM_WORLD);
+  Vector result(matrix.pattern().unknowns().own(), MPI_COMM_WORLD);
   for (const auto i : result.locally_owned_elements())
     result(i) = i % 3 == 2 ? 0. : i % 3 == 0 || eigenvalue > 1. ? 1. : -1.;
   result.compress(dealii::VectorOperation::insert);

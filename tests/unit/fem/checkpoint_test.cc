@@ -13,7 +13,6 @@ namespace {
 
 using nlohmann::json;
 using test::Discretisation;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// A square of 4 x 4 cells, whose corner at the origin is refined three times if wanted.
 Discretisation<2> square(const bool is_refined) {

@@ -15,7 +15,7 @@ namespace {
 /// The first unknown of each rank follows the next one, its last but one and, if there are others,
 /// one of the next rank; its fourth one two of those.
 std::map<int, Shares> lines() {
-  const int n_unknowns = unknowns().NumGlobalElements();
+  const int n_unknowns = unknowns().n_all();
   std::map<int, Shares> result;
   for (int first = 0; first < n_unknowns; first += n_own_unknowns) {
     std::map<int, double> shares{{first + 1, 0.3}, {first + 4, -0.6}};
@@ -28,7 +28,7 @@ std::map<int, Shares> lines() {
 
 CondensedMatrix<3> condensed() {
   CondensedMatrix<3> matrix(whole());
-  matrix.eliminate({{unknowns().MinMyGID() + 2, {{unknowns().MinMyGID(), 2.}}}});
+  matrix.eliminate({{unknowns().first() + 2, {{unknowns().first(), 2.}}}});
   matrix.eliminate(lines());
   return matrix;
 }
@@ -84,14 +84,14 @@ TEST(CondensedMatrix, GivesTheResidualOfItsProduct) {
 TEST(CondensedMatrix, KnowsItsDiagonal) {
   const CondensedMatrix<3> matrix = condensed();
   const std::vector<double> diagonal = matrix.diagonal();
-  const Epetra_Map map = unknowns();
+  const UnknownRanges map = unknowns();
   const auto all = lines();
-  for (int unknown = 0; unknown < map.NumGlobalElements(); ++unknown) {
+  for (int unknown = 0; unknown < map.n_all(); ++unknown) {
     const Vector unit = vector_of([&](const int i) { return i == unknown ? 1. : 0.; });
     Vector product(unit);
     matrix.vmult(product, unit);
-    if (!map.MyGID(unknown)) continue;
-    const double found = diagonal[static_cast<std::size_t>(map.LID(unknown))];
+    if (!map.have(unknown)) continue;
+    const double found = diagonal[static_cast<std::size_t>(unknown - map.first())];
     if (all.count(unknown) > 0)
       EXPECT_GT(found, 1.);
     else

@@ -54,7 +54,7 @@ Solved solve(const mesh::MeshData<3>& mesh, const Problem<3>& problem, const std
   Settings settings;
   settings.linear_tolerance = 1e-13;
   Level<3> level = make_level(*grid.dof_handler, mesh, with_pair, {1., 1.}, origins);
-  dealii::TrilinosWrappers::MPI::Vector guess(level.owned, MPI_COMM_WORLD);
+  Vector guess(level.owned, MPI_COMM_WORLD);
   auto state =
       solve_level(*grid.dof_handler, level, guess, settings, [](unsigned int, unsigned int) {});
   return {std::move(level), std::move(state.value())};

@@ -1,31 +1,27 @@
 #pragma once
 
-#include <deal.II/lac/trilinos_vector.h>
-
-#include <Epetra_MpiComm.h>
-
 #include <cmath>
 #include <functional>
 #include <vector>
 
+#include "fem/discretisation/vector.h"
 #include "fem/linear/multigrid/symmetric_matrix.h"
+#include "fem/linear/multigrid/unknown_ranges.h"
 
 // A small matrix on any number of ranks, and vectors for it.
 
 namespace geneva::fem::test {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
 constexpr int n_own_nodes = 2;
 constexpr int n_own_unknowns = 3 * n_own_nodes;
 
-inline Epetra_Map unknowns() { return {-1, n_own_unknowns, 0, Epetra_MpiComm(MPI_COMM_WORLD)}; }
+inline UnknownRanges unknowns() { return {n_own_unknowns, MPI_COMM_WORLD}; }
 
 /// Every unknown is coupled to all others: cos i cos j, with 4 more on the diagonal.
 inline SymmetricMatrix<3> whole() {
-  const Epetra_Map map = unknowns();
+  const UnknownRanges map = unknowns();
   std::vector<int> all;
-  for (int node = 0; node < map.NumGlobalElements() / 3; ++node) all.push_back(node);
+  for (int node = 0; node < map.n_all() / 3; ++node) all.push_back(node);
   SymmetricMatrix<3> matrix(NodePattern(map, 3, {n_own_nodes, all}));
   for (int row = 0; row < n_own_nodes; ++row)
     for (const int node : all)
@@ -33,13 +29,13 @@ inline SymmetricMatrix<3> whole() {
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
             matrix.upper_block(static_cast<std::size_t>(row), place)(i, j) =
-                std::cos(map.MinMyGID() + 3. * row + i) * std::cos(3. * node + j) +
+                std::cos(map.first() + 3. * row + i) * std::cos(3. * node + j) +
                 (place == row && i == j ? 4. : 0.);
   return matrix;
 }
 
 inline Vector vector_of(const std::function<double(int)>& value) {
-  Vector result(dealii::IndexSet(unknowns()), MPI_COMM_WORLD);
+  Vector result(unknowns().own(), MPI_COMM_WORLD);
   for (const auto i : result.locally_owned_elements()) result(i) = value(static_cast<int>(i));
   result.compress(dealii::VectorOperation::insert);
   return result;

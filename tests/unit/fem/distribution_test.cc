@@ -9,7 +9,6 @@ namespace geneva::fem {
 namespace {
 
 using test::Discretisation;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double tolerated_excess = 0.02;
 
@@ -52,17 +51,16 @@ test::Field<2> linear() {
 Vector displacement(const Discretisation<2>& grid) {
   dealii::IndexSet relevant;
   dealii::DoFTools::extract_locally_relevant_dofs(*grid.dof_handler, relevant);
-  Vector own(grid.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
+  Vector result(grid.dof_handler->locally_owned_dofs(), relevant, MPI_COMM_WORLD);
   for (const auto& cell : grid.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     std::vector<dealii::types::global_dof_index> dofs(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dofs);
     const auto values = test::values_on(cell, linear());
-    for (unsigned int i = 0; i < values.size(); ++i) own(dofs[i]) = values[i];
+    for (unsigned int i = 0; i < values.size(); ++i) result(dofs[i]) = values[i];
   }
-  own.compress(dealii::VectorOperation::insert);
-  Vector result(grid.dof_handler->locally_owned_dofs(), relevant, MPI_COMM_WORLD);
-  result = own;
+  result.compress(dealii::VectorOperation::insert);
+  result.update_ghost_values();
   return result;
 }
 

@@ -197,8 +197,7 @@ double tip_deflection(const double length, const unsigned int refinements) {
       *grid.dof_handler, ghosts, make_constraints(hanging_nodes(*grid.dof_handler, ghosts), lines),
       cell_systems(*grid.dof_handler, problem, mesh.surfaces), {{tie.master, tie.master_force}});
   system.set_up(*grid.dof_handler, Method::multigrid);
-  dealii::TrilinosWrappers::MPI::Vector displacement(grid.dof_handler->locally_owned_dofs(),
-                                                     MPI_COMM_WORLD);
+  Vector displacement(grid.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
   system.solve(displacement, 1e-10, 0.);
   const bool is_owner = grid.dof_handler->locally_owned_dofs().is_element(tie.master);
   return dealii::Utilities::MPI::sum(is_owner ? displacement(tie.master) : 0., MPI_COMM_WORLD);

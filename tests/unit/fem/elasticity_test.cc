@@ -1,12 +1,12 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/trilinos_vector.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <numeric>
 
+#include "fem/discretisation/vector.h"
 #include "fem/elasticity/cell_element.h"
 #include "fem/elasticity/material_law.h"
 #include "mesh/dense_algebra.h"
@@ -322,8 +322,7 @@ TEST(IncompatibleModes, MakeTheStressOfPureBendingExact) {
   mesh::MeshData<2> beam = geneva::test::empty_mesh();
   geneva::test::add_rectangle(beam, "beam", {-1., 1.}, {-0.5, 0.5}, {"", "", "", ""});
   const Discretisation<2> grid(beam);
-  dealii::TrilinosWrappers::MPI::Vector bent(grid.dof_handler->locally_owned_dofs(),
-                                             MPI_COMM_WORLD);
+  Vector bent(grid.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
   const Field<2> field = [](const Point<2>& x) {
     return Tensor<1, 2>({x[0] * x[1], -0.5 * (x[0] * x[0] + 0.3 * x[1] * x[1])});
   };

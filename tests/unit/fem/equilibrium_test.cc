@@ -40,7 +40,7 @@ struct CoarseSolution {
         scales(scales_of(problem, mesh)),
         grid(geneva::test::enlarged(mesh, 1. / scales.length)),
         level(make_level(*grid.dof_handler, mesh, scaled(problem, scales), scales, origins)) {
-    dealii::TrilinosWrappers::MPI::Vector guess(level.owned, MPI_COMM_WORLD);
+    Vector guess(level.owned, MPI_COMM_WORLD);
     state = solve_level(*grid.dof_handler, level, guess, {}, [](unsigned int, unsigned int) {});
   }
 

@@ -1,6 +1,6 @@
 #include "fem/linear/multigrid/exchange.h"
 
-#include <Epetra_MpiComm.h>
+#include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -18,10 +18,9 @@ class RanksWithThreeUnknowns : public ::testing::Test {
     return result;
   }
 
-  const Epetra_MpiComm communicator{MPI_COMM_WORLD};
-  const int n_ranks = communicator.NumProc();
-  const int this_rank = communicator.MyPID();
-  Exchange exchange{Epetra_Map(-1, 3, 0, communicator), last_of_others()};
+  const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+  const int this_rank = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+  Exchange exchange{UnknownRanges(3, MPI_COMM_WORLD), last_of_others()};
 };
 
 TEST_F(RanksWithThreeUnknowns, ReceiveTheValuesOfOthersEachTime) {

@@ -12,7 +12,6 @@
 namespace geneva::fem::test {
 namespace {
 
-using dealii::TrilinosWrappers::MPI::Vector;
 using geneva::test::equal_steps;
 using Lines = std::vector<ConstraintLine>;
 

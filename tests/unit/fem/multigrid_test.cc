@@ -4,8 +4,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <gtest/gtest.h>
 
-#include <Epetra_MpiComm.h>
-
 #include <cmath>
 #include <limits>
 #include <map>
@@ -29,8 +27,6 @@ namespace {
 using dealii::Point;
 using dealii::Tensor;
 using geneva::test::equal_steps;
-using Matrix = dealii::TrilinosWrappers::SparseMatrix;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 /// Stiffness of a block of 6 x 6 x 3 cells whose bottom is held and whose lower end
 /// slides, a plane of symmetry.
@@ -85,8 +81,7 @@ class Block {
   [[nodiscard]] SymmetricMatrix<3> assembled() const {
     Problem<3> problem;
     problem.bodies.push_back({"block", {2., 0.3}, {}});
-    Vector load;
-    load.reinit(unknowns(), ghosts_, MPI_COMM_WORLD, true);
+    Vector load(unknowns(), ghosts_, MPI_COMM_WORLD);
     return assemble<3>(cell_systems(dof_handler(), problem, mesh_.surfaces), constraints_,
                        unknowns(), MPI_COMM_WORLD, load);
   }
@@ -110,7 +105,7 @@ TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
   for (const double length : {1., 8.}) {
     const Block block(length, 0, true);
     const Prolongation<3> prolonged = block.prolonged();
-    const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
+    const dealii::IndexSet range = prolonged.matrix.pattern().unknowns().own();
     const dealii::IndexSet& unknowns = block.unknowns();
     const CoupledNodes<3> nodes = block.nodes();
     for (unsigned int mode = 0; mode < 6; ++mode) {
@@ -134,8 +129,8 @@ TEST(Prolongation, GivesTheWholesRigidMotionsAtFreeUnknowns) {
 /// Also those of other ranks.
 TEST(Prolongation, LetsEliminatedUnknownsFollow) {
   const Block block(1.);
-  const Epetra_Map& unknowns = block.matrix().unknowns();
-  const int n_unknowns = unknowns.NumGlobalElements();
+  const UnknownRanges& unknowns = block.matrix().unknowns();
+  const int n_unknowns = unknowns.n_all();
   std::map<int, Shares> lines;
   for (const auto index : block.unknowns()) {
     const auto unknown = static_cast<int>(index);
@@ -149,9 +144,8 @@ TEST(Prolongation, LetsEliminatedUnknownsFollow) {
       prolongation<3>(block.nodes(), {block.constraints(), elimination, block.unknowns()},
                       block.matrix().diagonal(), 4., MPI_COMM_WORLD);
   Vector fine(block.unknowns(), MPI_COMM_WORLD);
-  prolonged.matrix.vmult_add(
-      fine, some_vector(dealii::IndexSet(prolonged.matrix.pattern().unknowns()), 0.7));
-  const dealii::Vector<double> of_all(fine);
+  prolonged.matrix.vmult_add(fine, some_vector(prolonged.matrix.pattern().unknowns().own(), 0.7));
+  const Vector of_all = with_ghosts(fine, dealii::complete_index_set(fine.size()));
   for (const auto& [unknown, shares] : lines) {
     double expected = 0.;
     for (const auto& [carrier, share] : shares)
@@ -166,8 +160,7 @@ double thickness_moved(const Block& block) {
   const CoupledNodes<3> nodes = block.nodes();
   constexpr double far = std::numeric_limits<double>::max();
   const NodePattern& pattern = prolonged.matrix.pattern();
-  std::vector<double> lowest(static_cast<std::size_t>(pattern.unknowns().NumGlobalElements()) / 6,
-                             far);
+  std::vector<double> lowest(static_cast<std::size_t>(pattern.unknowns().n_all()) / 6, far);
   std::vector<double> highest(lowest.size(), -far);
   for (std::size_t node = 0; node < pattern.n_rows(); ++node)
     for (std::size_t i = pattern.first_block(node); i < pattern.first_block(node + 1); ++i) {
@@ -194,7 +187,7 @@ TEST(CoarseMatrix, IsThatOfProlongedDisplacements) {
   const Block block(8., 0, true);
   const Prolongation<3> prolonged = block.prolonged();
   const auto coarse = coarse_matrix(block.matrix().whole(), prolonged.matrix, MPI_COMM_WORLD);
-  const dealii::IndexSet range(prolonged.matrix.pattern().unknowns());
+  const dealii::IndexSet range = prolonged.matrix.pattern().unknowns().own();
   const auto fine = [&](const Vector& vector) {
     Vector result(block.unknowns(), MPI_COMM_WORLD);
     prolonged.matrix.vmult_add(result, vector);
@@ -280,9 +273,8 @@ TEST(DirectSolver, GivesTheSameWhereverTheFactorsAre) {
 }
 
 TEST(DirectSolver, TellsOnAllRanksThatAMatrixIsNotDefinite) {
-  const Epetra_MpiComm communicator(MPI_COMM_WORLD);
-  const Epetra_Map unknowns(-1, 3, 0, communicator);
-  SymmetricMatrix<3> matrix(NodePattern(unknowns, 3, {{unknowns.MinMyGID() / 3}}));
+  const UnknownRanges unknowns(3, MPI_COMM_WORLD);
+  SymmetricMatrix<3> matrix(NodePattern(unknowns, 3, {{unknowns.first() / 3}}));
   matrix.diagonal_block(0) << 1., 0., 0., 0., -1., 0., 0., 0., 1.;
   for (const int most_everywhere : {1000000, 1})
     EXPECT_FALSE(DirectSolver<3>(matrix, Elimination(unknowns, {}), MPI_COMM_WORLD, most_everywhere)

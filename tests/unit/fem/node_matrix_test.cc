@@ -1,6 +1,5 @@
 #include "fem/linear/multigrid/node_matrix.h"
 
-#include <Epetra_MpiComm.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,16 +11,12 @@
 namespace geneva::fem::test {
 namespace {
 
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
-Epetra_Map unknowns(const int of_each) {
-  return {-1, 2 * of_each, 0, Epetra_MpiComm(MPI_COMM_WORLD)};
-}
+UnknownRanges unknowns(const int of_each) { return {2 * of_each, MPI_COMM_WORLD}; }
 
 /// Two nodes on each rank, in a ring with those of the others.
-std::vector<std::vector<int>> ring(const Epetra_Map& map, const int of_each) {
-  const int n_nodes = map.NumGlobalElements() / of_each;
-  const int first = map.MinMyGID() / of_each;
+std::vector<std::vector<int>> ring(const UnknownRanges& map, const int of_each) {
+  const int n_nodes = map.n_all() / of_each;
+  const int first = map.first() / of_each;
   std::vector<std::vector<int>> coupled{{first, first + 1}, {first, first + 1}};
   if (n_nodes > 2) {
     coupled[0].push_back((first + n_nodes - 1) % n_nodes);
@@ -31,8 +26,8 @@ std::vector<std::vector<int>> ring(const Epetra_Map& map, const int of_each) {
 }
 
 /// Values that look random and are the same on any number of ranks.
-Vector some_vector(const Epetra_Map& map, const double seed) {
-  Vector result(dealii::IndexSet(map), MPI_COMM_WORLD);
+Vector some_vector(const UnknownRanges& map, const double seed) {
+  Vector result(map.own(), MPI_COMM_WORLD);
   for (const auto i : result.locally_owned_elements())
     result(i) = std::sin(seed * (1. + static_cast<double>(i)));
   result.compress(dealii::VectorOperation::insert);
@@ -40,7 +35,7 @@ Vector some_vector(const Epetra_Map& map, const double seed) {
 }
 
 TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
-  const Epetra_Map columns = unknowns(6);
+  const UnknownRanges columns = unknowns(6);
   NodeMatrix<3, 6> matrix(NodePattern(columns, 6, ring(columns, 6)));
   for (std::size_t i = 0; i < matrix.pattern().n_blocks(); ++i)
     for (int entry = 0; entry < 18; ++entry)
@@ -56,22 +51,8 @@ TEST(NodeMatrix, TransposedProductIsTheAdjoint) {
   EXPECT_GT(product.linfty_norm(), 0.1);
 }
 
-/// As many nodes on each rank as ranks before it, so that the first has none.
-TEST(NodeRanges, TellWhetherNodesAreOfOneRank) {
-  const Epetra_MpiComm communicator(MPI_COMM_WORLD);
-  const Epetra_Map map(-1, 3 * communicator.MyPID(), 0, communicator);
-  const NodeRanges ranges(map, 3);
-  std::vector<int> ranks;
-  for (int rank = 0; rank < communicator.NumProc(); ++rank)
-    ranks.insert(ranks.end(), static_cast<std::size_t>(rank), rank);
-  for (std::size_t i = 0; i < ranks.size(); ++i)
-    for (std::size_t j = 0; j < ranks.size(); ++j)
-      EXPECT_EQ(ranges.are_of_one_rank(static_cast<int>(i), static_cast<int>(j)),
-                ranks[i] == ranks[j]);
-}
-
 /// A positive definite one, along the ring.
-SymmetricMatrix<3> ring_matrix(const Epetra_Map& map) {
+SymmetricMatrix<3> ring_matrix(const UnknownRanges& map) {
   SymmetricMatrix<3> matrix(NodePattern(map, 3, ring(map, 3)));
   const NodePattern& pattern = matrix.pattern();
   for (std::size_t row = 0; row < 2; ++row)
@@ -83,7 +64,7 @@ SymmetricMatrix<3> ring_matrix(const Epetra_Map& map) {
 }
 
 TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
-  const Epetra_Map map = unknowns(3);
+  const UnknownRanges map = unknowns(3);
   const SymmetricMatrix<3> matrix = ring_matrix(map);
   const Vector solution = some_vector(map, 0.7);
   Vector load(solution);
@@ -95,7 +76,7 @@ TEST(DirectSolver, SolvesOnAnyNumberOfRanks) {
 }
 
 TEST(DirectSolver, TellsOfAMatrixThatIsNotPositiveDefinite) {
-  const Epetra_Map map = unknowns(3);
+  const UnknownRanges map = unknowns(3);
   SymmetricMatrix<3> matrix = ring_matrix(map);
   const Elimination none(map, {});
   EXPECT_TRUE(DirectSolver<3>(matrix, none, MPI_COMM_WORLD).is_definite());
@@ -104,10 +85,10 @@ TEST(DirectSolver, TellsOfAMatrixThatIsNotPositiveDefinite) {
 }
 
 TEST(AlgebraicMultigrid, SolvesWhatHasNoMoreUnknownsThanAreFactorised) {
-  const Epetra_Map map = unknowns(3);
+  const UnknownRanges map = unknowns(3);
   const Vector solution = some_vector(map, 0.7);
   const auto error = [&](const int most_for_factors) {
-    const double x = map.MinMyGID();
+    const double x = map.first();
     const AlgebraicMultigrid<2> multigrid({ring_matrix(map), {{x, 0.}, {x + 1., 0.2}}, {0, 0}},
                                           most_for_factors, MPI_COMM_WORLD);
     Vector load(solution);
@@ -117,7 +98,7 @@ TEST(AlgebraicMultigrid, SolvesWhatHasNoMoreUnknownsThanAreFactorised) {
     found -= solution;
     return found.linfty_norm();
   };
-  const int n_unknowns = map.NumGlobalElements();
+  const int n_unknowns = map.n_all();
   EXPECT_LT(error(n_unknowns), 1e-9);  // the matrix is shifted by 1e-10
   EXPECT_GT(error(n_unknowns - 1), 1e-6);
 }

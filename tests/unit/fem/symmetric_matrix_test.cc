@@ -19,7 +19,7 @@ double entry(const int row, const int column) {
 Vector expected_product() {
   return vector_of([](const int row) {
     double sum = 0.;
-    for (int column = 0; column < unknowns().NumGlobalElements(); ++column)
+    for (int column = 0; column < unknowns().n_all(); ++column)
       sum += entry(row, column) * some(column);
     return sum;
   });
@@ -45,7 +45,7 @@ TEST(SymmetricMatrix, GivesTheResidual) {
 
 TEST(SymmetricMatrix, ShowsBlocksOfBothHalves) {
   const SymmetricMatrix<3> matrix = whole();
-  const int first_row = unknowns().MinMyGID();
+  const int first_row = unknowns().first();
   std::vector<std::vector<std::size_t>> places(n_own_nodes);
   matrix.visit_blocks([&](const std::size_t row, const std::size_t place, const auto& block) {
     places[row].push_back(place);
@@ -65,7 +65,7 @@ TEST(SymmetricMatrix, ShowsBlocksOfBothHalves) {
 
 TEST(SymmetricMatrix, KnowsItsDiagonal) {
   const std::vector<double> diagonal = whole().diagonal();
-  const int first = unknowns().MinMyGID();
+  const int first = unknowns().first();
   ASSERT_EQ(diagonal.size(), static_cast<std::size_t>(n_own_unknowns));
   for (int i = 0; i < n_own_unknowns; ++i)
     EXPECT_NEAR(diagonal[static_cast<std::size_t>(i)], entry(first + i, first + i), 1e-15);
@@ -73,7 +73,7 @@ TEST(SymmetricMatrix, KnowsItsDiagonal) {
 
 TEST(SymmetricMatrix, TakesOfAddedRowsWhatIsAboveTheDiagonal) {
   BlockRows<Eigen::Matrix3d> rows;
-  const int first = unknowns().MinMyGID() / 3;
+  const int first = unknowns().first() / 3;
   rows[first].at(first) = 7. * Eigen::Matrix3d::Identity();
   rows[first].at(first + 1) << 1., 2., 3., 4., 5., 6., 7., 8., 9.;
   rows[first + 1].at(first) = rows[first].at(first + 1).transpose();
