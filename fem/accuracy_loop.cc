@@ -222,7 +222,8 @@ void AccuracyLoop<dim>::restore(const Checkpoint<dim>& start) {
 /// @throws NotConverged if there is none
 template <int dim>
 void AccuracyLoop<dim>::go_back_to_last_mesh() {
-  const Stop why{Outcome::out_of_memory, 0., 0., equilibrium_ ? equilibrium_->n_unknowns() : 0};
+  Stop why{Outcome::out_of_memory};
+  if (equilibrium_) why.unknowns = equilibrium_->n_unknowns();
   const auto last = last_mesh_.take();
   state_ = {};
   found_ = {};

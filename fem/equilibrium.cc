@@ -36,6 +36,18 @@ std::optional<std::size_t> open_pair(const Level<dim>& level) {
 
 }  // namespace
 
+Solved with_fallback(const Settings& settings,
+                     const std::function<Solved(const Settings&)>& solve) {
+  Solved result = solve(settings);
+  const auto* const stop = std::get_if<Stop>(&result);
+  if (stop == nullptr || stop->outcome != Outcome::linear_solver ||
+      settings.linear_solver != LinearSolver::automatic)
+    return result;
+  Settings by_library = settings;
+  by_library.linear_solver = LinearSolver::library;
+  return solve(by_library);
+}
+
 template <int dim>
 Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                               const Problem<dim>& problem, const Scales& scales)
@@ -85,32 +97,28 @@ State<dim> Equilibrium<dim>::at_rest() const {
 }
 
 template <int dim>
-std::variant<LevelState, Stop> Equilibrium<dim>::advance(const State<dim>& from, const Load& load,
-                                                         const Settings& settings,
-                                                         const StepObserver& observer) {
+Solved Equilibrium<dim>::advance(const State<dim>& from, const Load& load, const Settings& settings,
+                                 const StepObserver& observer) {
   set_load(load);
-  auto result = solve(from, settings, observer);
-  const auto* const stop = std::get_if<Stop>(&result);
-  if (stop == nullptr || stop->outcome != Outcome::linear_solver) return result;
-  check_that_contact_holds();
-  if (settings.linear_solver != LinearSolver::automatic) return result;
-  Settings by_library = settings;
-  by_library.linear_solver = LinearSolver::library;
-  return solve(from, by_library, observer);
+  return with_fallback(settings,
+                       [&](const Settings& chosen) { return solve(from, chosen, observer); });
 }
 
 template <int dim>
-std::variant<LevelState, Stop> Equilibrium<dim>::solve(const State<dim>& from,
-                                                       const Settings& settings,
-                                                       const StepObserver& observer) {
+Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
+                               const StepObserver& observer) {
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
     if (state) return std::move(*state);
-    return Stop{Outcome::active_set_limit, 0., static_cast<double>(settings.max_active_set_steps),
-                n_unknowns_};
+    return stop_at_limit(Outcome::active_set_limit, settings.max_active_set_steps + 1.,
+                         settings.max_active_set_steps, n_unknowns_);
   } catch (const dealii::SolverControl::NoConvergence& failure) {
-    return Stop{Outcome::linear_solver, static_cast<double>(failure.last_step), 0., n_unknowns_,
-                failure.last_residual};
+    check_that_contact_holds();
+    Stop stop{Outcome::linear_solver};
+    stop.needed = failure.last_step;
+    stop.unknowns = n_unknowns_;
+    stop.residual = failure.last_residual;
+    return stop;
   }
 }
 

@@ -24,6 +24,13 @@ struct State {
   std::vector<ArcIntervals> smooth;          ///< by pair, see ContactInterface
 };
 
+/// A state in equilibrium, or why none was found.
+using Solved = std::variant<LevelState, Stop>;
+
+/// Where the solver is chosen automatically and ours does not converge, the library's takes over.
+/// @param solve with the linear solver of its settings
+Solved with_fallback(const Settings& settings, const std::function<Solved(const Settings&)>& solve);
+
 /// The bodies at one instant on a mesh: finds the state in which they are in equilibrium with their
 /// loads and each other, and takes states over to finer meshes.
 template <int dim>
@@ -40,10 +47,9 @@ class Equilibrium {
 
   /// One solve, from a state on.
   /// @param load what acts at the instant
-  /// @return the state that is in equilibrium, or why none was found
   /// @throws base::InputError if the load pulls a body away that only an open contact could hold
-  std::variant<LevelState, Stop> advance(const State<dim>& from, const Load& load,
-                                         const Settings& settings, const StepObserver& observer);
+  Solved advance(const State<dim>& from, const Load& load, const Settings& settings,
+                 const StepObserver& observer);
 
   /// Refines the flagged cells.
   /// @param displacement with ghosts; what else is known of the contacts is `now`'s
@@ -74,8 +80,7 @@ class Equilibrium {
  private:
   void make_level(const State<dim>& state);
   void set_load(const Load& load);
-  std::variant<LevelState, Stop> solve(const State<dim>& from, const Settings& settings,
-                                       const StepObserver& observer);
+  Solved solve(const State<dim>& from, const Settings& settings, const StepObserver& observer);
   void check_that_contact_holds() const;
 
   MPI_Comm communicator_;

@@ -35,19 +35,19 @@ std::optional<Stop> ResourceLimits::exceeded_by_next(const double growth,
   if (const auto stop = exceeded_by(growth * history.back().dofs)) return stop;
   const double memory = memory_at_start_ + growth * (peak_memory(communicator_) - memory_at_start_);
   if (memory > settings_.max_memory)
-    return Stop{Outcome::memory_limit, memory, settings_.max_memory};
+    return stop_at_limit(Outcome::memory_limit, memory, settings_.max_memory);
   const double previous = history.size() > 1 ? history[history.size() - 2].seconds : 0.;
   const double own =
       history.back().seconds + growth * (history.back().seconds - previous) - seconds_before;
   const double seconds = dealii::Utilities::MPI::max(own, communicator_);
   if (seconds > settings_.max_seconds)
-    return Stop{Outcome::time_limit, seconds, settings_.max_seconds};
+    return stop_at_limit(Outcome::time_limit, seconds, settings_.max_seconds);
   return std::nullopt;
 }
 
 std::optional<Stop> ResourceLimits::exceeded_by(const double unknowns) const {
   if (unknowns <= settings_.max_dofs) return std::nullopt;
-  return Stop{Outcome::dof_limit, unknowns, static_cast<double>(settings_.max_dofs)};
+  return stop_at_limit(Outcome::dof_limit, unknowns, settings_.max_dofs);
 }
 
 }  // namespace geneva::fem

@@ -40,6 +40,18 @@ struct Stop {
   double growth = 0.;        ///< exponent gamma of the edge pressure, p ~ h^-gamma
 };
 
+/// @param outcome that of the limit
+/// @param needed, limit in its unit
+/// @param unknowns of the mesh that was not solved
+inline Stop stop_at_limit(const Outcome outcome, const double needed, const double limit,
+                          const std::size_t unknowns = 0) {
+  Stop stop{outcome};
+  stop.needed = needed;
+  stop.limit = limit;
+  stop.unknowns = unknowns;
+  return stop;
+}
+
 /// There is no state on any mesh.
 class NotConverged : public std::runtime_error {
  public:

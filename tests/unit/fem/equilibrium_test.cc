@@ -102,6 +102,48 @@ TEST(Equilibrium, IsTheSameByTheLibrarysSolver) {
       own, std::get<LevelState>(other.advance(other.at_rest(), {}, settings, ignore_steps)));
 }
 
+Solved not_converged() { return Stop{Outcome::linear_solver}; }
+
+/// By which solvers a solution is tried, in which ours never converges and the library's always.
+std::vector<LinearSolver> tried(const LinearSolver chosen) {
+  Settings settings;
+  settings.linear_solver = chosen;
+  std::vector<LinearSolver> solvers;
+  with_fallback(settings, [&](const Settings& with) -> Solved {
+    solvers.push_back(with.linear_solver);
+    if (with.linear_solver == LinearSolver::library) return LevelState{};
+    return not_converged();
+  });
+  return solvers;
+}
+
+TEST(LinearSolvers, TheLibrarysTakesOverWhereOursDoesNotConvergeUnlessOneIsChosen) {
+  using Solvers = std::vector<LinearSolver>;
+  EXPECT_EQ(tried(LinearSolver::automatic),
+            (Solvers{LinearSolver::automatic, LinearSolver::library}));
+  EXPECT_EQ(tried(LinearSolver::own), Solvers{LinearSolver::own});
+  EXPECT_EQ(tried(LinearSolver::library), Solvers{LinearSolver::library});
+}
+
+TEST(LinearSolvers, OnlyAFailureOfTheLinearSolverIsTriedAgain) {
+  for (const bool is_solved : {true, false}) {
+    int n_tries = 0;
+    const Solved result = with_fallback({}, [&](const Settings&) -> Solved {
+      ++n_tries;
+      if (is_solved) return LevelState{};
+      return Stop{Outcome::active_set_limit};
+    });
+    EXPECT_EQ(n_tries, 1);
+    EXPECT_EQ(std::holds_alternative<LevelState>(result), is_solved);
+  }
+}
+
+TEST(LinearSolvers, TheResultOfTheSecondTryStands) {
+  EXPECT_EQ(
+      std::get<Stop>(with_fallback({}, [](const Settings&) { return not_converged(); })).outcome,
+      Outcome::linear_solver);
+}
+
 /// Without friction the way there does not matter.
 TEST(Equilibrium, DependsOnTheLoadOfItsInstantAlone) {
   const LineContact contact = heavy(false);
