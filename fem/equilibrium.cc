@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "fem/conditioning.h"
 #include "fem/contact/active_set.h"
+#include "fem/elasticity/material_history.h"
 #include "fem/rigid_motion.h"
 
 namespace geneva::fem {
@@ -93,7 +94,7 @@ void Equilibrium<dim>::touch_first() {
 
 template <int dim>
 State<dim> Equilibrium<dim>::at_rest() const {
-  return {Vector(level_.owned, communicator_), {}, {}};
+  return {Vector(level_.owned, communicator_), {}, {}, {}};
 }
 
 template <int dim>
@@ -135,7 +136,9 @@ void Equilibrium<dim>::check_that_contact_holds() const {
 
 template <int dim>
 State<dim> Equilibrium<dim>::refine(const Vector& displacement, State<dim> now) {
-  now.displacement = mesh_.refine(displacement);
+  MeshFields carried = mesh_.refine({displacement, std::move(now.history)});
+  now.displacement = std::move(carried.displacement);
+  now.history = std::move(carried.history);
   make_level(now);
   return now;
 }
@@ -144,12 +147,20 @@ template <int dim>
 State<dim> Equilibrium<dim>::refine_as(const Checkpoint<dim>& checkpoint) {
   if (checkpoint.active.size() != problem_.pairs.size())
     throw base::InputError("the checkpoint does not fit this case: it has other contact pairs");
-  State<dim> state{mesh_.refine_as(checkpoint.field), {}, {}};
+  State<dim> state{mesh_.refine_as(checkpoint.field), {}, {}, {}};
   origins_ = checkpoint.origins;
   make_level(state);
   for (std::size_t i = 0; i < checkpoint.active.size(); ++i)
     level_.interfaces[i].status = active_at(level_.interfaces[i], checkpoint.active[i]);
   return state;
+}
+
+template <int dim>
+State<dim> Equilibrium<dim>::end_of_instant(State<dim> before, const LevelState& found) const {
+  before.history = remembered(*mesh_.dof_handler, scaled_problem_, material_laws(scaled_problem_),
+                              found.displacement, before.history);
+  before.displacement = without_ghosts(found.displacement);
+  return before;
 }
 
 template <int dim>

@@ -19,7 +19,8 @@ namespace geneva::fem {
 /// known of the contacts by place, whatever the mesh.
 template <int dim>
 struct State {
-  Vector displacement;                       ///< without ghosts
+  Vector displacement;  ///< without ghosts
+  PointValues history;  ///< what materials remember of the instants before, see remembered()
   std::vector<ContactResult<dim>> contacts;  ///< of the last mesh that was solved; empty before
   std::vector<ArcIntervals> smooth;          ///< by pair, see ContactInterface
 };
@@ -65,6 +66,11 @@ class Equilibrium {
 
   /// Where the pressure is smooth, so that the zones there need no finer edges.
   void set_smooth(const std::vector<ArcIntervals>& smooth);
+
+  /// Where the next instant starts from.
+  /// @param before where this one started from, on this mesh
+  /// @param found its equilibrium
+  [[nodiscard]] State<dim> end_of_instant(State<dim> before, const LevelState& found) const;
 
   /// A vector with ghosts.
   [[nodiscard]] Vector ghosted(const Vector& displacement) const;

@@ -71,14 +71,15 @@ Vector received(dealii::DoFHandler<dim>& dof_handler,
 
 template <int dim>
 void distribute_for_refinement(Triangulation<dim>& triangulation,
-                               dealii::DoFHandler<dim>& dof_handler, Vector& displacement) {
+                               dealii::DoFHandler<dim>& dof_handler, MeshFields& fields) {
   Flags flags = flags_of(triangulation);
   if (!is_uneven(triangulation, flags)) return;
   set_flags(triangulation, Flags(flags.size(), 0));  // flagged cells cannot move
   dealii::parallel::distributed::CellDataTransfer<dim, dim, Flags> flag_transfer(triangulation);
   dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(dof_handler);
   flag_transfer.prepare_for_coarsening_and_refinement(flags);
-  transfer.prepare_for_coarsening_and_refinement(displacement);
+  PointValueTransfer<dim> history_transfer(triangulation, fields.history);
+  transfer.prepare_for_coarsening_and_refinement(fields.displacement);
   const boost::signals2::scoped_connection weight =
       triangulation.signals.weight.connect([&](const auto& cell, const auto) {
         return n_cells_from<dim>(flags[cell->active_cell_index()]);
@@ -88,10 +89,11 @@ void distribute_for_refinement(Triangulation<dim>& triangulation,
   flag_transfer.unpack(moved);
   set_flags(triangulation, moved);
   triangulation.prepare_coarsening_and_refinement();
-  displacement = received(dof_handler, transfer);
+  fields.history = history_transfer.carried();
+  fields.displacement = received(dof_handler, transfer);
 }
 
-template void distribute_for_refinement(Triangulation<2>&, dealii::DoFHandler<2>&, Vector&);
-template void distribute_for_refinement(Triangulation<3>&, dealii::DoFHandler<3>&, Vector&);
+template void distribute_for_refinement(Triangulation<2>&, dealii::DoFHandler<2>&, MeshFields&);
+template void distribute_for_refinement(Triangulation<3>&, dealii::DoFHandler<3>&, MeshFields&);
 
 }  // namespace geneva::fem

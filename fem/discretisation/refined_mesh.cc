@@ -28,12 +28,13 @@ void RefinedMesh<dim>::number() {
 }
 
 template <int dim>
-Vector RefinedMesh<dim>::refine(Vector displacement) {
+MeshFields RefinedMesh<dim>::refine(MeshFields fields) {
   put_back(*triangulation, moved_vertices_);
   triangulation->prepare_coarsening_and_refinement();
-  distribute_for_refinement(*triangulation, *dof_handler, displacement);
+  distribute_for_refinement(*triangulation, *dof_handler, fields);
   dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(*dof_handler);
-  transfer.prepare_for_coarsening_and_refinement(displacement);
+  transfer.prepare_for_coarsening_and_refinement(fields.displacement);
+  PointValueTransfer<dim> history_transfer(*triangulation, fields.history);
   triangulation->execute_coarsening_and_refinement();
   number();
   dealii::IndexSet relevant;
@@ -41,7 +42,7 @@ Vector RefinedMesh<dim>::refine(Vector displacement) {
   Vector finer(dof_handler->locally_owned_dofs(), relevant, dof_handler->get_communicator());
   transfer.interpolate(finer);
   moved_vertices_ = close_gaps(*triangulation);
-  return without_ghosts(finer);
+  return {without_ghosts(finer), history_transfer.carried()};
 }
 
 template <int dim>

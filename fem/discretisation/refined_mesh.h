@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "fem/discretisation/hanging_vertices.h"
+#include "fem/discretisation/mesh_fields.h"
 #include "fem/discretisation/saved_field.h"
-#include "fem/discretisation/vector.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
@@ -22,9 +22,9 @@ class RefinedMesh {
   RefinedMesh(MPI_Comm communicator, const mesh::MeshData<dim>& coarse, double length);
 
   /// Refines the flagged cells.
-  /// @param displacement with ghosts, at least those of this rank's cells
-  /// @return the displacement on the finer mesh, without ghosts
-  Vector refine(Vector displacement);
+  /// @param fields the displacement with ghosts, at least those of this rank's cells
+  /// @return on the finer mesh, the displacement without ghosts
+  MeshFields refine(MeshFields fields);
 
   /// Goes over to the mesh of a saved displacement. To be called on the coarse mesh.
   /// @return the displacement, without ghosts

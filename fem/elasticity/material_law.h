@@ -12,7 +12,7 @@ namespace geneva::fem {
 template <int dim>
 using Tangent = Eigen::Matrix<double, n_stress_components<dim>, n_stress_components<dim>>;
 
-/// What a material remembers at a point, such as plastic strains: as many numbers as its law has.
+/// What a material remembers at a point, such as plastic strains: as many numbers as its law needs.
 using MaterialHistory = std::vector<double>;
 
 /// A material's answer to a strain at a point.
@@ -37,6 +37,9 @@ class MaterialLaw {
   /// @param before at the end of the last instant; empty before the first
   [[nodiscard]] virtual MaterialResponse<dim> respond(const StressVector<dim>& strain,
                                                       const MaterialHistory& before) const = 0;
+
+  /// Whether its response has a history.
+  [[nodiscard]] virtual bool remembers() const { return false; }
 };
 
 /// Hooke's law; remembers nothing. In plane stress the out-of-plane stress is 0, whatever the third

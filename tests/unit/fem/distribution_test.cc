@@ -78,10 +78,10 @@ double maximum_error(const Discretisation<2>& grid, const Vector& values) {
 
 TEST(DistributionForRefinement, GivesEachRankItsShareOfTheRefinedMesh) {
   Discretisation<2> grid = square();
-  Vector values = displacement(grid);
+  MeshFields fields{displacement(grid), {}};
   flag(grid, true);
   grid.triangulation->prepare_coarsening_and_refinement();
-  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, values);
+  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, fields);
   grid.triangulation->execute_coarsening_and_refinement();
   const auto cells = dealii::Utilities::MPI::min_max_avg(
       static_cast<double>(grid.triangulation->n_locally_owned_active_cells()), MPI_COMM_WORLD);
@@ -90,23 +90,23 @@ TEST(DistributionForRefinement, GivesEachRankItsShareOfTheRefinedMesh) {
 
 TEST(DistributionForRefinement, KeepsTheFlagsAndTheDisplacement) {
   Discretisation<2> grid = square();
-  Vector values = displacement(grid);
+  MeshFields fields{displacement(grid), {}};
   flag(grid, true);
-  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, values);
+  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, fields);
   EXPECT_EQ(n_flagged(grid), 24 * 12);
   for (const auto& cell : grid.triangulation->active_cell_iterators())
     if (cell->is_locally_owned()) {
       EXPECT_EQ(bool(cell->refine_flag_set()), cell->center()[1] < 0.5);
     }
-  EXPECT_LT(maximum_error(grid, values), 1e-14);
+  EXPECT_LT(maximum_error(grid, fields.displacement), 1e-14);
 }
 
 TEST(DistributionForRefinement, LeavesCellsThatAreSharedEvenlyWhereTheyAre) {
   Discretisation<2> grid = square();
-  Vector values = displacement(grid);
+  MeshFields fields{displacement(grid), {}};
   flag(grid, false);
   const auto before = own_cells(grid);
-  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, values);
+  distribute_for_refinement(*grid.triangulation, *grid.dof_handler, fields);
   EXPECT_EQ(own_cells(grid), before);
 }
 
