@@ -32,7 +32,7 @@ model::MechanismCase designed_mechanism(const model::Case& given) {
   if (!given.mechanism)
     model::refuse_model(given, "there is no wheel to design", "geneva design", "mechanism");
   model::MechanismCase mechanism = *given.mechanism;
-  if (mechanism.kind != model::MechanismCase::Kind::external ||
+  if (!mechanism.type->is_johnsons() ||
       mechanism.motion.kind != model::DriverMotion::Kind::constant ||
       mechanism.motion.acceleration != 0. || mechanism.pins != 1 || mechanism.pin_angles.size() > 1)
     throw base::InputError(

@@ -67,7 +67,7 @@ bool AccuracyLoop<dim>::solve() {
       take_result();
       return true;
     }
-    state_ = refinement_.refine_open_contact(*equilibrium_, found_, std::move(state_),
+    state_ = refinement_.refine_open_contact(*equilibrium_, *found_, std::move(state_),
                                              solution_.history, solution_.scales.length);
   }
   return false;
@@ -82,7 +82,7 @@ bool AccuracyLoop<dim>::advance() {
                           solution_.dof_handler->n_dofs(), step, iterations});
       });
   if (auto* const found = std::get_if<LevelState>(&result)) {
-    found_ = std::move(*found);
+    found_.emplace(std::move(*found));
     return true;
   }
   solution_.stop = std::get<Stop>(result);
@@ -92,7 +92,7 @@ bool AccuracyLoop<dim>::advance() {
 
 template <int dim>
 void AccuracyLoop<dim>::take_result() {
-  put_result(solution_, equilibrium_->level(), found_);
+  put_result(solution_, equilibrium_->level(), *found_);
   state_.contacts = solution_.contacts;
   is_ahead_ = false;
 }
@@ -102,9 +102,9 @@ void AccuracyLoop<dim>::find_smooth_parts() {
   if constexpr (dim == 2) {
     constexpr double share_of_accuracy = 0.1;
     state_.smooth.clear();
-    for (std::size_t i = 0; i < found_.contacts.size(); ++i)
+    for (std::size_t i = 0; i < found_->contacts.size(); ++i)
       state_.smooth.push_back(smooth_intervals(equilibrium_->level().interfaces[i],
-                                               found_.contacts[i],
+                                               found_->contacts[i],
                                                share_of_accuracy * settings_.accuracy));
     equilibrium_->set_smooth(state_.smooth);
   }
@@ -113,7 +113,7 @@ void AccuracyLoop<dim>::find_smooth_parts() {
 template <int dim>
 void AccuracyLoop<dim>::record() {
   find_smooth_parts();
-  LevelRecord record = record_of(solution_, *equilibrium_, found_, refinement_.surface_ids());
+  LevelRecord record = record_of(solution_, *equilibrium_, *found_, refinement_.surface_ids());
   refinement_.record(record);
   record.seconds = seconds_before_ + timer_.wall_time();
   solution_.history.push_back(record);
@@ -131,9 +131,9 @@ void AccuracyLoop<dim>::estimate() {
   solution_.has_free_ends = has_free_ends(interfaces);
   error_ = pressure_error<dim>(
       solution_.history,
-      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_.contacts)},
+      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_->contacts)},
        refinement_.grading(),
-       end_error(interfaces, found_.contacts, is_on_axis),
+       end_error(interfaces, found_->contacts, is_on_axis),
        solution_.has_free_ends,
        refinement_.has_spread(equilibrium_->level()),
        refinement_.state().surroundings_are_fine});
@@ -151,7 +151,7 @@ template <int dim>
 bool AccuracyLoop<dim>::make_next_mesh() {
   std::optional<Stop> stop = choose_refinement();
   if (!stop) {
-    state_ = refinement_.refine(*equilibrium_, found_, std::move(state_), solution_.history);
+    state_ = refinement_.refine(*equilibrium_, *found_, std::move(state_), solution_.history);
     is_ahead_ = true;
     stop = limits_.exceeded_by(solution_.dof_handler->n_dofs());
   }
@@ -166,7 +166,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
   const auto why = [&] {
     return why_to_stop(solution_.history,
                        {solution_.error_estimate, solution_.edge,
-                        peaks_at_corner(solution_, equilibrium_->level(), found_),
+                        peaks_at_corner(solution_, equilibrium_->level(), *found_),
                         refinement_.state().n_refinements},
                        settings_);
   };
@@ -184,7 +184,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
 
 template <int dim>
 std::optional<double> AccuracyLoop<dim>::worth_refining() {
-  return refinement_.choose(*equilibrium_, found_, solution_.history, error_);
+  return refinement_.choose(*equilibrium_, *found_, solution_.history, error_);
 }
 
 /// Of one rank's memory the last mesh's state is kept, too, for when it runs out.
@@ -192,7 +192,7 @@ template <int dim>
 void AccuracyLoop<dim>::save() {
   const bool is_alone = dealii::Utilities::MPI::n_mpi_processes(communicator_) == 1;
   if (!is_alone && !progress_.checkpoint) return;
-  Checkpoint<dim> checkpoint{saved_field(*solution_.dof_handler, found_.displacement),
+  Checkpoint<dim> checkpoint{saved_field(*solution_.dof_handler, found_->displacement),
                              equilibrium_->origins(),
                              {},
                              solution_.history,
@@ -209,7 +209,7 @@ void AccuracyLoop<dim>::save() {
 template <int dim>
 void AccuracyLoop<dim>::restore(const Checkpoint<dim>& start) {
   state_ = equilibrium_->refine_as(start);
-  found_ = state_at(equilibrium_->level(), state_.displacement);
+  found_.emplace(state_at(equilibrium_->level(), state_.displacement));
   refinement_.restore(start);
   solution_.history = start.history;
   seconds_before_ = start.history.back().seconds;
@@ -226,7 +226,7 @@ void AccuracyLoop<dim>::go_back_to_last_mesh() {
   if (equilibrium_) why.unknowns = equilibrium_->n_unknowns();
   const auto last = last_mesh_.take();
   state_ = {};
-  found_ = {};
+  found_.reset();
   solution_.contacts.clear();
   solution_.displacement.reinit(0);
   solution_.dof_handler.reset();
@@ -244,7 +244,7 @@ void AccuracyLoop<dim>::go_back_to_last_mesh() {
 /// represents exactly.
 template <int dim>
 Solution<dim> AccuracyLoop<dim>::finish() {
-  if (is_ahead_) solution_.displacement = equilibrium_->ghosted(state_.displacement);
+  if (is_ahead_) replace(solution_.displacement, equilibrium_->ghosted(state_.displacement));
   return std::move(solution_);
 }
 

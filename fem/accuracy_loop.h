@@ -52,8 +52,8 @@ class AccuracyLoop {
   Solution<dim> solution_;
   std::optional<Equilibrium<dim>> equilibrium_;
   RefinementPass<dim> refinement_;
-  State<dim> state_;  ///< on the present mesh
-  LevelState found_;  ///< on the last mesh that was solved
+  State<dim> state_;                 ///< on the present mesh
+  std::optional<LevelState> found_;  ///< on the last mesh that was solved
   PressureError error_;
   LastMesh<dim> last_mesh_;     ///< on one rank
   double seconds_before_ = 0.;  ///< of the runs that this one continues

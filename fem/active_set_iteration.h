@@ -11,6 +11,13 @@ namespace geneva::fem {
 
 /// Converged state on one level.
 struct LevelState {
+  LevelState() = default;
+  LevelState(LevelState&&) = default;
+  LevelState(const LevelState&) = delete;  // the ghosts would have no values
+  LevelState& operator=(const LevelState&) = delete;
+  LevelState& operator=(LevelState&&) = delete;  // see replace() of vectors
+  ~LevelState() = default;
+
   Vector displacement;                          ///< ghosted
   SurfaceForces forces;                         ///< K u - f
   std::vector<ContactState> contacts;           ///< by interface

@@ -40,7 +40,7 @@ void put_result(Solution<dim>& solution, const Level<dim>& level, const LevelSta
   const AppliedLoad<dim> load = applied_load(solution, level);
   solution.applied_force = load.force;
   solution.applied_moment = load.moment;
-  solution.displacement = found.displacement;
+  replace(solution.displacement, with_ghosts(found.displacement, level.ghosts));
 }
 
 namespace {

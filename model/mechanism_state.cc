@@ -13,14 +13,6 @@ namespace geneva::model {
 
 namespace {
 
-std::optional<DrawnWheel> drawn_wheel(const MechanismCase& mechanism) {
-  if (mechanism.kind == MechanismCase::Kind::external)
-    return loads::complete_dimensions(mechanism.dimensions);
-  if (mechanism.kind == MechanismCase::Kind::internal)
-    return loads::complete_internal_dimensions({mechanism.dimensions, mechanism.rim_radius});
-  return std::nullopt;
-}
-
 double drawn_inertia(const DrawnWheel& wheel, const double density) {
   if (const auto* external = std::get_if<loads::GenevaDimensions>(&wheel))
     return loads::wheel_inertia(*external, density);
@@ -63,11 +55,13 @@ void refuse_braking(const loads::PinLoad& load, const MechanismDynamics& dynamic
 
 }  // namespace
 
-void check_drawing(const MechanismCase& mechanism) { drawn_wheel(mechanism); }
+void check_drawing(const MechanismCase& mechanism) {
+  static_cast<void>(mechanism.type->drawn_wheel(mechanism.dimensions));
+}
 
 MechanismDynamics mechanism_dynamics(const MechanismCase& mechanism) {
   const MechanismSizes sizes = sizes_of(mechanism);
-  const auto wheel = drawn_wheel(mechanism);
+  const auto wheel = mechanism.type->drawn_wheel(mechanism.dimensions);
   std::optional<double> from_geometry;
   if (wheel) from_geometry = drawn_inertia(*wheel, mechanism.wheel.density);
   const loads::WheelTrain train{inertia_used(mechanism, from_geometry, sizes.wheel_diameter),

@@ -12,9 +12,6 @@
 
 namespace geneva::model {
 
-/// A wheel of which the whole outline is known.
-using DrawnWheel = std::variant<loads::GenevaDimensions, loads::InternalDimensions>;
-
 /// A mechanism that moves and has inertia, SI units.
 struct MechanismDynamics {
   loads::DrivenMechanism driven;

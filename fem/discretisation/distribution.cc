@@ -90,7 +90,7 @@ void distribute_for_refinement(Triangulation<dim>& triangulation,
   set_flags(triangulation, moved);
   triangulation.prepare_coarsening_and_refinement();
   fields.history = history_transfer.carried();
-  fields.displacement = received(dof_handler, transfer);
+  replace(fields.displacement, received(dof_handler, transfer));
 }
 
 template void distribute_for_refinement(Triangulation<2>&, dealii::DoFHandler<2>&, MeshFields&);

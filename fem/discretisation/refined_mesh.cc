@@ -29,6 +29,7 @@ void RefinedMesh<dim>::number() {
 
 template <int dim>
 MeshFields RefinedMesh<dim>::refine(MeshFields fields) {
+  fields.displacement.update_ghost_values();
   put_back(*triangulation, moved_vertices_);
   triangulation->prepare_coarsening_and_refinement();
   distribute_for_refinement(*triangulation, *dof_handler, fields);

@@ -22,7 +22,7 @@ class RefinedMesh {
   RefinedMesh(MPI_Comm communicator, const mesh::MeshData<dim>& coarse, double length);
 
   /// Refines the flagged cells.
-  /// @param fields the displacement with ghosts, at least those of this rank's cells
+  /// @param fields the displacement with room for ghosts, at least those of this rank's cells
   /// @return on the finer mesh, the displacement without ghosts
   MeshFields refine(MeshFields fields);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,13 +15,13 @@
 #include "loads/design/design.h"
 #include "loads/design/shaft.h"
 #include "loads/motion/drive.h"
-#include "loads/motion/four_bar_geneva.h"
-#include "loads/motion/long_dwell_geneva.h"
 #include "loads/motion/pin_load.h"
 #include "loads/pin/pin_profile.h"
 #include "loads/synthesis/crank_rocker.h"
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
+#include "loads/wheel/geneva_dimensions.h"
+#include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
 
@@ -74,22 +75,13 @@ struct PinCase {
 
 /// Model = mechanism: a Geneva wheel and its pin.
 struct MechanismCase {
-  enum class Kind { external, internal, spherical, long_dwell, four_bar };
   enum class AngleKind { at_maximum_wheel_acceleration, at_maximum_pin_force, given };
   enum class InertiaKind { from_geometry, johnson, given };
 
-  Kind kind;
-  loads::GenevaDimensionsInput dimensions;
-  std::optional<double> rim_radius;  ///< [m], internal
-  double shaft_angle;                ///< [rad], spherical
-  double sphere_radius;              ///< [m], spherical
-  double sprocket_spacing;           ///< [m], long dwell
-  loads::SprocketLine sprocket_line;
-  loads::FourBar linkage;          ///< four-bar
-  loads::Assembly assembly;        ///< four-bar
-  loads::WheelPlace wheel_place;   ///< four-bar
-  int pins;                        ///< equally spaced, unless angles are given
-  std::vector<double> pin_angles;  ///< [rad], may be empty
+  std::shared_ptr<const MechanismType> type;  ///< with the sizes that it alone has
+  loads::GenevaDimensionsInput dimensions;    ///< that all types have
+  int pins;                                   ///< equally spaced, unless angles are given
+  std::vector<double> pin_angles;             ///< [rad], may be empty
   DriverMotion motion;
   loads::WheelLoad load;
   double external_torque;                   ///< on the wheel, against its motion if positive [N m]
@@ -106,9 +98,6 @@ struct MechanismCase {
   CaseMaterial wheel;
   std::optional<PinCase> space;  ///< none with Dimension = 2
   DesignCase design;
-
-  /// Whether the type has a whole wheel to draw.
-  [[nodiscard]] bool is_drawn() const { return kind == Kind::external || kind == Kind::internal; }
 };
 
 /// Model = geometry: the user's own geometry.

@@ -15,16 +15,6 @@ namespace geneva::model {
 
 namespace {
 
-using Kind = MechanismCase::Kind;
-
-Kind read_kind(const CaseSection& section) {
-  const std::string type = section.text("Type");
-  if (type == names::internal) return Kind::internal;
-  if (type == names::spherical) return Kind::spherical;
-  if (type == names::four_bar) return Kind::four_bar;
-  return type == names::long_dwell ? Kind::long_dwell : Kind::external;
-}
-
 /// Refuses parameters that belong to other types.
 void refuse_given(const CaseSection& section, const std::vector<const char*>& parameters,
                   const std::string& only_with) {
@@ -33,49 +23,64 @@ void refuse_given(const CaseSection& section, const std::vector<const char*>& pa
       section.refuse(name, fmt::format("this has an effect with {} only", only_with));
 }
 
-/// Sizes of which a type wants exactly one.
-std::vector<std::string> sizes_for(const Kind kind) {
-  if (kind == Kind::spherical) return {"Sphere radius"};
-  if (kind == Kind::long_dwell) return {"Crank radius"};
-  if (kind == Kind::four_bar) return {};
-  return {"Wheel diameter", "Crank radius", "Centre distance"};
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void check_sizes(const CaseSection& section, const Kind kind) {
-  const std::vector<std::string> sizes = sizes_for(kind);
+/// The sizes that any type wants.
+std::vector<std::string> sizes_of_all_kinds() {
+  std::vector<std::string> sizes;
+  for (const MechanismKind& kind : mechanism_kinds())
+    for (const std::string& name : kind.sizes)
+      if (!has(sizes, name)) sizes.push_back(name);
+  return sizes;
+}
+
+void check_sizes(const CaseSection& section, const MechanismKind& kind) {
   std::vector<std::string> given;
-  for (const char* name : {"Wheel diameter", "Crank radius", "Centre distance", "Sphere radius"}) {
-    const bool is_place = kind == Kind::four_bar && std::string(name) == "Centre distance";
-    if (!section.is_given(name) || is_place) continue;
-    if (std::find(sizes.begin(), sizes.end(), name) == sizes.end())
-      section.refuse(name, fmt::format("this has no effect with Type = {}: its size is given by {}",
-                                       section.text("Type"),
-                                       sizes.empty() ? "the subsection 'Linkage'" : listed(sizes)));
-    given.emplace_back(name);
+  for (const std::string& name : sizes_of_all_kinds()) {
+    if (!section.is_given(name) || has(kind.more_sizes, name)) continue;
+    if (!has(kind.sizes, name))
+      section.refuse(
+          name, fmt::format("this has no effect with Type = {}: its size is given by {}", kind.name,
+                            kind.sizes.empty() ? "the subsection '" + kind.section.back() + "'"
+                                               : listed(kind.sizes)));
+    given.push_back(name);
   }
-  if (given.size() == 1 || sizes.empty()) return;
-  if (sizes.size() == 1)
-    section.refuse_missing(sizes.front(),
-                           fmt::format("'Type' = '{}' needs it", section.text("Type")));
-  section.refuse(fmt::format("exactly one of {} is wanted; given: {}", listed(sizes),
+  if (given.size() == 1 || kind.sizes.empty()) return;
+  if (kind.sizes.size() == 1)
+    section.refuse_missing(kind.sizes.front(), fmt::format("'Type' = '{}' needs it", kind.name));
+  section.refuse(fmt::format("exactly one of {} is wanted; given: {}", listed(kind.sizes),
                              given.empty() ? "none" : listed(given)));
 }
 
 /// Refuses lengths of a drawing that is not made.
-void check_drawn_lengths(const CaseSection& section, const Kind kind) {
-  std::vector<const char*> unused;
-  if (kind == Kind::external) unused = {"Rim radius"};
-  if (kind == Kind::internal) unused = {"Bore radius"};
-  if (kind != Kind::external && kind != Kind::internal)
-    unused = {"Slot clearance", "Slot width",  "Slot depth",
-              "Locking radius", "Bore radius", "Rim radius"};
-  for (const char* name : unused)
+void check_drawn_lengths(const CaseSection& section, const MechanismKind& kind) {
+  for (const std::string& name : kind.unused)
     if (section.optional_value(name))
       section.refuse(name, fmt::format("this has no effect with Type = {}: no such length is drawn",
-                                       section.text("Type")));
+                                       kind.name));
 }
 
-loads::GenevaDimensionsInput read_dimensions(const CaseSection& section, const Kind kind) {
+/// Refuses what belongs to other types, and what this one lacks.
+void check_own_parameters(const CaseValues& values, const MechanismKind& of_case) {
+  for (const MechanismKind& kind : mechanism_kinds()) {
+    const CaseSection section(values, kind.section);
+    if (kind.name == of_case.name) {
+      for (const std::string& name : kind.needed)
+        if (!section.is_given(name))
+          section.refuse_missing(name, fmt::format("'Type' = '{}' needs it", kind.name));
+      continue;
+    }
+    for (const Parameter& parameter : kind.parameters)
+      if (section.is_changed(parameter.name))
+        section.refuse(parameter.name,
+                       fmt::format("this has an effect with Type = {} only", kind.name));
+  }
+}
+
+loads::GenevaDimensionsInput read_dimensions(const CaseSection& section,
+                                             const MechanismKind& kind) {
   check_sizes(section, kind);
   check_drawn_lengths(section, kind);
   loads::GenevaDimensionsInput input{};
@@ -107,10 +112,9 @@ void checked(const CaseSection& section, const char* parameter, const Check& che
 }
 
 /// Step by step, so that a refusal names the parameter.
-void check_motion(const CaseSection& section, const CaseSection& linkage,
-                  const MechanismCase& given) {
-  const bool is_linkage = given.kind == Kind::four_bar;
-  checked(is_linkage ? linkage : section, given.kind == Kind::spherical ? "Shaft angle" : nullptr,
+void check_motion(const CaseValues& values, const MechanismKind& kind, const MechanismCase& given) {
+  const CaseSection section(values, {names::mechanism});
+  checked({values, kind.section}, kind.responsible ? kind.responsible->c_str() : nullptr,
           [&] { mechanism_of(given); });
   checked(section, nullptr, [&] { check_drawing(given); });
   checked(section, given.pin_angles.empty() ? "Pins" : "Pin angles",
@@ -138,28 +142,6 @@ void check_dynamics(const CaseValues& values, const MechanismCase& given) {
   if (given.space) check_pin(values, given, dynamics.sizes, slot_width(given, dynamics));
 }
 
-void read_linkage(const CaseValues& values, MechanismCase& result) {
-  const CaseSection section(values, {names::mechanism, names::linkage});
-  const bool is_linkage = result.kind == Kind::four_bar;
-  for (const char* name : {"Crank", "Coupler", "Rocker", "Frame"}) {
-    if (is_linkage && !section.is_given(name))
-      section.refuse_missing(name, "'Type' = 'four-bar' needs it");
-    if (!is_linkage && section.is_given(name))
-      section.refuse(name, "this has an effect with Type = four-bar only");
-  }
-  if (!is_linkage) return;
-  result.linkage = {{0., 0.},
-                    {section.value("Frame"), 0.},
-                    section.value("Crank"),
-                    section.value("Coupler"),
-                    section.value("Rocker"),
-                    section.value("Coupler point distance"),
-                    section.value("Coupler point angle")};
-  result.assembly =
-      section.text("Assembly") == "open" ? loads::Assembly::open : loads::Assembly::crossed;
-  result.wheel_place = {section.value("Wheel direction"), result.dimensions.centre_distance};
-}
-
 std::vector<double> read_pin_angles(const CaseSection& section) {
   std::vector<double> angles;
   if (!section.is_given("Pin angles")) return angles;
@@ -178,7 +160,7 @@ std::vector<double> read_pin_angles(const CaseSection& section) {
   return angles;
 }
 
-DriverMotion read_motion(const CaseSection& section, const Kind kind,
+DriverMotion read_motion(const CaseSection& section, const MechanismType& type,
                          const std::filesystem::path& directory) {
   using Motion = DriverMotion::Kind;
   const std::string word = section.text("Driver motion");
@@ -191,7 +173,7 @@ DriverMotion read_motion(const CaseSection& section, const Kind kind,
   motion.law = word == names::cycloidal_carrier || word == names::cycloidal_cross
                    ? loads::MotionLaw::cycloidal
                    : loads::MotionLaw::harmonic;
-  if (on_cross && kind != Kind::external && kind != Kind::internal)
+  if (on_cross && !type.plane())
     section.refuse("Driver motion",
                    "a law on the cross is for Type = external or internal; for others it can be "
                    "set on the carrier, or given as a table");
@@ -246,7 +228,7 @@ void read_contact_model(const CaseSection& section, MechanismCase& result) {
   for (const char* name : {"Block width", "Block depth"})
     if (!result.is_local && section.optional_value(name))
       section.refuse(name, "this has an effect with Contact model = local only");
-  if (!result.is_local && !result.is_drawn())
+  if (!result.is_local && !result.type->is_drawn())
     section.refuse("Contact model",
                    fmt::format("the whole wheel is drawn with Type = external or internal only; "
                                "Type = {} needs 'Contact model = {}'",
@@ -262,15 +244,15 @@ void read_wheel_inertia(const CaseSection& section, MechanismCase& result) {
                                      : InertiaKind::from_geometry;
   result.wheel_inertia = inertia.value_or(0.);
   const int stations = result.dimensions.stations;
-  if (is_johnson && (result.kind != Kind::external || !loads::johnson_row(stations).k5))
+  if (is_johnson && (!result.type->is_johnsons() || !loads::johnson_row(stations).k5))
     section.refuse(
         "Wheel inertia",
-        fmt::format(
-            "Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
-            "is {} and has {}; {} is wanted",
-            section.text("Type"), stations,
-            result.is_drawn() ? fmt::format("'{}' or a value", names::from_geometry) : "a value"));
-  if (!inertia && !result.is_drawn())
+        fmt::format("Johnson gives the inertia of external wheels with 3 to 10 stations, this one "
+                    "is {} and has {}; {} is wanted",
+                    section.text("Type"), stations,
+                    result.type->is_drawn() ? fmt::format("'{}' or a value", names::from_geometry)
+                                            : "a value"));
+  if (!inertia && !result.type->is_drawn())
     section.refuse("Wheel inertia",
                    fmt::format("Type = {} has no drawn wheel: a value is wanted, for example {}",
                                section.text("Type"), base::example_of(base::Dimension::inertia)));
@@ -320,25 +302,19 @@ CaseMaterial read_material(const CaseSection& section) {
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory) {
   const CaseSection section(values, {names::mechanism});
   MechanismCase result{};
-  result.kind = read_kind(section);
-  result.dimensions = read_dimensions(section, result.kind);
-  result.rim_radius = section.optional_value("Rim radius");
-  read_linkage(values, result);
-  result.shaft_angle = section.value("Shaft angle");
-  result.sphere_radius = section.optional_value("Sphere radius").value_or(0.);
-  result.sprocket_spacing = section.value("Sprocket spacing");
-  result.sprocket_line = section.text("Sprocket line") == names::across
-                             ? loads::SprocketLine::across_line_of_centres
-                             : loads::SprocketLine::along_line_of_centres;
+  const MechanismKind& kind = mechanism_kind(section.text("Type"));
+  result.dimensions = read_dimensions(section, kind);
+  check_own_parameters(values, kind);
+  result.type = kind.read(values, result.dimensions);
   result.pins = static_cast<int>(section.value("Pins"));
   result.pin_angles = read_pin_angles(section);
-  result.motion = read_motion(section, result.kind, directory);
+  result.motion = read_motion(section, *result.type, directory);
   result.load = {read_load_inertia(section), section.value("Friction moment")};
   result.external_torque = section.value("External torque");
   result.slot_friction = section.value("Slot friction");
   result.roller = read_roller(section);
   read_contact_model(section, result);
-  check_motion(section, {values, {names::mechanism, names::linkage}}, result);
+  check_motion(values, kind, result);
   read_angle(section, driven_mechanism(result), result);
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});

@@ -93,6 +93,36 @@ Range zero_or_greater() {
   return range;
 }
 
+Range between(const double lower, const double upper, std::string text) {
+  return {lower, upper, true, true, std::move(text)};
+}
+
+QuantityRule quantity(const base::Dimension dimension, const Range& range,
+                      std::vector<std::string> words) {
+  QuantityRule rule;
+  rule.dimension = dimension;
+  rule.range = range;
+  rule.words = std::move(words);
+  return rule;
+}
+
+QuantityRule positive(const base::Dimension dimension, std::vector<std::string> words) {
+  return quantity(dimension, greater_than_zero(), std::move(words));
+}
+
+QuantityRule whole(const double lower, const double upper, const std::string& text) {
+  QuantityRule rule = quantity(base::Dimension::dimensionless, between(lower, upper, text));
+  rule.whole = true;
+  return rule;
+}
+
+QuantityRule vector_of(const base::Dimension dimension, std::vector<std::string> words) {
+  QuantityRule rule = quantity(dimension, Range(), std::move(words));
+  rule.count = 2;
+  rule.most = 3;
+  return rule;
+}
+
 std::string allowed(const Rule& rule) {
   if (const auto* quantity = std::get_if<QuantityRule>(&rule)) return allowed_quantity(*quantity);
   if (const auto* choice = std::get_if<ChoiceRule>(&rule))

@@ -21,6 +21,7 @@ struct Range {
 
 Range greater_than_zero();
 Range zero_or_greater();
+Range between(double lower, double upper, std::string text);
 
 /// One or more dimensional values, each with its unit, separated by commas.
 struct QuantityRule {
@@ -31,6 +32,16 @@ struct QuantityRule {
   std::size_t most = 1;  ///< where there may be more than `count`
   bool whole = false;    ///< whole numbers, without a unit
 };
+
+/// @param words taken instead of a value
+QuantityRule quantity(base::Dimension dimension, const Range& range = {},
+                      std::vector<std::string> words = {});
+QuantityRule positive(base::Dimension dimension, std::vector<std::string> words = {});
+/// A whole number.
+/// @param text the range in words
+QuantityRule whole(double lower, double upper, const std::string& text);
+/// Components of a vector: two in the plane, three in 3-D.
+QuantityRule vector_of(base::Dimension dimension, std::vector<std::string> words = {});
 
 /// One of a few words.
 struct ChoiceRule {

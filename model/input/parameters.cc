@@ -3,43 +3,13 @@
 #include <utility>
 
 #include "loads/pi.h"
+#include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
 
 namespace {
 
 using base::Dimension;
-
-Range between(double lower, double upper, std::string text) {
-  return {lower, upper, true, true, std::move(text)};
-}
-
-QuantityRule quantity(Dimension dimension, const Range& range = Range(),
-                      std::vector<std::string> words = {}) {
-  QuantityRule rule;
-  rule.dimension = dimension;
-  rule.range = range;
-  rule.words = std::move(words);
-  return rule;
-}
-
-QuantityRule positive(Dimension dimension, std::vector<std::string> words = {}) {
-  return quantity(dimension, greater_than_zero(), std::move(words));
-}
-
-QuantityRule whole(double lower, double upper, const std::string& text) {
-  QuantityRule rule = quantity(Dimension::dimensionless, between(lower, upper, text));
-  rule.whole = true;
-  return rule;
-}
-
-/// Components of a vector: two in the plane, three in 3-D.
-QuantityRule vector_of(Dimension dimension, std::vector<std::string> words = {}) {
-  QuantityRule rule = quantity(dimension, Range(), std::move(words));
-  rule.count = 2;
-  rule.most = 3;
-  return rule;
-}
 
 void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
   for (Parameter& parameter : more) parameters.push_back(std::move(parameter));
@@ -69,35 +39,41 @@ Parameter ruled_length(const std::string& name, const std::string& help,
           help};
 }
 
+/// 'name': what it is, of each type.
+std::string meaning_of_kinds() {
+  std::string text;
+  for (const MechanismKind& kind : mechanism_kinds())
+    text += (text.empty() ? "'" : " '") + kind.name + "': " + kind.help;
+  return text;
+}
+
+ChoiceRule choice_of_kinds() {
+  ChoiceRule rule;
+  for (const MechanismKind& kind : mechanism_kinds()) rule.words.push_back(kind.name);
+  return rule;
+}
+
 std::vector<Parameter> kind_parameters() {
   const SectionPath section{names::mechanism};
-  const std::string spherical = " Only with Type = spherical.";
-  const std::string chain = " Only with Type = long dwell.";
-  return {
-      {section, "Type", names::external,
-       ChoiceRule{{names::external, names::internal, names::spherical, names::long_dwell,
-                   names::four_bar}},
-       "'external': the slots open outwards. 'internal': a ring wheel whose slots open inwards. "
-       "'spherical': the shafts meet at an angle. 'long dwell': a chain around two sprockets "
-       "carries the pin. 'four-bar': a point of a linkage's coupler is the pin (subsection "
-       "Linkage)."},
-      {section, "Shaft angle", "90 deg", positive(Dimension::angle),
-       "Angle between the shafts of driver and wheel, between 0 and 180 deg." + spherical},
-      {section, "Sphere radius", "", positive(Dimension::length, {""}),
-       "Distance of the pin from the point where the shafts meet." + spherical},
-      {section, "Sprocket spacing", "0 m", quantity(Dimension::length, zero_or_greater()),
-       "Distance between the axes of the two sprockets, whose pitch radius is the crank radius." +
-           chain},
-      {section, "Sprocket line", names::along, ChoiceRule{{names::along, names::across}},
-       "'along line of centres': the second sprocket lies behind the first, seen from the wheel; "
-       "'across line of centres': they lie side by side, and the pin passes the wheel on the "
-       "straight stretch." +
-           chain},
-      {section, "Pins", "1", whole(1, 24, "from 1 to 24"),
-       "Number of equally spaced pins on the driver."},
-      {section, "Pin angles", "", TextRule{"angles with their units, separated by commas"},
-       "Angles of the pins on the driver where they are not equally spaced, against its sense of "
-       "rotation; the first is 0 deg. Instead of 'Pins'."}};
+  std::vector<Parameter> parameters{
+      {section, "Type", mechanism_kinds().front().name, choice_of_kinds(), meaning_of_kinds()}};
+  for (const MechanismKind& kind : mechanism_kinds())
+    if (kind.section == section) append(parameters, kind.parameters);
+  append(parameters,
+         {{section, "Pins", "1", whole(1, 24, "from 1 to 24"),
+           "Number of equally spaced pins on the driver."},
+          {section, "Pin angles", "", TextRule{"angles with their units, separated by commas"},
+           "Angles of the pins on the driver where they are not equally spaced, against its sense "
+           "of rotation; the first is 0 deg. Instead of 'Pins'."}});
+  return parameters;
+}
+
+/// Those in subsections of their own.
+std::vector<Parameter> kind_subsections() {
+  std::vector<Parameter> parameters;
+  for (const MechanismKind& kind : mechanism_kinds())
+    if (kind.section != SectionPath{names::mechanism}) append(parameters, kind.parameters);
+  return parameters;
 }
 
 std::vector<Parameter> size_parameters() {
@@ -148,28 +124,6 @@ std::vector<Parameter> size_parameters() {
       ruled_length("Pin core radius",
                    "Radius of the pin's core, where the driver holds it. Default: a quarter of the "
                    "pin diameter.")};
-}
-
-std::vector<Parameter> linkage_parameters() {
-  const SectionPath section{names::mechanism, names::linkage};
-  const QuantityRule length = positive(Dimension::length, {""});
-  return {
-      {section, "Crank", "", length, "Crank AB of the linkage. Only with Type = four-bar."},
-      {section, "Coupler", "", length, "Coupler BC."},
-      {section, "Rocker", "", length, "Rocker CD."},
-      {section, "Frame", "", length, "Distance AD of the pivots of crank and rocker."},
-      {section, "Coupler point distance", "0 m", quantity(Dimension::length, zero_or_greater()),
-       "Distance BP of the coupler point, which is the pin, from the end of the crank."},
-      {section, "Coupler point angle", "0 deg", quantity(Dimension::angle),
-       "Angle from BC to BP, counter-clockwise."},
-      {section, "Assembly", "open", ChoiceRule{{"open", "crossed"}},
-       "'open': C lies to the left of the line from B to D; 'crossed': to its right. A "
-       "parallelogram "
-       "stays one if open."},
-      {section, "Wheel direction", "0 deg", quantity(Dimension::angle),
-       "Direction from the crank's axis to the wheel's axis, from the line AD, counter-clockwise. "
-       "The distance is the centre distance; without it, it follows from the tangency of path and "
-       "slot at entry and exit."}};
 }
 
 std::vector<Parameter> motion_parameters() {
@@ -594,7 +548,7 @@ std::vector<Parameter> allowable_parameters() {
 std::vector<Parameter> mechanism_parameters() {
   std::vector<Parameter> parameters = kind_parameters();
   append(parameters, size_parameters());
-  append(parameters, linkage_parameters());
+  append(parameters, kind_subsections());
   append(parameters, motion_parameters());
   append(parameters, inertia_parameters());
   append(parameters, contact_model_parameters());

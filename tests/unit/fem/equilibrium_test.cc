@@ -41,7 +41,9 @@ struct CoarseSolution {
         grid(geneva::test::enlarged(mesh, 1. / scales.length)),
         level(make_level(*grid.dof_handler, mesh, scaled(problem, scales), scales, origins)) {
     Vector guess(level.owned, MPI_COMM_WORLD);
-    state = solve_level(*grid.dof_handler, level, guess, {}, [](unsigned int, unsigned int) {});
+    auto solved =
+        solve_level(*grid.dof_handler, level, guess, {}, [](unsigned int, unsigned int) {});
+    if (solved) state.emplace(std::move(*solved));
   }
 
   mesh::MeshData<2> mesh;

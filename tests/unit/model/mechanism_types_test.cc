@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include "loads/pi.h"
@@ -44,7 +45,7 @@ TEST(MechanismTypes, EachHasItsOwnSize) {
       std::sqrt(3.), 1e-12);
   const auto spherical = read(start + local + "set Type = spherical\nset Sphere radius = 1 m\n");
   EXPECT_NEAR(sizes_of(spherical).wheel_diameter, 2., 1e-12);
-  EXPECT_NEAR(spherical.shaft_angle, pi / 2., 1e-15);
+  EXPECT_LT(std::abs(spherical.type->driver_axis()->z), 1e-15) << "shafts at a right angle";
   const auto chain = read(start + local + "set Type = long dwell\nset Crank radius = 0.5 m\n" +
                           "set Sprocket spacing = 0.7 m\n");
   EXPECT_NEAR(driven_mechanism(chain).mechanism().period, 2. * pi + 2.8, 1e-12);
@@ -64,6 +65,29 @@ TEST(MechanismTypes, RefuseTheSizesOfOthers) {
   expect_in(refused(start + "set Type = spherical\nset Sphere radius = 1 m\nset Shaft angle = 190 "
                             "deg\nset Contact model = local\n"),
             "shaft angle is 190 deg");
+}
+
+TEST(MechanismTypes, RefuseWhatOnlyOthersHave) {
+  const std::string start =
+      "set Stations = 6\nset Wheel diameter = 1 m\nset Driver speed = 60 rpm\n";
+  expect_in(refused(start + "set Shaft angle = 80 deg\n"), "Type = spherical only");
+  expect_in(refused(start + "set Sprocket line = across line of centres\n"),
+            "Type = long dwell only");
+  expect_in(refused(start + "subsection Linkage\nset Coupler point angle = 10 deg\nend\n"),
+            "Type = four-bar only");
+  expect_in(refused("set Stations = 6\nset Type = four-bar\nset Driver speed = 60 rpm\n"),
+            "'Linkage/Crank' is missing");
+}
+
+TEST(MechanismTypes, HaveUniqueNamesAndParameters) {
+  std::set<std::string> names;
+  for (const geneva::model::MechanismKind& kind : geneva::model::mechanism_kinds()) {
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+    for (const geneva::model::Parameter& parameter : kind.parameters) {
+      EXPECT_EQ(parameter.section, kind.section);
+      EXPECT_TRUE(names.insert(parameter.name).second) << parameter.name;
+    }
+  }
 }
 
 TEST(Pins, AreCountedOrPlaced) {

@@ -139,5 +139,44 @@ TEST_F(TwoBodies, CarryWhatTheyRememberToFinerMeshes) {
   EXPECT_EQ(dealii::Utilities::MPI::sum(n_finer, MPI_COMM_WORLD), 4U * 18U);
 }
 
+/// Repeatedly, so that cells move between the ranks; linear functions on cells are linear on their
+/// children.
+TEST(RefinedMesh, CarriesALinearDisplacement) {
+  mesh::MeshData<2> square = geneva::test::empty_mesh();
+  add_rectangle(square, "square", equal_steps(0., 1., 6), equal_steps(0., 1., 6), {"", "", "", ""});
+  RefinedMesh<2> mesh(MPI_COMM_WORLD, square, 1.);
+  const auto linear = [](const Point<2>& x) { return 2. * x[0] - x[1]; };
+  Vector displacement(mesh.dof_handler->locally_owned_dofs(), MPI_COMM_WORLD);
+  const auto visit_own = [&](const auto& task) {
+    for (const auto& cell : mesh.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int i : cell->vertex_indices())
+          if (const auto dof = cell->vertex_dof_index(i, 0);
+              mesh.dof_handler->locally_owned_dofs().is_element(dof))
+            task(cell->vertex(i), displacement(dof));
+  };
+  visit_own([&](const Point<2>& x, double& value) { value = linear(x); });
+  for (int pass = 0; pass < 4; ++pass) {
+    for (const auto& cell : mesh.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->center().norm() < 0.5) cell->set_refine_flag();
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(*mesh.dof_handler, relevant);
+    replace(displacement, mesh.refine({with_ghosts(displacement, relevant), {}}).displacement);
+    visit_own([&](const Point<2>& x, const double value) { EXPECT_NEAR(value, linear(x), 1e-14); });
+  }
+}
+
+TEST(Vectors, AreReplacedWithTheirGhosts) {
+  const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const auto rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  dealii::IndexSet own(n_ranks);
+  own.add_index(rank);
+  Vector values(own, MPI_COMM_WORLD);
+  values(rank) = 1. + rank;
+  Vector replaced = with_ghosts(values, own);
+  replace(replaced, with_ghosts(values, dealii::complete_index_set(n_ranks)));
+  for (unsigned int i = 0; i < n_ranks; ++i) EXPECT_EQ(replaced(i), 1. + i);
+}
+
 }  // namespace
 }  // namespace geneva::fem::test
