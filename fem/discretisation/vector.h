@@ -5,8 +5,8 @@
 namespace geneva::fem {
 
 /// Values at unknowns, each on the rank that owns it. With ghosts, a vector has room for some of
-/// other ranks as well, which are read after update_ghost_values(). A copy has the room, but not the
-/// values of ghosts.
+/// other ranks as well, which are read after update_ghost_values(). A copy has the room, but not
+/// the values of ghosts.
 using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
 /// In place of an assignment, which keeps the ghosts of the vector that is assigned to if both have
