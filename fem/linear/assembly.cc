@@ -156,7 +156,7 @@ NodePattern pattern_of(const CondensedSystems& systems, const Rows<dim>& receive
   });
   for (const auto& [node, row] : received)
     for (std::size_t i = 0; i < row.size(); ++i) add_once(list_of(node), row.number(i));
-  return {map, dim, std::move(coupled)};
+  return {map, dim, coupled};
 }
 
 /// Adds a system to the rows of this rank's nodes.

@@ -36,11 +36,11 @@ class Fit {
   }
 
   [[nodiscard]] Row solve(const MPI_Comm communicator) const {
-    std::vector<double> sums(matrix_.data(), matrix_.data() + n * n);
+    std::vector<double> sums(matrix_.data(), matrix_.data() + matrix_.size());
     sums.insert(sums.end(), right_.data(), right_.data() + n);
     dealii::Utilities::MPI::sum(sums, communicator, sums);
     const Eigen::Map<const Eigen::Matrix<double, n, n>> matrix(sums.data());
-    const Eigen::Map<const Row> right(sums.data() + n * n);
+    const Eigen::Map<const Row> right(sums.data() + std::ptrdiff_t{n} * n);
     return mesh::least_squares(matrix, right);
   }
 

@@ -79,10 +79,10 @@ class PointFinder {
  public:
   PointFinder(const ViewMesh& mesh, const unsigned int body, const double spacing)
       : spacing_(spacing) {
-    for (unsigned int i = 0; i < mesh.bodies.size(); ++i)
+    for (std::size_t i = 0; i < mesh.bodies.size(); ++i)
       if (mesh.bodies[i] == body)
         points_.emplace(key({mesh.points[3 * i], mesh.points[3 * i + 1], mesh.points[3 * i + 2]}),
-                        i);
+                        static_cast<unsigned int>(i));
   }
 
   /// The point at a place; nothing if there is none within the spacing.

@@ -139,7 +139,7 @@ NodePattern pattern_of(const Factors<n, m>& factors,
       couple(node, column);
       couple(column, node);
     }
-  return {unknowns, m, std::move(coupled)};
+  return {unknowns, m, coupled};
 }
 
 /// Adds first^T second to the rows of this rank's nodes.

@@ -19,7 +19,7 @@ NodePattern pattern_of(const UnknownRanges& unknowns, const std::vector<Eliminat
     coupled.emplace_back();
     for (const auto& share : line.shares) coupled.back().push_back(share.first);
   }
-  return {unknowns, 1, std::move(coupled)};
+  return {unknowns, 1, coupled};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::vector<int> others_in(const std::vector<std::vector<int>>& lists, const Own
 }  // namespace
 
 NodePattern::NodePattern(const UnknownRanges& unknowns, const int of_each,
-                         std::vector<std::vector<int>> coupled)
+                         const std::vector<std::vector<int>>& coupled)
     : unknowns_(unknowns),
       of_each_(static_cast<std::size_t>(of_each)),
       own_(unknowns, of_each),
@@ -139,7 +139,7 @@ NodeMatrix<n, m> matrix_of(const std::vector<BlockRow<Eigen::Matrix<double, n, m
                            const UnknownRanges& unknowns) {
   std::vector<std::vector<int>> coupled;
   for (const auto& row : rows) coupled.push_back(row.numbers());
-  NodeMatrix<n, m> matrix(NodePattern(unknowns, m, std::move(coupled)));
+  NodeMatrix<n, m> matrix(NodePattern(unknowns, m, coupled));
   for (std::size_t row = 0; row < rows.size(); ++row) matrix.add(row, rows[row]);
   return matrix;
 }

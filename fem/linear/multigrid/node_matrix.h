@@ -19,7 +19,8 @@ class NodePattern {
   /// @param unknowns of this rank's column nodes, those of a node after each other
   /// @param of_each number of unknowns of a column node
   /// @param coupled numbers of the column nodes that each row node is coupled to, once each
-  NodePattern(const UnknownRanges& unknowns, int of_each, std::vector<std::vector<int>> coupled);
+  NodePattern(const UnknownRanges& unknowns, int of_each,
+              const std::vector<std::vector<int>>& coupled);
 
   [[nodiscard]] std::size_t n_rows() const { return first_blocks_.size() - 1; }
   /// This rank's column nodes.
