@@ -167,6 +167,24 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
                         mechanism.pin.poissons_ratio};
 }
 
+std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,
+                                                      const MechanismState& state) {
+  constexpr double accuracy = 5e-4;
+  if (mechanism.space->hold == Hold::core) return std::nullopt;
+  const double radius = state.sizes.pin_diameter / 2.;
+  const loads::PinLine pin{{mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
+                           {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio},
+                           radius,
+                           radius,
+                           pin_clearance(mechanism, state),
+                           mechanism.space->hold == Hold::both_ends};
+  try {
+    return loads::pin_line_contact(pin, state.load.force, accuracy);
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
 std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
                                         const MechanismCase& mechanism, const MechanismState& state,
                                         const double cell) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "loads/pin/pin_beam.h"
+#include "loads/pin/pin_line.h"
 #include "loads/pin/pin_profile.h"
 #include "mesh/extrusion.h"
 #include "model/mechanism_state.h"
@@ -29,6 +30,11 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 
 /// The pin as a beam; none if its core is held.
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
+
+/// The pin as line contacts that half-spaces and a beam couple, and the contact under its force;
+/// none if its core is held, or where that model knows no answer: for a negative Poisson's ratio.
+std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,
+                                                      const MechanismState& state);
 
 /// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
 /// "pin tip"; of a half model "wheel middle" and "pin middle".

@@ -141,6 +141,16 @@ std::vector<ComparisonRow> even_load_rows([[maybe_unused]] const fem::Solution<d
   return {};
 }
 
+/// Finite elements beside line contacts that half-spaces and a beam couple.
+template <int dim>
+std::vector<ComparisonRow> line_rows(const fem::Solution<dim>& solution,
+                                     const fem::ContactResult<dim>& contact,
+                                     const std::optional<loads::PinLineContact>& line) {
+  if (!line || !is_bounded(solution)) return {};
+  return {row_of("peak, half-space and beam", Dimension::stress, contact.peak_pressure,
+                 line->peak_pressure, solution.error_estimate)};
+}
+
 std::vector<ComparisonRow> pin_rows(const PinReport& pin, const Figures& errors) {
   if (!pin.beam) return {};
   return {row_of("pin deflection", Dimension::length, pin.bending.tip_deflection,
@@ -213,7 +223,10 @@ std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
   for (ComparisonRow& row : rows)
     if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
   if (mechanism) append(even_load_rows(solution, contact, analysis));
-  if (mechanism && mechanism->pin) append(pin_rows(*mechanism->pin, report.errors.mechanism));
+  if (mechanism && mechanism->pin) {
+    append(line_rows(solution, contact, mechanism->pin->line));
+    append(pin_rows(*mechanism->pin, report.errors.mechanism));
+  }
   if (mechanism && mechanism->bore_torque)
     rows.push_back(row_of(mechanism->held_surface + " torque", Dimension::moment,
                           *mechanism->bore_torque, mechanism->expected_bore_torque,

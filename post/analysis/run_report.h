@@ -10,6 +10,7 @@
 #include "loads/allowables.h"
 #include "loads/motion/kinematics.h"
 #include "loads/pin/pin_beam.h"
+#include "loads/pin/pin_line.h"
 #include "post/analysis/figures.h"
 #include "post/analysis/pin_bending.h"
 
@@ -19,9 +20,12 @@ namespace geneva::post {
 struct PinReport {
   PinBending bending;
   std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
-  std::string profile;                     ///< as the case names it
-  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
-  double crown_radius;                     ///< [m]; 0: other ones
+  /// Line contacts that half-spaces and a beam couple; none if the contact reaches an end of the
+  /// wall, where they have no peak, or the pin is held at its core.
+  std::optional<loads::PinLineContact> line;
+  std::string profile;  ///< as the case names it
+  double amplitude;     ///< of a logarithmic profile [m]; 0: other ones
+  double crown_radius;  ///< [m]; 0: other ones
 };
 
 /// What the mechanism asks of the contact, SI units.

@@ -145,6 +145,14 @@ json pin_section(const PinReport& pin, const Figures& errors) {
   section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
   section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
   section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
+  if (pin.line)
+    section["half_space_and_beam"] = {
+        {"peak_pressure", quantity(pin.line->peak_pressure, "Pa")},
+        {"peak_pressure_place", quantity(pin.line->peak_place, "m")},
+        {"half_length", quantity((pin.line->end - pin.line->begin) / 2., "m")},
+        {"root_stress", quantity(pin.line->root_stress, "Pa")},
+        {"sections", pin.line->sections.size()},
+        {"error_of_sections", pin.line->error}};
   return section;
 }
 

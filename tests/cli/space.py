@@ -197,6 +197,21 @@ class Space(CliTest):
         log = (self.directory / "crown-60" / "results" / "log.txt").read_text()
         self.assertIn("the surfaces face each other over 17 mm: their ends carry nothing", log)
 
+    def test_half_space_and_beam_agree_with_finite_elements_where_the_contact_ends_inside(self):
+        for name, pin in {"crowned": ["Crown radius = 3 m"], "tilted": ["Crown radius = 2 m", "Tilt = 0.05 deg"],
+                          "held twice": ["Held at = both ends", "Crown radius = 1 m"]}.items():
+            with self.subTest(name):
+                summary = self.run_case(self.write(name.replace(" ", "-"), ["Profile = crown", *pin], modulus="207 GPa"))
+                model = self.value(summary, "pin.half_space_and_beam.peak_pressure")
+                error = summary["contact"]["peak_pressure_error"]
+                self.assertAlmostEqual(self.value(summary, "contact.peak_pressure") / model, 1., delta=error + 0.005)
+                if name == "held twice":  # no beam, half as long again as thick
+                    continue
+                self.assertAlmostEqual(self.value(summary, "pin.root_stress")
+                                       / self.value(summary, "pin.half_space_and_beam.root_stress"), 1.,
+                                       delta=0.01 + summary["pin"]["root_stress_error"])
+        self.assertNotIn("half_space_and_beam", self.run_case(self.write("flush", ["Held at = one end"]))["pin"])
+
     def test_a_soft_wheel_under_a_stiff_pin_is_solved(self):
         case = self.write("soft", ["Held at = core", "Profile = crown", "Crown radius = 60 mm"], modulus="20 GPa")
         text = (case / "case.prm").read_text()

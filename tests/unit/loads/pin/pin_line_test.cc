@@ -1,6 +1,7 @@
 #include "loads/pin/pin_line.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <vector>
@@ -219,6 +220,32 @@ TEST(PinLine, SaysHowFarOffItsSectionsAre) {
       EXPECT_LE(std::abs(contact.peak_pressure / limit - 1.), 1.5 * contact.error);
     }
   }
+}
+
+double between(const double least, const double most) {
+  return least + (most - least) * 1e-6 * *rc::gen::inRange(0, 1000001);
+}
+
+/// Any pin that a wheel may have: its sections carry the force, and none pulls.
+RC_GTEST_PROP(PinLine, FindsTheBalanceOfAnyPin, ()) {
+  PinLine pin = johnson();
+  const double radius = pin.radius;
+  pin.pin.poissons_ratio = between(0., 0.49);
+  pin.wheel.poissons_ratio = between(0., 0.49);
+  pin.wheel.youngs_modulus *= std::pow(10., between(-2., 1.));
+  pin.clearance.wall_half = radius * std::pow(10., between(-0.5, 0.7));
+  pin.clearance.lower_end = -pin.clearance.wall_half - radius * between(0., 2.);
+  pin.clearance.upper_end = pin.clearance.wall_half + radius * between(0., 2.);
+  pin.clearance.profile = Crown{radius * std::pow(10., between(1.7, 5.))};
+  pin.clearance.tilt = between(-0.3, 0.3) * degree;
+  pin.held_at_both_ends = *rc::gen::arbitrary<bool>();
+  pin.wheel_twist *= between(0., 3.);
+  const double force = pin_force * std::pow(10., between(-2., 1.));
+  const PinLineContact contact = pin_line_contact(pin, force, 1e-3);
+  RC_ASSERT(std::abs(force_of(contact) / force - 1.) < 1e-8);
+  for (const PinSection& section : contact.sections) RC_ASSERT(section.line_load >= 0.);
+  RC_ASSERT(contact.begin < contact.end);
+  RC_ASSERT(contact.peak_place >= contact.begin && contact.peak_place <= contact.end);
 }
 
 TEST(PinLine, RefusesWhatItCannotCarry) {
