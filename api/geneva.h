@@ -11,6 +11,7 @@
 #include "api/case.h"
 #include "api/crown.h"
 #include "api/design.h"
+#include "api/estimate.h"
 #include "api/kinematics.h"
 #include "api/report.h"
 #include "api/session.h"

@@ -29,6 +29,12 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
                          "Where kinematics.json and kinematics.csv go (default: CASE_DIR/results)");
   kinematics->add_option("--steps", steps, "Steps of the curves over the cycle (default: 720)")
       ->check(CLI::Range(1, 10000000));
+  auto* estimate = app.add_subcommand(
+      "estimate",
+      "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");
+  estimate->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
+  estimate->add_option("-o,--output", output,
+                       "Where estimate.json and estimate.csv go (default: CASE_DIR/results)");
   auto* design = app.add_subcommand(
       "design", "Find the wheel of minimum contact stress and the vibration of the load (Johnson)");
   design->add_option("CASE_DIR", case_directories, "One or more directories with a case.prm")
@@ -65,6 +71,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   if (parameters->parsed()) return Request{Request::Command::parameters, {}, {}, steps};
   if (run->parsed())
     return Request{Request::Command::run, {case_directory}, output, steps, is_continued};
+  if (estimate->parsed())
+    return Request{Request::Command::estimate, {case_directory}, output, steps};
   if (kinematics->parsed())
     return Request{Request::Command::kinematics, {case_directory}, output, steps};
   if (report->parsed())

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "api/design.h"
+#include "api/estimate.h"
 #include "api/kinematics.h"
 #include "api/report.h"
 #include "api/synthesis.h"
@@ -70,6 +71,16 @@ void warn_of_missing_packages(const Written& written) {
         "geneva: the report lacks its interactive parts: the package {} is not installed "
         "('apt-get install {}')\n",
         package, package);
+}
+
+int estimate_case(const fs::path& case_directory, const fs::path& output) {
+  const Estimate found = estimate(read_case(case_directory));
+  print_heading(found.given);
+  std::cout << table(found);
+  for (const std::string& notice : found.notices) std::cout << "note: " << notice << '\n';
+  const fs::path directory = results_of(found.given.directory, output);
+  tell(write(found, directory), "estimate.json, estimate.csv and report.html", directory);
+  return 0;
 }
 
 int kinematics_of_case(const fs::path& case_directory, const fs::path& output, const int steps) {

@@ -21,6 +21,11 @@ std::string removal_notice(const Written& written);
 /// Warns of what the report lacks.
 void warn_of_missing_packages(const Written& written);
 
+/// `geneva estimate`: prints the figures and writes the results.
+/// @param output where the files go; empty: results in the case's directory
+/// @return exit code 0
+int estimate_case(const std::filesystem::path& case_directory, const std::filesystem::path& output);
+
 /// `geneva kinematics`: prints the characteristic values and writes the results.
 /// @param output where the files go; empty: results in the case's directory
 /// @return exit code 0

@@ -16,6 +16,7 @@ using Command = Request::Command;
 
 int obey(const Request& request) {
   const auto& [command, cases, output, steps, goes_on] = request;
+  if (command == Command::estimate) return estimate_case(cases.front(), output);
   if (command == Command::kinematics) return kinematics_of_case(cases.front(), output, steps);
   if (command == Command::synthesize) return synthesize_case(cases.front(), output);
   if (command == Command::report) return report_on(cases, output);

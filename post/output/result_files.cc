@@ -24,6 +24,7 @@ const std::vector<ResultFiles>& result_files() {
        {"sections.csv", "depth.csv", "contact.vtu", "solution.pvd", "solution.pvtu", "results.h5",
         "results.xdmf", "view.json", "stress.svg", "case.prm", "log.txt", "checkpoint.bin"},
        true},
+      {"estimate", "geneva estimate", {"estimate"}, {}, true},
       {"kinematics", "geneva kinematics", {"kinematics"}, {}, true},
       {"design", "geneva design", {"design"}, {}, true},
       {"crown", "geneva design --crown", {"crown"}, {}, true},

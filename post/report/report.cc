@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "post/report/comparison_section.h"
 #include "post/report/crown_section.h"
+#include "post/report/estimate_section.h"
 #include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
@@ -79,6 +80,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
     append({field, {}});
     append(convergence_part(results));
   }
+  if (results.document("estimate") != nullptr) append(estimate_part(results));
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));

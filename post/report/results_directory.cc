@@ -89,11 +89,12 @@ ResultsDirectory read_results(const fs::path& directory) try {
     results.documents[files.document] = std::move(document);
   }
   if (results.documents.empty())
-    throw base::InputError(fmt::format(
-        "{} holds no results: there is none of summary.json ('geneva run'), "
-        "kinematics.json ('geneva kinematics'), design.json ('geneva design') and crown.json "
-        "('geneva design --crown')",
-        directory.string()));
+    throw base::InputError(
+        fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
+                    "estimate.json ('geneva estimate'), kinematics.json ('geneva kinematics'), "
+                    "design.json ('geneva design') and crown.json "
+                    "('geneva design --crown')",
+                    directory.string()));
   for (const char* const name : {"view", "mechanism"}) {  // not of all of them
     const fs::path file = directory / (std::string(name) + ".json");
     if (fs::exists(file)) results.documents[name] = read_json(file);

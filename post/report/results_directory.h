@@ -19,7 +19,8 @@ struct ResultsDirectory {
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
   [[nodiscard]] const CsvTable* table(const std::string& name) const;
-  /// That of the run, else of the kinematics, else of the design, else of the crown.
+  /// That of the run, else of the estimate, else of the kinematics, else of the design, else of the
+  /// crown.
   [[nodiscard]] const nlohmann::json& leading() const;
   /// Its section "case".
   [[nodiscard]] const nlohmann::json& about() const;

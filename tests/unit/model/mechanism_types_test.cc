@@ -76,7 +76,7 @@ TEST(MechanismTypes, RefuseWhatOnlyOthersHave) {
   expect_in(refused(start + "subsection Linkage\nset Coupler point angle = 10 deg\nend\n"),
             "Type = four-bar only");
   expect_in(refused("set Stations = 6\nset Type = four-bar\nset Driver speed = 60 rpm\n"),
-            "'Linkage/Crank' is missing");
+            "'Crank' is missing");
 }
 
 TEST(MechanismTypes, HaveUniqueNamesAndParameters) {
