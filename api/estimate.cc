@@ -7,7 +7,6 @@
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/version.h"
-#include "loads/pi.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
 #include "model/pin_in_space.h"
@@ -22,19 +21,11 @@ using Rows = std::vector<post::EstimateRow>;
 constexpr const char* by_hertz = "Hertz";
 constexpr const char* by_lines = "half-space and beam";
 
-/// Whether the contact ends before the wall, or its broken edge, does.
-bool ends_inside(const loads::PinLineContact& line, const loads::PinClearance& clearance) {
-  const double flank = clearance.wall_half - clearance.wall_edge.size;
-  return line.begin > -flank && line.end < flank;
-}
-
-/// Of the section nearest to a place.
-double line_load_at(const loads::PinLineContact& line, const double place) {
-  return std::min_element(line.sections.begin(), line.sections.end(),
-                          [&](const auto& a, const auto& b) {
-                            return std::abs(a.place - place) < std::abs(b.place - place);
-                          })
-      ->line_load;
+/// Line load in the middle of the wheel's thickness; 0 if no section there carries any.
+double middle_load(const loads::PinLineContact& line) {
+  const auto middle = std::find_if(line.sections.begin(), line.sections.end(),
+                                   [](const auto& s) { return std::abs(s.place) <= s.width / 2.; });
+  return middle == line.sections.end() ? 0. : middle->line_load;
 }
 
 void append_hertz(Rows& rows, const loads::HertzLine& hertz, const std::string& basis) {
@@ -48,25 +39,21 @@ void append_hertz(Rows& rows, const loads::HertzLine& hertz, const std::string& 
 void append_line(Rows& rows, const post::EstimateReport& report,
                  const loads::PinClearance& clearance) {
   const loads::PinLineContact& line = *report.line;
-  const bool is_inside = ends_inside(line, clearance);
-  const double pressure = is_inside ? line.peak_pressure
-                                    : std::sqrt(line_load_at(line, 0.) * report.contact_modulus /
-                                                (loads::pi * report.relative_radius));
-  // p0 = sqrt(q E*/(pi R)), so that q follows from p0
-  const loads::HertzLine section = loads::hertz_line(
-      pressure * pressure * loads::pi * report.relative_radius / report.contact_modulus,
-      report.relative_radius, report.contact_modulus);
-  if (is_inside) {
-    append_hertz(rows, section, by_lines);
+  const auto section = [&](const double line_load) {
+    return loads::hertz_line(line_load, report.relative_radius, report.contact_modulus);
+  };
+  if (loads::ends_inside(line, clearance)) {
+    append_hertz(rows, section(line.peak_line_load), by_lines);
     rows.push_back(
         {"place of the peak along the pin", Dimension::length, line.peak_place, by_lines});
     rows.push_back({"length of the contact", Dimension::length, line.end - line.begin, by_lines});
     rows.push_back({"peak over Johnson's Eq. 2", Dimension::dimensionless,
                     line.peak_pressure / report.even.peak_pressure, by_lines});
   } else {
-    rows.push_back({"pressure in the middle", Dimension::stress, section.peak_pressure, by_lines});
-    rows.push_back(
-        {"line load, middle", Dimension::force_per_length, line_load_at(line, 0.), by_lines});
+    const double load = middle_load(line);
+    rows.push_back({"pressure in the middle", Dimension::stress,
+                    load > 0. ? section(load).peak_pressure : 0., by_lines});
+    rows.push_back({"line load, middle", Dimension::force_per_length, load, by_lines});
   }
   rows.push_back({"bending stress at the root", Dimension::stress, line.root_stress, by_lines});
 }
@@ -111,7 +98,7 @@ post::EstimateReport estimate_report(const Case& given) {
   if (mechanism.space) report.line = model::pin_line_contact(mechanism, state);
   if (report.line) {
     const loads::PinClearance clearance = model::pin_clearance(mechanism, state);
-    is_inside = ends_inside(*report.line, clearance);
+    is_inside = loads::ends_inside(*report.line, clearance);
     report.rows.push_back(
         {"Johnson's Eq. 2, even load", Dimension::stress, report.even.peak_pressure, by_hertz});
     append_line(report.rows, report, clearance);

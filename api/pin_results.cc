@@ -68,9 +68,7 @@ post::PinReport pin_report(const model::MechanismCase& mechanism,
   if (const auto beam = model::pin_beam(mechanism, state.sizes))
     report.beam = loads::beam_bending(*beam, state.load.force);
   report.line = model::pin_line_contact(mechanism, state);
-  const double wall_half = clearance.wall_half - clearance.wall_edge.size;
-  if (report.line && (report.line->begin <= -wall_half || report.line->end >= wall_half))
-    report.line.reset();
+  if (report.line && !loads::ends_inside(*report.line, clearance)) report.line.reset();
   if (const auto bending = bending_of_pin(mechanism, state, solution, cells))
     report.bending = *bending;
   return report;

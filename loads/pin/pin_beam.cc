@@ -18,9 +18,8 @@ Stiffness stiffness_of(const PinBeam& pin) {
   const double d = pin.diameter;
   const double nu = pin.poissons_ratio;
   const double area = pi * d * d / 4.;
-  const double coefficient = 6. * (1. + nu) / (7. + 6. * nu);
   return {pin.youngs_modulus * pi * std::pow(d, 4) / 64.,
-          coefficient * pin.youngs_modulus / (2. * (1. + nu)) * area};
+          shear_coefficient(nu) * pin.youngs_modulus / (2. * (1. + nu)) * area};
 }
 
 /// Cantilever of length `tip` held at s = 0, loaded by w from s = a to s = b.
@@ -52,6 +51,10 @@ BeamBending clamped(const Stiffness& stiffness, const double w, const double L, 
 }
 
 }  // namespace
+
+double shear_coefficient(const double poissons_ratio) {
+  return 6. * (1. + poissons_ratio) / (7. + 6. * poissons_ratio);
+}
 
 BeamBending beam_bending(const PinBeam& pin, const double force) {
   require_positive_length("pin diameter", pin.diameter);

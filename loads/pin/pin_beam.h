@@ -13,7 +13,10 @@ struct PinBeam {
   double poissons_ratio;   ///< nu
 };
 
-/// Timoshenko's beam with shear coefficient 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
+/// Shear coefficient kappa of a solid round beam: 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
+double shear_coefficient(double poissons_ratio);
+
+/// Timoshenko's beam with that shear coefficient.
 struct BeamBending {
   double tip_deflection;  ///< of the free end; held twice: of the middle [m]
   double slope;           ///< of the cross-sections in the middle of the wheel [rad]; held twice: 0

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "loads/pi.h"
 #include "loads/pin/cylinder_kernel.h"
+#include "loads/pin/pin_beam.h"
 #include "loads/pin/strip_influence.h"
 #include "loads/require.h"
 
@@ -20,18 +21,17 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Deflection of a beam by Timoshenko's theory with the shear coefficient kappa = 6 (1 + nu)/(7 + 6
-/// nu) (Cowper 1966), held at s = 0 alone or there and at its end.
+/// Deflection of a beam by Timoshenko's theory, held at s = 0 alone or there and at its end.
 class Beam {
  public:
-  Beam(const PinLine& pin)
+  explicit Beam(const PinLine& pin)
       : length_(pin.clearance.upper_end - pin.clearance.lower_end),
         is_held_twice_(pin.held_at_both_ends) {
     const double nu = pin.pin.poissons_ratio;
     const double area = pi * pin.radius * pin.radius;
     const double shear_modulus = pin.pin.youngs_modulus / (2. * (1. + nu));
     bending_ = pin.pin.youngs_modulus * area * pin.radius * pin.radius / 4.;
-    shear_ = 6. * (1. + nu) / (7. + 6. * nu) * shear_modulus * area;
+    shear_ = shear_coefficient(nu) * shear_modulus * area;
     const double end = held_once(length_, length_);
     const double turned = length_ * length_ / (2. * bending_);
     const double turn = length_ / bending_;
@@ -146,9 +146,8 @@ class Sections {
     const CylinderKernel kernel(pin.pin.poissons_ratio);
     const double nu = pin.pin.poissons_ratio;
     const double shear_modulus = pin.pin.youngs_modulus / (2. * (1. + nu));
-    const double kappa = 6. * (1. + nu) / (7. + 6. * nu);
-    const double more_shear =
-        (1. / kappa - kernel.shear_factor()) / (2. * shear_modulus * pi * pin.radius * pin.radius);
+    const double more_shear = (1. / shear_coefficient(nu) - kernel.shear_factor()) /
+                              (2. * shear_modulus * pi * pin.radius * pin.radius);
     for (Eigen::Index j = 0; j < n_; ++j)
       for (Eigen::Index i = 0; i < n_; ++i) {
         const double distance = places_[i] - places_[j];
@@ -342,6 +341,7 @@ void find_peak(const Sections& sections, PinLineContact& contact) {
       contact.peak_place -= slope / (2. * curve);
     }
   }
+  contact.peak_line_load = load;
   contact.peak_pressure = sections.pressure(load);
 }
 
@@ -378,8 +378,7 @@ PinLineContact contact_of(const PinLine& pin, const Sections& sections, const Se
   return contact;
 }
 
-/// Loads of other sections at places, by straight lines; a little everywhere, since Newton's
-/// iterations let go of sections more easily than they find them.
+/// Loads of other sections at places, by straight lines; beyond them that of the last one.
 Vector loads_at(const PinLineContact& known, const Vector& places) {
   Vector result(places.size());
   const auto& all = known.sections;
@@ -438,6 +437,11 @@ void require(const PinLine& pin, const double force) {
 }
 
 }  // namespace
+
+bool ends_inside(const PinLineContact& contact, const PinClearance& clearance) {
+  const double flank = clearance.wall_half - clearance.wall_edge.size;
+  return contact.begin > -flank && contact.end < flank;
+}
 
 PinLineContact pin_line_contact(const PinLine& pin, const double force, const double accuracy) {
   constexpr int on_whole_wall = 16;

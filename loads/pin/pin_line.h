@@ -28,7 +28,8 @@ struct PinSection {
 /// A pin that carries a force.
 struct PinLineContact {
   std::vector<PinSection> sections;  ///< in ascending order of their places
-  double peak_pressure = 0.;         ///< [Pa]
+  double peak_line_load = 0.;        ///< [N/m]
+  double peak_pressure = 0.;         ///< sqrt(q E*/(pi R)) of that [Pa]
   double peak_place = 0.;            ///< [m]
   double begin = 0.;                 ///< where the contact begins [m]
   double end = 0.;                   ///< where it ends [m]
@@ -42,9 +43,14 @@ struct PinLineContact {
 /// the bending of the pin and by what a round cylinder gives way more than both
 /// (doc/theory.md, "The pin in space without finite elements").
 /// @param force F > 0 [N]
-/// @param accuracy by which the peak pressure may change when there are twice as many sections
+/// @param accuracy by which the peak pressure may change when there are twice as many sections,
+/// relative, > 0
+/// @return with 48 sections at most where the contact reaches an end of the wall
 /// @throws base::InputError if a size, modulus or force is not positive, if Poisson's ratio of the
-/// pin is below 0, or if the pin is lifted off the wall
+/// pin is below 0, or if the sections find no balance
 PinLineContact pin_line_contact(const PinLine& pin, double force, double accuracy);
+
+/// Whether the contact ends before the wall, or its broken edge, does: only then it has a peak.
+bool ends_inside(const PinLineContact& contact, const PinClearance& clearance);
 
 }  // namespace geneva::loads

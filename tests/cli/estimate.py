@@ -50,6 +50,13 @@ class Estimate(CliTest):
         self.assertIn("the contact reaches the wall's edge", run.out)
         self.assertAlmostEqual(self.value(summary, "pressure in the middle") / 6894.757, 72000., delta=1000.)
 
+    def test_a_pin_that_touches_at_one_end_alone_carries_nothing_in_the_middle(self):
+        case = self.changed("crowned-pin", {"Mechanism/Pin/Tilt": "0.5 deg", "Mechanism/Slot clearance": "0.02 in"})
+        run, summary = self.estimate(case)
+        self.assertIn("the contact reaches the wall's edge", run.out)
+        self.assertEqual(self.value(summary, "pressure in the middle"), 0.)
+        self.assertEqual(self.value(summary, "line load, middle"), 0.)
+
     def test_a_pin_that_is_held_at_its_core_is_hertz_s(self):
         case = self.changed("crowned-pin", {"Mechanism/Pin/Held at": "core", "Mechanism/Pin/Root gap": None})
         run, _ = self.estimate(case)

@@ -112,7 +112,8 @@ TEST(PinLine, IsHertzsEllipseOnAHalfSpace) {
     pin.clearance.upper_end = pin.clearance.wall_half;
     const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-4);
     const double axes = hertz.semi_axis_long / hertz.semi_axis_short;
-    EXPECT_NEAR(contact.peak_pressure / hertz.peak_pressure, 1., 0.0003 + 0.8 / (axes * axes))
+    EXPECT_NEAR(contact.peak_pressure / hertz.peak_pressure, 1.,
+                1e-4 + std::log(axes) / 4. / (axes * axes))
         << axes;
     EXPECT_NEAR((contact.end - contact.begin) / 2. / hertz.semi_axis_long, 1.,
                 0.003 + 1. / (axes * axes))
@@ -219,7 +220,7 @@ TEST(PinLine, SaysHowFarOffItsSectionsAre) {
     for (const double accuracy : {1e-2, 1e-3, 2e-4}) {
       const PinLineContact contact = pin_line_contact(pin, pin_force, accuracy);
       EXPECT_LE(contact.error, accuracy);
-      EXPECT_LE(std::abs(contact.peak_pressure / limit - 1.), 1.5 * contact.error);
+      EXPECT_LE(std::abs(contact.peak_pressure / limit - 1.), contact.error);
     }
   }
 }
