@@ -1,9 +1,6 @@
 #pragma once
 
-#include <mpi.h>
-
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "api/case.h"
@@ -12,29 +9,20 @@
 
 namespace geneva {
 
-namespace mesh {
-class Mesher;
-}
-
 /// The pin by which the line load of a case in 3-D is most even.
 struct Crown {
   Case given;
+  Case best;  ///< with the profile found, at its worst tilt, under the greatest force
   post::CrownReport report;
-  bool is_accurate;  ///< whether both pins were solved as accurately as the case asks
 };
 
-/// What is told on every rank while it is searched for.
-using Tell = std::function<void(const std::string&)>;
-
-/// Searches for the crown radius (of a logarithmic profile: the amplitude) by which the line load
-/// along the pin of a case in 3-D is most even. All ranks call it.
-///
-/// The search runs on coarse meshes; before and after are solved as accurately as the case asks.
-/// @param tell may be empty
-/// @param mesher already started, on rank 0; nothing: it is started when it is needed
-/// @throws InputError on all ranks if the case is wrong or its pin has a tabulated profile
-Crown design_crown(const Case& given, MPI_Comm communicator, const Tell& tell = {},
-                   mesh::Mesher* mesher = nullptr);
+/// Searches for the crown radius (of a logarithmic profile: the amplitude) by which the maximum
+/// line load along the pin of a case in 3-D is least, for all tilts that the case allows and under
+/// its greatest load: by line contacts along the pin that half-spaces and a beam couple
+/// (loads/pin/pin_line.h).
+/// @throws InputError if the case is wrong, its pin has a tabulated profile, or those line contacts
+/// know no answer
+Crown design_crown(const Case& given);
 
 /// The pin before and after as `geneva design --crown` prints it, in the case's units.
 std::string table(const Crown& crown);

@@ -45,8 +45,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   bool is_crown = false;
   design->add_flag("--crown", is_crown,
                    "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
-                   "which the line load along the pin of one case in 3-D is most even; writes "
-                   "crown.json, crown.csv and the report");
+                   "which the line load along the pin of one case in 3-D is most even, and solve "
+                   "that pin; writes crown.json, crown.csv and the report");
+  bool is_unconfirmed = false;
+  design->add_flag("--no-run", is_unconfirmed, "With --crown: do not solve the pin found");
   auto* synthesize = app.add_subcommand(
       "synthesize", "Find the dimensions of a quick-return, crank-rocker or path linkage");
   synthesize->add_option("CASE_DIR", case_directory, "Directory with a case.prm")->required();
@@ -65,6 +67,8 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
     app.parse(argc, argv);
     if (is_crown && case_directories.size() > 1)
       throw CLI::ValidationError("--crown", "one CASE_DIR is wanted");
+    if (is_unconfirmed && !is_crown)
+      throw CLI::ValidationError("--no-run", "this has an effect with --crown only");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }
@@ -82,7 +86,9 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   return Request{is_crown ? Request::Command::crown : Request::Command::design,
                  {case_directories.begin(), case_directories.end()},
                  output,
-                 steps};
+                 steps,
+                 false,
+                 !is_unconfirmed};
 }
 
 }  // namespace geneva::app

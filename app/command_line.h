@@ -15,6 +15,7 @@ struct Request {
   std::filesystem::path output;              ///< empty: results in the case's directory
   int steps = 720;                           ///< of the kinematic curves
   bool is_continued = false;                 ///< of run: from the checkpoint
+  bool is_confirmed = true;                  ///< of crown: by finite elements
 };
 
 /// Reads the command line; prints help, version or what is wrong with it.

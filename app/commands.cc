@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "api/crown.h"
 #include "api/design.h"
 #include "api/estimate.h"
 #include "api/kinematics.h"
@@ -90,6 +91,15 @@ int kinematics_of_case(const fs::path& case_directory, const fs::path& output, c
   for (const std::string& notice : found.notices) std::cout << "note: " << notice << '\n';
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "kinematics.json, kinematics.csv and report.html", directory);
+  return 0;
+}
+
+int crown_of_case(const fs::path& case_directory, const fs::path& output) {
+  const Crown crown = design_crown(read_case(case_directory));
+  print_heading(crown.given);
+  std::cout << table(crown);
+  const fs::path directory = results_of(crown.given.directory, output);
+  tell(write(crown, directory), "crown.json, crown.csv and report.html", directory);
   return 0;
 }
 

@@ -32,6 +32,12 @@ int estimate_case(const std::filesystem::path& case_directory, const std::filesy
 int kinematics_of_case(const std::filesystem::path& case_directory,
                        const std::filesystem::path& output, int steps);
 
+/// `geneva design --crown --no-run`: searches for the most even pin, prints it before and after,
+/// and writes the results.
+/// @param output where they go; empty: results in the case's directory
+/// @return exit code 0
+int crown_of_case(const std::filesystem::path& case_directory, const std::filesystem::path& output);
+
 /// `geneva design`: prints the designs of one or more cases side by side in the output units of the
 /// first, and writes the results of each.
 /// @param output where they go; empty: results in the case's directory. Of several cases each has

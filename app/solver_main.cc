@@ -18,9 +18,9 @@ using namespace geneva::app;
 using Command = Request::Command;
 
 int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
-  const auto& [command, cases, output, steps, goes_on] = request;
+  const auto& [command, cases, output, steps, goes_on, is_confirmed] = request;
   if (command == Command::crown)
-    return crown_of_case(MPI_COMM_WORLD, cases.front(), output, mesher);
+    return confirmed_crown_of_case(MPI_COMM_WORLD, cases.front(), output, mesher);
   return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
 }
 

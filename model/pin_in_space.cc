@@ -167,19 +167,26 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
                         mechanism.pin.poissons_ratio};
 }
 
+loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state) {
+  if (mechanism.space->hold == Hold::core)
+    throw base::InputError(
+        "'Pin/Held at' = 'core': line contacts along the pin are known of pins that bend; 'one "
+        "end' or 'both ends' is wanted");
+  const double radius = state.sizes.pin_diameter / 2.;
+  return {{mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
+          {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio},
+          radius,
+          radius,
+          pin_clearance(mechanism, state),
+          mechanism.space->hold == Hold::both_ends};
+}
+
 std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,
                                                       const MechanismState& state) {
   constexpr double accuracy = 5e-4;
   if (mechanism.space->hold == Hold::core) return std::nullopt;
-  const double radius = state.sizes.pin_diameter / 2.;
-  const loads::PinLine pin{{mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
-                           {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio},
-                           radius,
-                           radius,
-                           pin_clearance(mechanism, state),
-                           mechanism.space->hold == Hold::both_ends};
   try {
-    return loads::pin_line_contact(pin, state.load.force, accuracy);
+    return loads::pin_line_contact(pin_line(mechanism, state), state.load.force, accuracy);
   } catch (const base::InputError&) {
     return std::nullopt;
   }

@@ -31,6 +31,10 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 /// The pin as a beam; none if its core is held.
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
+/// The pin as line contacts that half-spaces and a beam couple.
+/// @throws base::InputError if its core is held
+loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state);
+
 /// The pin as line contacts that half-spaces and a beam couple, and the contact under its force;
 /// none if its core is held, or where that model knows no answer: for a negative Poisson's ratio.
 std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,7 +70,9 @@ struct PinCase {
   std::optional<double> profile_amplitude;  ///< [m]
   std::optional<double> profile_length;     ///< [m]
   loads::ProfileTable table;
-  double tilt;  ///< [rad]
+  double tilt;            ///< [rad]
+  double tilt_tolerance;  ///< by which it may be more or less [rad], >= 0
+  std::optional<std::pair<double, double>> load_range;  ///< least and greatest pin force [N]
   loads::EdgeBreak slot_edge;
 };
 
@@ -96,7 +99,8 @@ struct MechanismCase {
   std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
   CaseMaterial wheel;
-  std::optional<PinCase> space;  ///< none with Dimension = 2
+  std::optional<PinCase> space;     ///< none with Dimension = 2
+  std::optional<double> pin_force;  ///< [N] in place of the motion's; not of the case file
   DesignCase design;
 };
 

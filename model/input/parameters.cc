@@ -172,6 +172,7 @@ std::vector<Parameter> pin_parameters() {
   const std::string space = " Only with Dimension = 3.";
   const QuantityRule length = positive(Dimension::length, {""});
   const Range tilt{-loads::pi / 18., loads::pi / 18., true, true, "from -10 to 10 deg"};
+  const Range tolerance{0., loads::pi / 18., true, true, "from 0 to 10 deg"};
   return {
       {section, "Held at", names::one_end,
        ChoiceRule{{names::one_end, names::both_ends, names::core}},
@@ -215,6 +216,13 @@ std::vector<Parameter> pin_parameters() {
        "with Profile = table."},
       {section, "Tilt", "0 deg", quantity(Dimension::angle, tilt),
        "By which the pin leans; positive: its free end towards the driving wall." + space},
+      {section, "Tilt tolerance", "0 deg", quantity(Dimension::angle, tolerance),
+       "By which the tilt may be more or less, for 'geneva design --crown', which looks for the "
+       "profile that bears all of them best." +
+           space},
+      {section, "Load range", "", QuantityRule{Dimension::force, zero_or_greater(), {""}, 2, 2},
+       "Least and greatest pin force, for 'geneva design --crown'. Default: the pin force alone." +
+           space},
       {section, "Slot edge", names::sharp,
        ChoiceRule{{names::sharp, names::chamfered, names::rounded}},
        "Edge of the slot on both faces of the wheel."},

@@ -63,6 +63,16 @@ loads::ProfileTable read_table(const CaseSection& section, const std::filesystem
   return table;
 }
 
+std::optional<std::pair<double, double>> read_load_range(const CaseSection& section) {
+  const std::vector<double> range = section.values("Load range");
+  if (range.empty()) return std::nullopt;
+  if (range[1] <= 0.)
+    section.refuse("Load range", "no pin force is in it: the second one is greater than 0");
+  if (range[0] > range[1])
+    section.refuse("Load range", "the least force comes first, then the greatest");
+  return std::make_pair(range[0], range[1]);
+}
+
 loads::EdgeBreak read_edge(const CaseSection& section) {
   const std::string word = section.text("Slot edge");
   const bool is_broken = word != names::sharp;
@@ -99,6 +109,8 @@ PinCase read_pin(const CaseValues& values, const std::filesystem::path& director
   pin.profile_length = section.optional_value("Profile length");
   if (pin.profile == Profile::table) pin.table = read_table(section, directory);
   pin.tilt = section.value("Tilt");
+  pin.tilt_tolerance = section.value("Tilt tolerance");
+  pin.load_range = read_load_range(section);
   pin.slot_edge = read_edge(section);
   return pin;
 }
@@ -138,12 +150,14 @@ void check_pin(const CaseValues& values, const MechanismCase& given, const Mecha
   }
   if (!slot_width) return;
   const double room = *slot_width - sizes.pin_diameter;
-  const double lean = std::tan(std::abs(pin.tilt)) * sizes.thickness;
-  if (lean > room * (1. + 1e-9) && pin.tilt != 0.)
-    section.refuse("Tilt", fmt::format("the pin touches the other wall: over the wheel's thickness "
-                                       "it leans by {:.6g} mm, the slot clearance is {:.6g} mm; "
-                                       "tilt it less or give a larger 'Slot clearance'",
-                                       mm(lean), mm(room)));
+  const double lean = std::tan(std::abs(pin.tilt) + pin.tilt_tolerance) * sizes.thickness;
+  const char* const responsible = pin.tilt_tolerance == 0. ? "Tilt" : "Tilt tolerance";
+  if (lean > room * (1. + 1e-9) && lean > 0.)
+    section.refuse(responsible,
+                   fmt::format("the pin touches the other wall: over the wheel's thickness "
+                               "it leans by {:.6g} mm, the slot clearance is {:.6g} mm; "
+                               "tilt it less or give a larger 'Slot clearance'",
+                               mm(lean), mm(room)));
 }
 
 }  // namespace geneva::model

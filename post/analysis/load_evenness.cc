@@ -9,9 +9,6 @@ namespace geneva::post {
 
 namespace {
 
-/// Part of the length over which the line load is averaged.
-constexpr double window = 0.05;
-
 /// Load up to a place: the line load is linear between the sections.
 double load_up_to(const std::vector<ContactSection>& sections, const double z) {
   double load = 0.;
@@ -27,35 +24,34 @@ double load_up_to(const std::vector<ContactSection>& sections, const double z) {
 
 }  // namespace
 
-MaximumMean maximum_mean_load(const std::vector<ContactSection>& sections, const double length) {
-  MaximumMean maximum{0., 0.};
-  // a mean is greatest around a peak, or where the window begins or ends at an end of the load
-  for (const ContactSection& section : sections)
-    for (const double start : {section.z, section.z - length / 2., section.z - length}) {
-      const double mean =
-          (load_up_to(sections, start + length) - load_up_to(sections, start)) / length;
-      if (mean > maximum.value) maximum = {mean, start + length / 2.};
-    }
-  return maximum;
+loads::MaximumMean maximum_mean_load(const std::vector<ContactSection>& sections,
+                                     const double length) {
+  std::vector<double> places;
+  for (const ContactSection& section : sections) places.push_back(section.z);
+  return loads::maximum_mean(
+      places, [&](const double z) { return load_up_to(sections, z); }, length);
 }
 
-LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& results) {
+loads::LoadEvenness load_evenness(const fem::Solution<3>& solution, const Results<3>& results) {
   const std::size_t leading = leading_contact(solution);
   const fem::ContactResult<3>& contact = solution.contacts[leading];
   const auto& sections = results.contacts[leading].sections;
   if (sections.empty()) throw base::InputError("the contact carries no load along its length");
   const ContactFrame& frame = results.contacts[leading].frame;
   const double length = common_length(contact, frame);
-  const MaximumMean maximum = maximum_mean_load(sections, window * length);
+  const loads::MaximumMean maximum = maximum_mean_load(sections, loads::evenness_window * length);
   double force = 0.;
   for (const fem::ContactNode<3>& node : contact.nodes) force += node.pressure * node.tributary;
+  std::vector<loads::LoadedPlace> places;
+  for (const ContactSection& section : sections)
+    places.push_back({section.z, section.line_load, section.peak_pressure});
   return {maximum.value,
           maximum.place,
           frame.parts() * force / length,
           contact.peak_pressure,
           middle_section(contact, frame, sections).peak_pressure,
           !solution.edge || solution.edge->is_bounded,
-          sections};
+          places};
 }
 
 }  // namespace geneva::post

@@ -1,43 +1,45 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/json_values.h"
 #include "base/units.h"
-#include "post/analysis/load_evenness.h"
+#include "loads/pin/load_evenness.h"
+#include "loads/pin/profile_search.h"
 
 namespace geneva::post {
-
-/// One step of the search for the most even line load.
-struct CrownTrial {
-  double size;   ///< crown radius, or amplitude of the logarithmic profile [m]
-  double ratio;  ///< maximum over even line load
-  bool is_scan;  ///< on coarse meshes, before the search on finer ones
-};
 
 /// What `geneva design --crown` finds.
 struct CrownReport {
   base::CaseHeader about;
   std::string geneva_version;
-  std::string parameter;           ///< "Crown radius" or "Profile amplitude"
-  std::string profile;             ///< "crown" or "logarithmic"
-  double size;                     ///< found [m]
-  double drop;                     ///< of the profile at the wheel's faces [m]
-  std::vector<CrownTrial> trials;  ///< in their order
-  LoadEvenness before;             ///< the case as it is
-  LoadEvenness after;
+  std::string parameter;                    ///< "Crown radius" or "Profile amplitude"
+  std::string profile;                      ///< "crown" or "logarithmic"
+  double size;                              ///< found [m]
+  double drop;                              ///< of the profile at the wheel's faces [m]
+  double force;                             ///< for which it was searched [N]
+  std::vector<double> tilts;                ///< between which the pin may lean, one or two [rad]
+  double worst_tilt;                        ///< of the profile found [rad]
+  std::vector<loads::ProfileTrial> trials;  ///< in their order
+  loads::ProfileMap map;                    ///< around the profile found
+  loads::LoadEvenness before;               ///< the case's profile, at its worst tilt
+  double tilt_before;                       ///< that [rad]
+  loads::LoadEvenness after;                ///< the one found, at its worst tilt
+  std::optional<loads::LoadEvenness> confirmed;  ///< the same by finite elements
 };
 
 /// What crown.json says, SI units throughout.
 nlohmann::json crown_summary(const CrownReport& report);
 
-/// What crown.csv says: line load and maximum pressure of each section of both pins, in output
+/// What crown.csv says: line load and maximum pressure of each section of all pins, in output
 /// units, the units in the heading.
 std::string crown_csv(const CrownReport& report, base::UnitSystem units);
 
-/// Table of the pin before and after, the units in the rows' names, and the lines for the case.
+/// Table of the pin before and after, by finite elements if they were asked, the units in the rows'
+/// names, and the lines for the case.
 std::string crown_table(const CrownReport& report, base::UnitSystem units);
 
 }  // namespace geneva::post

@@ -265,13 +265,21 @@ class Space(CliTest):
         self.assertAlmostEqual(number(crown["crown"]["drop"]) / (0.004**2 / 2 / size), 1., delta=0.01)
         self.assertLess(crown["after"]["ratio"], 0.75 * crown["before"]["ratio"])
         self.assertGreaterEqual(crown["after"]["ratio"], 1.)
-        scanned, found = ({number(trial["size"]): trial["ratio"] for trial in crown["search"]
-                           if trial["meshes"] == meshes} for meshes in ("coarse", "finer"))
-        self.assertEqual(min(found, key=found.get), size)
-        self.assertTrue(min(scanned) < size < max(scanned), "the best lies inside of what was tried")
+        tried = {number(trial["size"]): trial["ratio"] for trial in crown["search"]}
+        self.assertEqual(min(tried, key=tried.get), size)
+        self.assertTrue(min(tried) < size < max(tried), "the best lies inside of what was tried")
         crowned = self.run_case(self.write("crowned", [*pin, "Profile = crown", f"Crown radius = {size} m"], **given))
         self.assertAlmostEqual(self.value(crowned, "contact.peak_pressure") /
-                               number(crown["after"]["peak_pressure"]), 1., delta=1e-9)
+                               number(crown["finite_elements"]["peak_pressure"]), 1., delta=1e-9)
+        quick = self.geneva("design", "--crown", "--no-run", case)
+        self.assertEqual(quick.code, 0, quick.describe())
+        without = json.loads((case / "results" / "crown.json").read_text())
+        self.assertNotIn("finite_elements", without)
+        self.assertEqual((without["crown"], without["after"], without["search"]),
+                         (crown["crown"], crown["after"], crown["search"]))
+        alone = self.geneva("design", "--no-run", case)
+        self.assertEqual(alone.code, 1)
+        self.assertIn("--no-run: this has an effect with --crown only", alone.err)
         two = self.geneva("design", "--crown", case, case)
         self.assertEqual(two.code, 1)
         self.assertIn("one CASE_DIR is wanted", two.err)
@@ -286,6 +294,35 @@ class Space(CliTest):
             self.assertEqual(refused.code, 1)
             for part in parts:
                 self.assertIn(part, refused.err)
+
+    def test_a_crown_bears_all_tilts_and_loads_that_the_case_allows(self):
+        pin = ["Held at = one end", "Root gap = 10 mm"]
+        given = {"modulus": "207 GPa", "thickness": "8 mm", "model": "full wheel", "more": "  set Slot clearance = 0.1 mm\n"}
+        found = {}
+        for name, more in {"level": [], "leaning": ["Tilt tolerance = 0.05 deg"],
+                           "heavy": ["Load range = 100 N, 4000 N"]}.items():
+            case = self.write(name, [*pin, *more], **given)
+            run = self.geneva("design", "--crown", "--no-run", case)
+            self.assertEqual(run.code, 0, run.describe())
+            found[name] = json.loads((case / "results" / "crown.json").read_text())
+        drop = {name: number(crown["crown"]["drop"]) for name, crown in found.items()}
+        self.assertGreater(drop["leaning"], 1.5 * drop["level"], "a pin that leans needs more crown")
+        self.assertGreater(drop["heavy"], 1.5 * drop["level"], "so does one that bends more")
+        leaning = found["leaning"]
+        tilt = math.radians(0.05)
+        self.assertAlmostEqual(number(leaning["crown"]["least_tilt"]), -tilt, delta=1e-12)
+        self.assertAlmostEqual(number(leaning["crown"]["greatest_tilt"]), tilt, delta=1e-12)
+        rows = leaning["map"]["by_tilt"]
+        self.assertEqual(len(rows), 9)
+        worst = [max(row["pressures"][i] for row in rows) for i in range(len(leaning["map"]["sizes"]))]
+        sizes = leaning["map"]["sizes"]
+        self.assertAlmostEqual(sizes[worst.index(min(worst))], number(leaning["crown"]["size"]), delta=1e-9)
+        self.assertEqual(len(found["level"]["map"]["by_tilt"]), 1)
+        self.assertEqual(number(found["heavy"]["crown"]["force"]), 4000.)
+        for line, part in {"Tilt tolerance = 1 deg": "'Pin/Tilt tolerance'", "Load range = 0 N, 0 N": "no pin force",
+                           "Load range = 3 N, 1 N": "least force comes first", "Load range = 3 N": "'Pin/Load range'",
+                           "Tilt tolerance = -1 deg": "from 0 to 10 deg"}.items():
+            self.refused(part, pin=[line], **given)
 
     def test_the_search_for_a_crown_does_not_begin_where_its_results_cannot_go(self):
         case = self.write("design", ["Held at = one end", "Root gap = 10 mm"], accuracy="20 %")

@@ -23,7 +23,8 @@ TEST(MaximumMeanLoad, OfAnEvenLoadIsItself) {
 }
 
 TEST(MaximumMeanLoad, OfALoadThatGrowsTowardsAnEndIsTheMeanOverThatEnd) {
-  const MaximumMean maximum = maximum_mean_load(sections_of({{0., 0.}, {1., 1.}, {2., 5.}}), 0.5);
+  const loads::MaximumMean maximum =
+      maximum_mean_load(sections_of({{0., 0.}, {1., 1.}, {2., 5.}}), 0.5);
   EXPECT_NEAR(maximum.value, 4., 1e-14);
   EXPECT_NEAR(maximum.place, 1.75, 1e-14);
 }
@@ -34,7 +35,7 @@ TEST(MaximumMeanLoad, CountsNothingBeyondTheLoadedSections) {
 
 TEST(MaximumMeanLoad, OfAPeakIsTheMeanAroundIt) {
   const auto sections = sections_of({{-1., 0.}, {0., 10.}, {1., 0.}});
-  const MaximumMean maximum = maximum_mean_load(sections, 0.2);
+  const loads::MaximumMean maximum = maximum_mean_load(sections, 0.2);
   EXPECT_NEAR(maximum.value, 9.5, 1e-14);
   EXPECT_NEAR(maximum.place, 0., 1e-14);
 }

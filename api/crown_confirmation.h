@@ -1,0 +1,20 @@
+#pragma once
+
+#include <mpi.h>
+
+#include "api/crown.h"
+
+namespace geneva {
+
+namespace mesh {
+class Mesher;
+}
+
+/// Solves the pin found by finite elements, and adds that to what is known of it. All ranks call
+/// it.
+/// @param mesher already started, on rank 0; nothing: it is started when it is needed
+/// @return whether it is as accurate as the case asks
+/// @throws InputError on all ranks
+bool confirm(Crown& crown, MPI_Comm communicator, mesh::Mesher* mesher = nullptr);
+
+}  // namespace geneva
