@@ -99,6 +99,10 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given,
   report.notices = model.notices;
   for (const std::string& notice : api::notices_of(given, solution, results))
     report.notices.push_back(notice);
+  if constexpr (dim == 3)
+    if (report.mechanism && report.mechanism->pin)
+      for (const std::string& notice : api::line_notices(*report.mechanism->pin, solution, results))
+        report.notices.push_back(notice);
   report.stop_message = model::message_of(solution.stop);
   report.allowed = given.allowed;
   report.published_peak_pressure = given.published_peak_pressure;

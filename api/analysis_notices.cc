@@ -83,6 +83,21 @@ std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
       along * unit.factor, unit.name)};
 }
 
+/// Which of finite elements and line contacts to doubt, and why.
+std::string doubtful(const post::PinLineReport& line) {
+  constexpr double slender = 15.;  // an ellipse then loses 0.3 % of its pressure
+  const loads::PinLineContact& contact = line.contact;
+  const loads::PinClearance& ends = line.pin.clearance;
+  const double width = 2. * loads::peak_contact(line.pin, contact).half_width;
+  if (contact.end - contact.begin < slender * width)
+    return "the line contacts, which want a contact much longer than wide";
+  if (std::min(ends.upper_end - contact.end, contact.begin - ends.lower_end) < line.pin.radius)
+    return "the line contacts, which know the pin as a long cylinder: an end of it is nearer to "
+           "the contact than its radius";
+  return "the finite elements, whose first mesh may be too coarse for the pin's bending: ask for a "
+         "better accuracy";
+}
+
 /// To two digits.
 double rounded_up(const double value) {
   const double unit = std::pow(10., std::floor(std::log10(value)) - 1.);
@@ -140,6 +155,29 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
   for (const std::string& notice : length_notices(solution, results, given.units))
     notices.push_back(notice);
+  return notices;
+}
+
+std::vector<std::string> line_notices(const post::PinReport& pin, const fem::Solution<3>& solution,
+                                      const post::Results<3>& results) {
+  if (!pin.line) return {};
+  const std::size_t leading = post::leading_contact(solution);
+  const auto& hertz = results.contacts[leading].hertz;
+  std::vector<std::string> notices;
+  if (hertz && !hertz->ellipse)
+    notices.emplace_back(
+        "the closed forms are those of line contacts along the pin, coupled by half-spaces and a "
+        "beam: Hertz's would be an even load, which no pin has that bends, is tilted or reaches an "
+        "edge");
+  if (pin.line->doubt != loads::PeakDoubt::none || !post::is_bounded(solution)) return notices;
+  const double expected = loads::expected_error(pin.line->pin, pin.line->contact);
+  const double difference =
+      solution.contacts[leading].peak_pressure / pin.line->contact.peak_pressure - 1.;
+  if (std::abs(difference) > solution.error_estimate + expected)
+    notices.push_back(fmt::format(
+        "finite elements and line contacts along the pin differ by {:+.2g} %, more than both their "
+        "errors ({:.2g} and {:.2g} %): doubt {}",
+        100. * difference, 100. * solution.error_estimate, 100. * expected, doubtful(*pin.line)));
   return notices;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/model.h"
 #include "post/analysis/results.h"
+#include "post/analysis/run_report.h"
 
 namespace geneva::api {
 
@@ -16,6 +17,12 @@ std::string heading(const model::Case& given, const model::Model<dim>& model);
 template <int dim>
 std::vector<std::string> notices_of(const model::Case& given, const fem::Solution<dim>& solution,
                                     const post::Results<dim>& results);
+
+/// What the user should know of a pin's line contacts beside the finite elements: where they stand
+/// in the closed forms' place, and which of both to doubt where they differ by more than both their
+/// errors.
+std::vector<std::string> line_notices(const post::PinReport& pin, const fem::Solution<3>& solution,
+                                      const post::Results<3>& results);
 
 /// What was reached, what was wanted, why the refinement ended and what to try; empty if it
 /// converged.

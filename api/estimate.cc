@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/engagement.h"
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/version.h"
@@ -21,13 +22,6 @@ using Rows = std::vector<post::EstimateRow>;
 constexpr const char* by_hertz = "Hertz";
 constexpr const char* by_lines = "half-space and beam";
 
-/// Line load in the middle of the wheel's thickness; 0 if no section there carries any.
-double middle_load(const loads::PinLineContact& line) {
-  const auto middle = std::find_if(line.sections.begin(), line.sections.end(),
-                                   [](const auto& s) { return std::abs(s.place) <= s.width / 2.; });
-  return middle == line.sections.end() ? 0. : middle->line_load;
-}
-
 void append_hertz(Rows& rows, const loads::HertzLine& hertz, const std::string& basis) {
   rows.push_back({"peak contact pressure", Dimension::stress, hertz.peak_pressure, basis});
   rows.push_back({"half-width", Dimension::length, hertz.half_width, basis});
@@ -36,45 +30,98 @@ void append_hertz(Rows& rows, const loads::HertzLine& hertz, const std::string& 
 }
 
 /// The contact of a pin that bends.
-void append_line(Rows& rows, const post::EstimateReport& report,
-                 const loads::PinClearance& clearance) {
+void append_line(post::EstimateReport& report, const loads::PinLine& pin) {
   const loads::PinLineContact& line = *report.line;
+  Rows& rows = report.rows;
   const auto section = [&](const double line_load) {
     return loads::hertz_line(line_load, report.relative_radius, report.contact_modulus);
   };
-  if (loads::ends_inside(line, clearance)) {
-    append_hertz(rows, section(line.peak_line_load), by_lines);
+  rows.push_back(
+      {"Johnson's Eq. 2, even load", Dimension::stress, report.even.peak_pressure, by_hertz});
+  if (report.doubt == loads::PeakDoubt::none) {
+    append_hertz(rows, loads::peak_contact(pin, line), by_lines);
+    report.expected_error = loads::expected_error(pin, line);
+    rows.push_back({"expected error of the peak, percent", Dimension::dimensionless,
+                    100. * *report.expected_error, "beside finite elements"});
     rows.push_back(
         {"place of the peak along the pin", Dimension::length, line.peak_place, by_lines});
     rows.push_back({"length of the contact", Dimension::length, line.end - line.begin, by_lines});
     rows.push_back({"peak over Johnson's Eq. 2", Dimension::dimensionless,
                     line.peak_pressure / report.even.peak_pressure, by_lines});
   } else {
-    const double load = middle_load(line);
+    const double load = loads::line_load_at(line, 0.);
     rows.push_back({"pressure in the middle", Dimension::stress,
                     load > 0. ? section(load).peak_pressure : 0., by_lines});
     rows.push_back({"line load, middle", Dimension::force_per_length, load, by_lines});
   }
-  rows.push_back({"bending stress at the root", Dimension::stress, line.root_stress, by_lines});
+  if (pin.hold == loads::PinHold::core) return;
+  if (loads::is_beam(pin))
+    rows.push_back({"bending stress at the root", Dimension::stress, line.root_stress, by_lines});
+  else
+    report.left_out.emplace_back(
+        "the bending stress where the pin is held: it is too short for a beam that is held twice");
+  if (pin.hold == loads::PinHold::both_ends) return;
+  rows.push_back({"pin deflection", Dimension::length, line.deflection, "beam"});
+  rows.push_back({"pin slope in the slot", Dimension::slope, line.slope, "beam"});
 }
 
-std::vector<std::string> left_out(const post::EstimateReport& report,
-                                  const model::MechanismCase& mechanism, const bool is_inside) {
-  std::vector<std::string> sentences{
-      "the size of wheel and pin, and all stresses away from the contact ('geneva run' has them)"};
-  if (!mechanism.space) return sentences;
-  if (!report.line) {
-    sentences.emplace_back(
-        "bending, profile and edges: no model without finite elements for a pin "
-        "that is held at its core, or with a negative Poisson's ratio");
-    return sentences;
+/// The greatest pressure over the engagements, by the best that is known of each angle.
+void append_engagement(post::EstimateReport& report) {
+  const auto pressure = [](const post::EngagementPoint& point) {
+    return point.peak_pressure.value_or(point.even_pressure);
+  };
+  const auto& points = report.engagement;
+  const auto worst =
+      std::max_element(points.begin(), points.end(),
+                       [&](const auto& a, const auto& b) { return pressure(a) < pressure(b); });
+  if (worst == points.end()) return;
+  const char* const basis = worst->peak_pressure ? by_lines : by_hertz;
+  report.rows.push_back(
+      {"greatest pressure of the engagement", Dimension::stress, pressure(*worst), basis});
+  report.rows.push_back({"its driver angle", Dimension::angle, worst->driver_angle, basis});
+}
+
+void append_strength(post::EstimateReport& report, const loads::Allowables& allowed,
+                     const bool has_root) {
+  const bool has_peak = report.line && report.doubt == loads::PeakDoubt::none;
+  const double pressure = has_peak ? report.line->peak_pressure : report.even.peak_pressure;
+  if (allowed.contact_pressure && (has_peak || !report.line))
+    report.rows.push_back({"safety factor of the contact pressure", Dimension::dimensionless,
+                           *allowed.contact_pressure / pressure, "Contact pressure allowed"});
+  const auto yield = allowed.yield_strengths.find("pin");
+  if (has_root && report.line->root_stress > 0. && yield != allowed.yield_strengths.end())
+    report.rows.push_back({"safety factor of the pin's root", Dimension::dimensionless,
+                           yield->second / report.line->root_stress, "Yield strength"});
+}
+
+std::string sentence_of(const loads::PeakDoubt doubt) {
+  switch (doubt) {
+    case loads::PeakDoubt::reaches_edge:
+      return "the pressure at the ends: the contact reaches the wall's edge, where line contacts "
+             "have no peak";
+    case loads::PeakDoubt::at_profile_end:
+      return "the peak pressure: it is at the end of the logarithmic profile, which falls within "
+             "the contact's width";
+    case loads::PeakDoubt::not_settled:
+      return "the peak pressure: it changes with the number of sections";
+    case loads::PeakDoubt::none:
+      break;
   }
-  sentences.emplace_back("the wheel's twist under a load beside its middle");
-  if (!is_inside)
+  return "";
+}
+
+void append_left_out(post::EstimateReport& report, const model::MechanismCase& mechanism) {
+  std::vector<std::string>& sentences = report.left_out;
+  sentences.emplace_back(
+      report.line
+          ? "all stresses away from the contact ('geneva run' has them)"
+          : "the size of wheel and pin, and all stresses away from the contact ('geneva run' has "
+            "them)");
+  if (mechanism.space && !report.line)
     sentences.emplace_back(
-        "the pressure at the ends: the contact reaches the wall's edge, where "
-        "line contacts have no peak");
-  return sentences;
+        "bending, profile and edges: no model without finite elements for a pin in the round "
+        "bottom of its slot, or with a negative Poisson's ratio");
+  if (report.doubt != loads::PeakDoubt::none) sentences.push_back(sentence_of(report.doubt));
 }
 
 post::EstimateReport estimate_report(const Case& given) {
@@ -90,22 +137,24 @@ post::EstimateReport estimate_report(const Case& given) {
   report.load = state.load;
   report.relative_radius = state.sizes.pin_diameter / 2.;
   report.contact_modulus = contact.contact_modulus;
+  report.poissons_ratio = std::min(mechanism.pin.poissons_ratio, mechanism.wheel.poissons_ratio);
   report.even_line_load = state.load.force / state.sizes.thickness;
   report.even =
       loads::hertz_line(report.even_line_load, report.relative_radius, report.contact_modulus);
   report.rows = {{"pin force", Dimension::force, state.load.force, "F = (J a + M)/r"}};
-  bool is_inside = true;
-  if (mechanism.space) report.line = model::pin_line_contact(mechanism, state);
-  if (report.line) {
-    const loads::PinClearance clearance = model::pin_clearance(mechanism, state);
-    is_inside = loads::ends_inside(*report.line, clearance);
-    report.rows.push_back(
-        {"Johnson's Eq. 2, even load", Dimension::stress, report.even.peak_pressure, by_hertz});
-    append_line(report.rows, report, clearance);
+  const auto known = model::pin_line_contact(mechanism, state);
+  if (known) {
+    report.line = known->contact;
+    report.doubt = loads::peak_doubt(known->pin, known->contact);
+    report.wheel_twist = known->pin.wheel_twist;
+    append_line(report, known->pin);
   } else {
     append_hertz(report.rows, report.even, by_hertz);
   }
-  report.left_out = left_out(report, mechanism, is_inside);
+  report.engagement = api::engagement(mechanism, state);
+  append_engagement(report);
+  append_strength(report, given.allowed, known && loads::is_beam(known->pin));
+  append_left_out(report, mechanism);
   return report;
 }
 

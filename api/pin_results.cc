@@ -67,8 +67,8 @@ post::PinReport pin_report(const model::MechanismCase& mechanism,
     report.amplitude = profile->amplitude;
   if (const auto beam = model::pin_beam(mechanism, state.sizes))
     report.beam = loads::beam_bending(*beam, state.load.force);
-  report.line = model::pin_line_contact(mechanism, state);
-  if (report.line && !loads::ends_inside(*report.line, clearance)) report.line.reset();
+  if (const auto known = model::pin_line_contact(mechanism, state))
+    report.line = {known->pin, known->contact, loads::peak_doubt(known->pin, known->contact)};
   if (const auto bending = bending_of_pin(mechanism, state, solution, cells))
     report.bending = *bending;
   return report;

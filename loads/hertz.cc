@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "base/errors.h"
@@ -98,6 +99,21 @@ HertzLine hertz_line(double force_per_length, double relative_radius, double con
 
 double HertzPoint::pressure(double r) const {
   return elliptic_pressure(peak_pressure, contact_radius, r);
+}
+
+DeepStress maximum_von_mises(const HertzLine& contact, const double poissons_ratio) {
+  constexpr int bits = 26;
+  const auto von_mises = [&](const double depth_over_b) {
+    const ContactStress at = contact.stress(0., depth_over_b * contact.half_width);
+    const double yy = poissons_ratio * (at.xx + at.zz);
+    const double squares = (at.xx - at.zz) * (at.xx - at.zz) + (at.zz - yy) * (at.zz - yy) +
+                           (yy - at.xx) * (yy - at.xx);
+    return std::sqrt(squares / 2.);
+  };
+  const auto [depth, negative] = boost::math::tools::brent_find_minima(
+      [&](const double place) { return -von_mises(place); }, 0.3, 1.5, bits);
+  if (von_mises(0.) >= -negative) return {von_mises(0.), 0.};
+  return {-negative, depth * contact.half_width};
 }
 
 HertzPoint hertz_point(double force, double relative_radius, double contact_modulus,

@@ -46,6 +46,18 @@ struct HertzLine {
 /// @throws base::InputError unless all are positive and finite
 HertzLine hertz_line(double force_per_length, double relative_radius, double contact_modulus);
 
+/// A maximum stress below a contact.
+struct DeepStress {
+  double value;  ///< [Pa]
+  double depth;  ///< [m], >= 0
+};
+
+/// Maximum von Mises stress below the middle of a line contact, in plane strain: 0.557 p0 at
+/// 0.704 b for nu = 0.3; (1 - 2 nu) p0 on the surface for nu below
+/// 0.194.
+/// @param poissons_ratio of the body, -1 < nu < 0.5
+DeepStress maximum_von_mises(const HertzLine& contact, double poissons_ratio);
+
 /// Hertz contact of two spheres (or a sphere on a flat). The maximum shear on the axis is that of
 /// tau/p0 = 3/(4 (1 + zeta^2)) - (1 + nu)/2 (1 - zeta atan(1/zeta)), zeta = z/a (K. L. Johnson,
 /// 1985, Eq. 3.45).

@@ -8,7 +8,9 @@
 #include "base/errors.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
+#include "model/block_dimensions.h"
 #include "model/input/parameters.h"
+#include "model/wheel_twist.h"
 
 namespace geneva::model {
 
@@ -119,6 +121,29 @@ double climb(const MechanismCase& mechanism, const MechanismState& state) {
   return std::sqrt(2. * mechanism.space->slot_edge.size * fall);
 }
 
+loads::PinHold hold_of(const PinCase& pin) {
+  if (pin.hold == Hold::both_ends) return loads::PinHold::both_ends;
+  return pin.hold == Hold::core ? loads::PinHold::core : loads::PinHold::one_end;
+}
+
+/// Line contacts are those of a straight wall.
+/// @throws base::InputError if the contact reaches the slot's round bottom
+void refuse_bottom(const MechanismCase& mechanism, const MechanismState& state) {
+  if (mechanism.is_local || !state.wheel) return;
+  const double line_load = state.load.force / state.sizes.thickness;
+  const double reach =
+      loads::hertz_line(line_load, state.sizes.pin_diameter / 2., modulus_of(mechanism)).half_width;
+  const double from_bottom = std::visit(
+      [&](const auto& wheel) {
+        return std::abs(state.load.pin_distance - slot_bottom_centre(wheel));
+      },
+      *state.wheel);
+  if (from_bottom < reach)
+    throw base::InputError(
+        "the pin stands in the round bottom of its slot: line contacts along the pin are known on "
+        "its straight walls");
+}
+
 }  // namespace
 
 PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes) {
@@ -168,25 +193,42 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
 }
 
 loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state) {
-  if (mechanism.space->hold == Hold::core)
-    throw base::InputError(
-        "'Pin/Held at' = 'core': line contacts along the pin are known of pins that bend; 'one "
-        "end' or 'both ends' is wanted");
+  for (const CaseMaterial& material : {mechanism.pin, mechanism.wheel})
+    if (material.poissons_ratio < 0.)
+      throw base::InputError(
+          fmt::format("Poisson's ratio {:.6g}: line contacts along the pin are known from 0 on",
+                      material.poissons_ratio));
+  refuse_bottom(mechanism, state);
   const double radius = state.sizes.pin_diameter / 2.;
   return {{mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
           {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio},
           radius,
           radius,
           pin_clearance(mechanism, state),
-          mechanism.space->hold == Hold::both_ends};
+          hold_of(*mechanism.space),
+          wheel_twist(mechanism, state),
+          mechanism.space->hold == Hold::core
+              ? block_dimensions(mechanism, state.sizes).pin_core_radius
+              : 0.};
 }
 
-std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,
-                                                      const MechanismState& state) {
-  constexpr double accuracy = 5e-4;
-  if (mechanism.space->hold == Hold::core) return std::nullopt;
+std::optional<loads::PinLine> pin_line_if_known(const MechanismCase& mechanism,
+                                                const MechanismState& state) {
+  if (!mechanism.space) return std::nullopt;
   try {
-    return loads::pin_line_contact(pin_line(mechanism, state), state.load.force, accuracy);
+    return pin_line(mechanism, state);
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
+                                             const MechanismState& state) {
+  constexpr double accuracy = 5e-4;
+  const auto pin = pin_line_if_known(mechanism, state);
+  if (!pin) return std::nullopt;
+  try {
+    return KnownPinLine{*pin, loads::pin_line_contact(*pin, state.load.force, accuracy)};
   } catch (const base::InputError&) {
     return std::nullopt;
   }

@@ -31,14 +31,24 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 /// The pin as a beam; none if its core is held.
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
-/// The pin as line contacts that half-spaces and a beam couple.
-/// @throws base::InputError if its core is held
+/// The pin as line contacts that half-spaces and a beam couple, with the wheel's twist.
+/// @throws base::InputError if the pin stands in the round bottom of its slot, or Poisson's ratio
+/// of pin or wheel is negative
 loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state);
 
-/// The pin as line contacts that half-spaces and a beam couple, and the contact under its force;
-/// none if its core is held, or where that model knows no answer: for a negative Poisson's ratio.
-std::optional<loads::PinLineContact> pin_line_contact(const MechanismCase& mechanism,
-                                                      const MechanismState& state);
+/// The same; none where it throws.
+std::optional<loads::PinLine> pin_line_if_known(const MechanismCase& mechanism,
+                                                const MechanismState& state);
+
+/// Of the pin as line contacts, under the pin force.
+struct KnownPinLine {
+  loads::PinLine pin;
+  loads::PinLineContact contact;
+};
+
+/// None where line contacts know no answer.
+std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
+                                             const MechanismState& state);
 
 /// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
 /// "pin tip"; of a half model "wheel middle" and "pin middle".

@@ -35,8 +35,6 @@ LoadEvenness load_evenness(const PinLine& pin, const PinLineContact& contact) {
   for (const PinSection& section : contact.sections) {
     edges.push_back(upper_edge(section));
     force += section.line_load * section.width;
-    if (lower_edge(section) <= 0. && upper_edge(section) >= 0.)
-      result.middle_pressure = pressure(section.line_load);
     result.sections.push_back({section.place, section.line_load, pressure(section.line_load)});
   }
   const MaximumMean maximum = maximum_mean(
@@ -46,7 +44,8 @@ LoadEvenness load_evenness(const PinLine& pin, const PinLineContact& contact) {
   result.place = maximum.place;
   result.even = force / length;
   result.peak_pressure = contact.peak_pressure;
-  result.is_bounded = ends_inside(contact, pin.clearance);
+  result.middle_pressure = pressure(line_load_at(contact, 0.));
+  result.is_bounded = peak_doubt(pin, contact) != PeakDoubt::reaches_edge;
   return result;
 }
 

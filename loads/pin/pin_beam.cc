@@ -52,8 +52,11 @@ BeamBending clamped(const Stiffness& stiffness, const double w, const double L, 
 
 }  // namespace
 
-double shear_coefficient(const double poissons_ratio) {
-  return 6. * (1. + poissons_ratio) / (7. + 6. * poissons_ratio);
+double shear_coefficient(const double poissons_ratio, const double bore_share) {
+  const double nu = poissons_ratio;
+  const double m = bore_share * bore_share;
+  const double around = (1. + m) * (1. + m);
+  return 6. * (1. + nu) * around / ((7. + 6. * nu) * around + (20. + 12. * nu) * m);
 }
 
 BeamBending beam_bending(const PinBeam& pin, const double force) {

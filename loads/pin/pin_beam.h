@@ -13,8 +13,10 @@ struct PinBeam {
   double poissons_ratio;   ///< nu
 };
 
-/// Shear coefficient kappa of a solid round beam: 6 (1 + nu)/(7 + 6 nu) (Cowper 1966).
-double shear_coefficient(double poissons_ratio);
+/// Shear coefficient kappa of a round beam with a bore: 6 (1 + nu)(1 + m)^2/((7 + 6 nu)(1 + m)^2 +
+/// (20 + 12 nu) m), m the square of the bore's share of the radius; 6 (1 + nu)/(7 + 6 nu) of a
+/// solid one (Cowper 1966).
+double shear_coefficient(double poissons_ratio, double bore_share = 0.);
 
 /// Timoshenko's beam with that shear coefficient.
 struct BeamBending {

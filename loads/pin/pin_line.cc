@@ -2,16 +2,17 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/ellint_2.hpp>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 #include "base/errors.h"
 #include "loads/pi.h"
-#include "loads/pin/cylinder_kernel.h"
-#include "loads/pin/pin_beam.h"
-#include "loads/pin/strip_influence.h"
+#include "loads/pin/coupled_sections.h"
+#include "loads/pin/held_beam.h"
 #include "loads/require.h"
 
 namespace geneva::loads {
@@ -21,215 +22,15 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Deflection of a beam by Timoshenko's theory, held at s = 0 alone or there and at its end.
-class Beam {
- public:
-  explicit Beam(const PinLine& pin)
-      : length_(pin.clearance.upper_end - pin.clearance.lower_end),
-        is_held_twice_(pin.held_at_both_ends) {
-    const double nu = pin.pin.poissons_ratio;
-    const double area = pi * pin.radius * pin.radius;
-    const double shear_modulus = pin.pin.youngs_modulus / (2. * (1. + nu));
-    bending_ = pin.pin.youngs_modulus * area * pin.radius * pin.radius / 4.;
-    shear_ = shear_coefficient(nu) * shear_modulus * area;
-    const double end = held_once(length_, length_);
-    const double turned = length_ * length_ / (2. * bending_);
-    const double turn = length_ / bending_;
-    end_stiffness_ << end, turned, turned, turn;
-    end_stiffness_ = end_stiffness_.inverse().eval();
-  }
-
-  /// Deflection at s = a under a unit force at b [m/N].
-  [[nodiscard]] double flexibility(const double a, const double b) const {
-    const double once = held_once(a, b);
-    return is_held_twice_ ? once - at_end(a).dot(end_stiffness_ * at_end(b)) : once;
-  }
-
-  /// Moment at s = 0 of a unit force at b [m].
-  [[nodiscard]] double moment(const double b) const {
-    if (!is_held_twice_) return b;
-    const Eigen::Vector2d reaction = end_stiffness_ * at_end(b);  // force and moment at the end
-    return b - reaction[0] * length_ - reaction[1];
-  }
-
- private:
-  [[nodiscard]] double held_once(const double a, const double b) const {
-    const double near = std::min(a, b);
-    const double far = std::max(a, b);
-    return near * near * (3. * far - near) / (6. * bending_) + near / shear_;
-  }
-  /// Deflection and turn of the end, were it free, under a unit force at b.
-  [[nodiscard]] Eigen::Vector2d at_end(const double b) const {
-    return {held_once(length_, b), b * b / (2. * bending_)};
-  }
-
-  double length_;
-  bool is_held_twice_;
-  double bending_;  ///< E I [N m^2]
-  double shear_;    ///< kappa G A [N]
-  Eigen::Matrix2d end_stiffness_;
-};
-
-/// By which the images of the loads at the wheel's faces are multiplied, so that the faces are free
-/// of shear stress, too (Guilbault 2011).
-double image_factor(const double poissons_ratio) {
-  return 1.29 - (0.08 - poissons_ratio / 2.) / (1. - poissons_ratio);
-}
-
-/// Places where the wall is cut into sections, ascending.
-using Edges = std::vector<double>;
-
-/// The pin's sections and what does not change with the load.
-class Sections {
- public:
-  Sections(const PinLine& pin, const Edges& edges)
-      : modulus_(contact_modulus(pin.pin, pin.wheel)),
-        relative_radius_(pin.relative_radius),
-        wall_half_(pin.clearance.wall_half),
-        image_share_(image_factor(pin.wheel.poissons_ratio) * modulus_ *
-                     (1. - pin.wheel.poissons_ratio * pin.wheel.poissons_ratio) /
-                     pin.wheel.youngs_modulus),
-        n_(static_cast<Eigen::Index>(edges.size()) - 1),
-        places_(n_),
-        widths_(n_),
-        clearance_(n_),
-        slow_(n_, n_),
-        fast_(n_, n_),
-        tangent_(n_, n_) {
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      const auto edge = static_cast<std::size_t>(i);
-      places_[i] = (edges[edge] + edges[edge + 1]) / 2.;
-      widths_[i] = edges[edge + 1] - edges[edge];
-      clearance_[i] = pin.clearance.at(places_[i]);
-    }
-    find_slow(pin);
-    for (const Source source : sources) logarithms_.push_back(logarithms_of(source));
-  }
-
-  [[nodiscard]] Eigen::Index size() const { return n_; }
-  [[nodiscard]] const Vector& places() const { return places_; }
-  [[nodiscard]] const Vector& widths() const { return widths_; }
-  [[nodiscard]] const Vector& clearance() const { return clearance_; }
-  [[nodiscard]] double pressure(const double line_load) const {
-    return std::sqrt(line_load * modulus_ / (pi * relative_radius_));
-  }
-
-  /// Displacements under the loads, and their derivatives.
-  void find_displacements(const Vector& loads, Vector& displacements) {
-    displacements.setZero();
-    for (Eigen::Index j = 0; j < n_; ++j) {
-      if (loads[j] <= 0.) continue;
-      find_column(j, loads[j]);
-      displacements += loads[j] * (fast_.col(j) + slow_.col(j));
-      tangent_.col(j) += slow_.col(j);
-    }
-  }
-  /// Of the columns of sections with a load.
-  [[nodiscard]] const Matrix& tangent() const { return tangent_; }
-
- private:
-  /// Loads at their own places, and their images at the wheel's faces.
-  enum class Source { load, upper_image, lower_image };
-  static constexpr std::array<Source, 3> sources{Source::load, Source::upper_image,
-                                                 Source::lower_image};
-
-  [[nodiscard]] double place_of(const Source source, const Eigen::Index j) const {
-    if (source == Source::load) return places_[j];
-    return (source == Source::upper_image ? 2. : -2.) * wall_half_ - places_[j];
-  }
-  [[nodiscard]] double share_of(const Source source) const {
-    return source == Source::load ? 1. : image_share_;
-  }
-
-  void find_slow(const PinLine& pin) {
-    const Beam beam(pin);
-    const CylinderKernel kernel(pin.pin.poissons_ratio);
-    const double nu = pin.pin.poissons_ratio;
-    const double shear_modulus = pin.pin.youngs_modulus / (2. * (1. + nu));
-    const double more_shear = (1. / shear_coefficient(nu) - kernel.shear_factor()) /
-                              (2. * shear_modulus * pi * pin.radius * pin.radius);
-    for (Eigen::Index j = 0; j < n_; ++j)
-      for (Eigen::Index i = 0; i < n_; ++i) {
-        const double distance = places_[i] - places_[j];
-        const double half = widths_[j] / 2.;
-        const double local = kernel.integral((distance + half) / pin.radius) -
-                             kernel.integral((distance - half) / pin.radius);
-        slow_(i, j) = widths_[j] * (beam.flexibility(pin.clearance.upper_end - places_[i],
-                                                     pin.clearance.upper_end - places_[j]) +
-                                    more_shear * std::abs(distance) +
-                                    pin.wheel_twist * places_[i] * places_[j]) +
-                      local / pin.pin.youngs_modulus;
-      }
-  }
-
-  /// A of sections far from their loads, whatever the contact's width.
-  [[nodiscard]] Matrix logarithms_of(const Source source) const {
-    Matrix result(n_, n_);
-    for (Eigen::Index j = 0; j < n_; ++j)
-      for (Eigen::Index i = 0; i < n_; ++i) {
-        const double distance = std::abs(places_[i] - place_of(source, j));
-        const double half = widths_[j] / 2.;
-        result(i, j) = distance > half ? std::log((distance + half) / (distance - half)) : 0.;
-      }
-    return result;
-  }
-
-  /// What the load of a section does to all, in half-spaces.
-  void find_column(const Eigen::Index j, const double load) {
-    const double b = std::sqrt(4. * load * relative_radius_ / (pi * modulus_));
-    fast_.col(j).setZero();
-    tangent_.col(j).setZero();
-    for (std::size_t s = 0; s < sources.size(); ++s) {
-      const double place = place_of(sources[s], j);
-      const double share = share_of(sources[s]) / (pi * modulus_);
-      for (Eigen::Index i = 0; i < n_; ++i) {
-        const double distance = std::abs(places_[i] - place);
-        if (distance - widths_[j] / 2. > far_from_load * b) {
-          fast_(i, j) += share * logarithms_[s](i, j);
-          tangent_(i, j) += share * logarithms_[s](i, j);
-        } else {
-          const StripInfluence influence = of_strip(distance / b, widths_[j] / (2. * b));
-          fast_(i, j) += share * influence.value;
-          tangent_(i, j) += share * influence.derivative;
-        }
-      }
-    }
-  }
-
-  /// A of a strip, and d(q A)/dq; b grows with the root of q.
-  /// @param distance, half of its width over b
-  [[nodiscard]] static StripInfluence of_strip(const double distance, const double half) {
-    const double upper = distance + half;
-    const double lower = distance - half;
-    const StripInfluence of_upper = strip_influence(upper);
-    const StripInfluence of_lower = strip_influence(lower);
-    const double value = of_upper.value - of_lower.value;
-    return {value, value - (upper * of_upper.derivative - lower * of_lower.derivative) / 2.};
-  }
-
-  /// In half-widths; A is then a logarithm to 4e-5.
-  static constexpr double far_from_load = 40.;
-
-  double modulus_;          ///< E* [Pa]
-  double relative_radius_;  ///< R [m]
-  double wall_half_;        ///< half of the wheel's thickness [m]
-  double image_share_;      ///< of the loads' images at the wheel's faces
-  Eigen::Index n_;
-  Vector places_;     ///< [m]
-  Vector widths_;     ///< [m]
-  Vector clearance_;  ///< [m]
-  Matrix slow_;       ///< displacement by line load of beam, cylinder and twist [m^2/N]
-  Matrix fast_;       ///< the same of half-spaces
-  Matrix tangent_;    ///< d displacement/d line load of all
-  std::vector<Matrix> logarithms_;  ///< by source
-};
+/// Less than that from an end of the wall, over its half-length, is at it.
+constexpr double rounding_of_ends = 1e-9;
 
 /// Newton's iterations with an active set for
 /// c + (K(q) + M) q - delta >= 0, q >= 0, and sum q h = F.
 class Search {
  public:
   /// @param start first guess of the loads, whose sum is scaled; some positive
-  Search(Sections& sections, const double force, const Vector& start)
+  Search(CoupledSections& sections, const double force, const Vector& start)
       : sections_(sections),
         n_(sections.size()),
         force_(force),
@@ -308,7 +109,7 @@ class Search {
 
   static constexpr double first_load = 1e-6;  // of a section that is loaded anew, over the mean
 
-  Sections& sections_;
+  CoupledSections& sections_;
   Eigen::Index n_;
   double force_;
   double mean_;
@@ -322,7 +123,7 @@ class Search {
 };
 
 /// The vertex of a parabola through three places around the greatest load.
-void find_peak(const Sections& sections, PinLineContact& contact) {
+void find_peak(PinLineContact& contact) {
   const auto& all = contact.sections;
   const auto top = std::max_element(
       all.begin(), all.end(),
@@ -342,7 +143,6 @@ void find_peak(const Sections& sections, PinLineContact& contact) {
     }
   }
   contact.peak_line_load = load;
-  contact.peak_pressure = sections.pressure(load);
 }
 
 /// Where the load begins, seen from the first of the sections: on a smooth pin it rises from 0 in a
@@ -360,21 +160,64 @@ double end_of_contact(const Iterator first, const Iterator last) {
   return loaded->place + outwards * std::clamp(loaded->line_load / rise, 0., 2. * reach);
 }
 
-PinLineContact contact_of(const PinLine& pin, const Sections& sections, const Search& search) {
+HertzLine line_contact(const PinLine& pin, const double line_load) {
+  return hertz_line(line_load, pin.relative_radius, contact_modulus(pin.pin, pin.wheel));
+}
+
+/// Peak pressure of Hertz's ellipse over that of a line contact with the line load of its middle.
+/// @param ratio half-width of the line contact over the half-length
+double ellipse_over_line(const double ratio) {
+  constexpr int steps = 8;
+  constexpr double widest = 0.9;
+  double factor = 1.;
+  for (int i = 0; i < steps; ++i) {  // the ellipse is narrower by the factor
+    const double k = std::min(ratio / factor, widest);
+    const double modulus = std::sqrt(1. - k * k);
+    factor = modulus /
+             std::sqrt(boost::math::ellint_2(modulus) - k * k * boost::math::ellint_1(modulus));
+  }
+  return factor;
+}
+
+std::vector<PinSection>::const_iterator section_at(const PinLineContact& contact,
+                                                   const double place) {
+  return std::find_if(contact.sections.begin(), contact.sections.end(),
+                      [&](const PinSection& section) {
+                        return std::abs(place - section.place) <= section.width / 2. * (1. + 1e-9);
+                      });
+}
+
+/// Of the two sections at a place on the edge between them.
+double width_at(const PinLineContact& contact, const double place) {
+  const auto section = section_at(contact, place);
+  if (section == contact.sections.end()) return contact.sections.back().width;
+  const bool has_next = section + 1 != contact.sections.end();
+  return section->width + (has_next ? (section + 1)->width : 0.);
+}
+
+PinLineContact contact_of(const PinLine& pin, const CoupledSections& sections,
+                          const Search& search) {
   PinLineContact contact;
-  const Beam beam(pin);
+  const HeldBeam beam(pin);
+  const bool has_free_end = pin.hold == PinHold::one_end;
+  const double observed = pin.clearance.upper_end - (has_free_end ? pin.clearance.lower_end : 0.);
   for (Eigen::Index i = 0; i < sections.size(); ++i) {
     const double place = sections.places()[i];
     const double width = sections.widths()[i];
     const double load = search.loads()[i];
     contact.sections.push_back({place, width, load});
-    contact.root_moment += load * width * beam.moment(pin.clearance.upper_end - place);
+    const double from_root = pin.clearance.upper_end - place;
+    contact.root_moment += load * width * beam.moment(from_root);
+    contact.deflection += load * width * beam.flexibility(observed, from_root);
+    contact.slope += load * width * beam.turn(pin.clearance.upper_end, from_root);
   }
   contact.begin = end_of_contact(contact.sections.begin(), contact.sections.end());
   contact.end = end_of_contact(contact.sections.rbegin(), contact.sections.rend());
   contact.approach = search.approach();
-  contact.root_stress = 4. * contact.root_moment / (pi * std::pow(pin.radius, 3));
-  find_peak(sections, contact);
+  contact.root_stress =
+      contact.root_moment * pin.radius * pin.pin.youngs_modulus / beam.bending_stiffness();
+  find_peak(contact);
+  contact.peak_pressure = peak_contact(pin, contact).peak_pressure;
   return contact;
 }
 
@@ -397,9 +240,9 @@ Vector loads_at(const PinLineContact& known, const Vector& places) {
   return result;
 }
 
-PinLineContact solved(const PinLine& pin, const double force, const Edges& edges,
+PinLineContact solved(const PinLine& pin, const double force, const SectionEdges& edges,
                       const PinLineContact* const known) {
-  Sections sections(pin, edges);
+  CoupledSections sections(pin, edges);
   const Vector start =
       known ? loads_at(*known, sections.places()) : Vector::Ones(sections.size()).eval();
   Search search(sections, force, start);
@@ -407,19 +250,29 @@ PinLineContact solved(const PinLine& pin, const double force, const Edges& edges
   return contact_of(pin, sections, search);
 }
 
-/// Even sections, or thinner ones towards an end of the wall that the contact reaches.
-Edges edges_between(const double begin, const double end, const double wall_half, const int n) {
-  const double rounding = 1e-9 * wall_half;
-  const bool is_lower = begin < -wall_half + rounding;
-  const bool is_upper = end > wall_half - rounding;
+/// Even sections, or thinner ones towards an end of the wall that the contact reaches, and towards
+/// both ends of a logarithmic profile, which falls within the contact's width.
+SectionEdges edges_between(const PinLine& pin, const double begin, const double end, const int n) {
+  const double wall_half = pin.clearance.wall_half;
+  const double rounding = rounding_of_ends * wall_half;
+  const bool is_logarithmic = std::holds_alternative<LogarithmicProfile>(pin.clearance.profile);
+  const bool is_lower = is_logarithmic || begin < -wall_half + rounding;
+  const bool is_upper = is_logarithmic || end > wall_half - rounding;
   const auto place = [&](const double x) {  // x from 0 to 1
     if (is_lower && is_upper) return 0.5 - 0.5 * std::cos(pi * x);
     if (is_lower) return 1. - std::cos(pi / 2. * x);
     return is_upper ? std::sin(pi / 2. * x) : x;
   };
-  Edges edges;
+  SectionEdges edges;
   for (int i = 0; i <= n; ++i)
     edges.push_back(begin + (end - begin) * place(static_cast<double>(i) / n));
+  return edges;
+}
+
+/// Even ones.
+SectionEdges edges_on_whole_wall(const double wall_half, const int n) {
+  SectionEdges edges;
+  for (int i = 0; i <= n; ++i) edges.push_back(wall_half * (2. * static_cast<double>(i) / n - 1.));
   return edges;
 }
 
@@ -427,6 +280,35 @@ Edges edges_between(const double begin, const double end, const double wall_half
 std::pair<double, double> window(const PinLineContact& contact, const double wall_half) {
   return {std::max(contact.begin - contact.sections.front().width, -wall_half),
           std::min(contact.end + contact.sections.back().width, wall_half)};
+}
+
+bool begins_at_end(const PinLineContact& contact, const double wall_half) {
+  return contact.begin <= -wall_half * (1. - rounding_of_ends);
+}
+bool ends_at_end(const PinLineContact& contact, const double wall_half) {
+  return contact.end >= wall_half * (1. - rounding_of_ends);
+}
+bool reaches_end(const PinLineContact& contact, const double wall_half) {
+  return begins_at_end(contact, wall_half) || ends_at_end(contact, wall_half);
+}
+
+double change(const double value, const double before) {
+  return before == 0. ? 0. : std::abs(value / before - 1.);
+}
+
+/// Sets the error by what half as many sections found. A contact that its sections cut off has not
+/// settled, nor has one whose ends still move.
+bool has_settled(PinLineContact& contact, const PinLineContact& coarse, const double wall_half,
+                 const double accuracy) {
+  constexpr double most_moved = 0.02;  // of the length
+  contact.error = std::max(change(contact.peak_pressure, coarse.peak_pressure),
+                           change(contact.root_moment, coarse.root_moment));
+  const double moved = std::abs(contact.begin - coarse.begin) + std::abs(contact.end - coarse.end);
+  const bool is_cut_off =
+      (contact.sections.front().line_load > 0. && !begins_at_end(contact, wall_half)) ||
+      (contact.sections.back().line_load > 0. && !ends_at_end(contact, wall_half));
+  return contact.error <= accuracy && !is_cut_off &&
+         moved <= most_moved * (contact.end - contact.begin);
 }
 
 void require(const PinLine& pin, const double force) {
@@ -438,9 +320,47 @@ void require(const PinLine& pin, const double force) {
 
 }  // namespace
 
-bool ends_inside(const PinLineContact& contact, const PinClearance& clearance) {
-  const double flank = clearance.wall_half - clearance.wall_edge.size;
-  return contact.begin > -flank && contact.end < flank;
+HertzLine peak_contact(const PinLine& pin, const PinLineContact& contact) {
+  HertzLine hertz = line_contact(pin, contact.peak_line_load);
+  const double factor = ellipse_over_line(2. * hertz.half_width / (contact.end - contact.begin));
+  hertz.peak_pressure *= factor;
+  hertz.half_width /= factor;
+  hertz.max_shear *= factor;
+  hertz.max_shear_depth /= factor;
+  return hertz;
+}
+
+double line_load_at(const PinLineContact& contact, const double place) {
+  const auto section = section_at(contact, place);
+  return section == contact.sections.end() ? 0. : section->line_load;
+}
+
+bool is_beam(const PinLine& pin) {
+  constexpr double nearest = 1.3;  // in diameters
+  const PinClearance& ends = pin.clearance;
+  const double gap = std::min(ends.upper_end - ends.wall_half, -ends.lower_end - ends.wall_half);
+  return pin.hold == PinHold::one_end ||
+         (pin.hold == PinHold::both_ends && gap >= 2. * nearest * pin.radius);
+}
+
+double expected_error(const PinLine& pin, const PinLineContact& contact) {
+  constexpr double beside_finite_elements = 0.01;
+  const double of_line = line_contact(pin, contact.peak_line_load).peak_pressure;
+  return contact.error + (contact.peak_pressure / of_line - 1.) / 2. + beside_finite_elements;
+}
+
+PeakDoubt peak_doubt(const PinLine& pin, const PinLineContact& contact) {
+  constexpr double widths_from_end = 8.;
+  constexpr double most_error = 0.01;
+  const double flank = pin.clearance.wall_half - pin.clearance.wall_edge.size;
+  if (contact.begin < width_at(contact, contact.begin) - flank ||
+      contact.end > flank - width_at(contact, contact.end))
+    return PeakDoubt::reaches_edge;
+  const double b = peak_contact(pin, contact).half_width;
+  if (const auto* const profile = std::get_if<LogarithmicProfile>(&pin.clearance.profile))
+    if (std::abs(contact.peak_place) > profile->length / 2. - widths_from_end * b)
+      return PeakDoubt::at_profile_end;
+  return contact.error > most_error ? PeakDoubt::not_settled : PeakDoubt::none;
 }
 
 PinLineContact pin_line_contact(const PinLine& pin, const double force, const double accuracy) {
@@ -450,15 +370,14 @@ PinLineContact pin_line_contact(const PinLine& pin, const double force, const do
   constexpr int most_at_edges = 48;  // where the peak grows with them for ever
   require(pin, force);
   const double wall_half = pin.clearance.wall_half;
-  PinLineContact coarse = solved(
-      pin, force, edges_between(-wall_half, wall_half, 2. * wall_half, on_whole_wall), nullptr);
+  PinLineContact coarse =
+      solved(pin, force, edges_on_whole_wall(wall_half, on_whole_wall), nullptr);
   for (int n = fewest; n <= most; n *= 2) {
     const auto [begin, end] = window(coarse, wall_half);
-    PinLineContact contact = solved(pin, force, edges_between(begin, end, wall_half, n), &coarse);
-    contact.error = std::abs(contact.peak_pressure / coarse.peak_pressure - 1.);
+    PinLineContact contact = solved(pin, force, edges_between(pin, begin, end, n), &coarse);
+    const bool is_settled = n > fewest && has_settled(contact, coarse, wall_half, accuracy);
     coarse = std::move(contact);
-    const bool reaches_edge = coarse.begin <= -wall_half || coarse.end >= wall_half;
-    if (n > fewest && (coarse.error <= accuracy || (reaches_edge && n >= most_at_edges))) break;
+    if (is_settled || (n >= most_at_edges && reaches_end(coarse, wall_half))) break;
   }
   return coarse;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "post/analysis/safety.h"
@@ -28,7 +29,8 @@ ComparisonRow unbounded_row(const std::string& name, const Dimension dimension,
 
 std::vector<ComparisonRow> contact_rows(const fem::Solution<2>& solution,
                                         const fem::ContactResult<2>& contact,
-                                        const ContactAnalysis<2>& analysis, const Figures& errors) {
+                                        const ContactAnalysis<2>& analysis, const Figures& errors,
+                                        const std::optional<PinLineReport>& /*line*/) {
   const auto& form = analysis.hertz;
   const auto closed = [&](const double value) {
     return form ? std::optional(value) : std::nullopt;
@@ -54,17 +56,55 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<2>& solution,
 
 /// What a closed form in 3-D says of the figures; unknown without one.
 struct ClosedFigures {
-  std::optional<double> peak, width, length, shear, depth, line_load;
+  std::optional<double> peak, middle, width, length, shear, depth, line_load, end_load;
 };
 
 ClosedFigures closed_figures(const std::optional<ClosedFormInSpace>& form) {
   if (!form) return {};
-  return {form->peak_pressure(),
-          form->half_width(),
-          form->half_length(),
-          form->max_shear(),
-          form->max_shear_depth(),
-          form->line ? std::optional(form->force / form->length) : std::nullopt};
+  const auto line_load = form->line ? std::optional(form->force / form->length) : std::nullopt;
+  return {form->peak_pressure(), form->peak_pressure(),   form->half_width(), form->half_length(),
+          form->max_shear(),     form->max_shear_depth(), line_load,          line_load};
+}
+
+/// Of line contacts along the pin; width and shear are those of the middle, or of the peak if it is
+/// bounded.
+ClosedFigures closed_figures(const PinLineReport& line, const bool is_bounded) {
+  const loads::PinLineContact& contact = line.contact;
+  const auto section = [&](const double line_load) {
+    return loads::hertz_line(line_load, line.pin.relative_radius,
+                             loads::contact_modulus(line.pin.pin, line.pin.wheel));
+  };
+  ClosedFigures closed;
+  const double middle = loads::line_load_at(contact, 0.);
+  closed.length = (contact.end - contact.begin) / 2.;
+  closed.line_load = middle;
+  if (middle > 0.) {
+    const loads::HertzLine hertz = section(middle);
+    closed.middle = hertz.peak_pressure;
+    closed.width = hertz.half_width;
+    if (!is_bounded) {
+      closed.shear = hertz.max_shear;
+      closed.depth = hertz.max_shear_depth;
+    }
+  }
+  if (line.doubt != loads::PeakDoubt::none) return closed;
+  const loads::HertzLine peak = loads::peak_contact(line.pin, contact);
+  closed.peak = peak.peak_pressure;
+  closed.end_load = std::max(contact.sections.front().line_load, contact.sections.back().line_load);
+  if (is_bounded) {
+    closed.shear = peak.max_shear;
+    closed.depth = peak.max_shear_depth;
+  }
+  return closed;
+}
+
+/// Hertz's, where it is one; of a pin that bends, is tilted or reaches an edge it would be an even
+/// load.
+ClosedFigures closed_figures(const fem::Solution<3>& solution, const ContactAnalysis<3>& analysis,
+                             const std::optional<PinLineReport>& line) {
+  const bool is_hertz = analysis.hertz && analysis.hertz->ellipse;
+  return line && analysis.hertz && !is_hertz ? closed_figures(*line, is_bounded(solution))
+                                             : closed_figures(analysis.hertz);
 }
 
 /// Where an edge pressure is not bounded, the stress below the edge is not either: the shear is
@@ -89,8 +129,9 @@ std::vector<ComparisonRow> shear_rows(const fem::Solution<3>& solution,
 
 std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
                                         const fem::ContactResult<3>& contact,
-                                        const ContactAnalysis<3>& analysis, const Figures& errors) {
-  const ClosedFigures closed = closed_figures(analysis.hertz);
+                                        const ContactAnalysis<3>& analysis, const Figures& errors,
+                                        const std::optional<PinLineReport>& line) {
+  const ClosedFigures closed = closed_figures(solution, analysis, line);
   const bool is_finite = is_bounded(solution);
   std::vector<ComparisonRow> rows;
   if (!analysis.sections.empty())
@@ -98,7 +139,7 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
         row_of("pressure in the middle", Dimension::stress,
                (1. + solution.correction) *
                    middle_section(contact, analysis.frame, analysis.sections).peak_pressure,
-               closed.peak, value_of(errors, Figure::mid_length_pressure)));
+               closed.middle, value_of(errors, Figure::mid_length_pressure)));
   rows.push_back(is_finite ? row_of("peak contact pressure", Dimension::stress,
                                     contact.peak_pressure, closed.peak, solution.error_estimate)
                            : unbounded_row("edge pressure", Dimension::stress, closed.peak));
@@ -115,9 +156,9 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
                           closed.line_load, value_of(errors, Figure::line_load_middle)));
     rows.push_back(is_finite
                        ? row_of("line load, greater end", Dimension::force_per_length, load.end,
-                                closed.line_load, value_of(errors, Figure::line_load_end))
+                                closed.end_load, value_of(errors, Figure::line_load_end))
                        : unbounded_row("line load, greater end", Dimension::force_per_length,
-                                       closed.line_load));
+                                       closed.end_load));
   }
   return rows;
 }
@@ -145,21 +186,26 @@ std::vector<ComparisonRow> even_load_rows([[maybe_unused]] const fem::Solution<d
 template <int dim>
 std::vector<ComparisonRow> line_rows(const fem::Solution<dim>& solution,
                                      const fem::ContactResult<dim>& contact,
-                                     const std::optional<loads::PinLineContact>& line) {
-  if (!line || !is_bounded(solution)) return {};
+                                     const std::optional<PinLineReport>& line) {
+  if (!line || line->doubt != loads::PeakDoubt::none || !is_bounded(solution)) return {};
   return {row_of("peak, half-space and beam", Dimension::stress, contact.peak_pressure,
-                 line->peak_pressure, solution.error_estimate)};
+                 line->contact.peak_pressure, solution.error_estimate)};
 }
 
 std::vector<ComparisonRow> pin_rows(const PinReport& pin, const Figures& errors) {
   if (!pin.beam) return {};
-  return {row_of("pin deflection", Dimension::length, pin.bending.tip_deflection,
-                 pin.beam->tip_deflection, value_of(errors, Figure::tip_deflection)),
+  const double deflection = pin.line ? pin.line->contact.deflection : pin.beam->tip_deflection;
+  const double slope = pin.line ? pin.line->contact.slope : pin.beam->slope;
+  const double root_stress = pin.line ? pin.line->contact.root_stress : pin.beam->root_stress;
+  const bool is_beam = !pin.line || loads::is_beam(pin.line->pin);
+  const bool has_slope = pin.beam->slope > 0.;  // none by symmetry if it is held twice
+  return {row_of("pin deflection", Dimension::length, pin.bending.tip_deflection, deflection,
+                 value_of(errors, Figure::tip_deflection)),
           row_of("pin slope in the slot", Dimension::slope, pin.bending.slope,
-                 pin.beam->slope > 0. ? std::optional(pin.beam->slope) : std::nullopt,
-                 value_of(errors, Figure::slope)),
+                 has_slope ? std::optional(slope) : std::nullopt, value_of(errors, Figure::slope)),
           row_of("bending stress at the root", Dimension::stress, pin.bending.root_stress,
-                 pin.beam->root_stress, value_of(errors, Figure::root_stress))};
+                 is_beam ? std::optional(root_stress) : std::nullopt,
+                 value_of(errors, Figure::root_stress))};
 }
 
 std::string cell(const std::optional<double>& value, const double factor) {
@@ -219,12 +265,14 @@ std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
   const auto append = [&](const std::vector<ComparisonRow>& more) {
     rows.insert(rows.end(), more.begin(), more.end());
   };
-  append(contact_rows(solution, contact, analysis, errors));
+  const bool has_pin = mechanism && mechanism->pin;
+  const std::optional<PinLineReport> line = has_pin ? mechanism->pin->line : std::nullopt;
+  append(contact_rows(solution, contact, analysis, errors, line));
   for (ComparisonRow& row : rows)
     if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
   if (mechanism) append(even_load_rows(solution, contact, analysis));
-  if (mechanism && mechanism->pin) {
-    append(line_rows(solution, contact, mechanism->pin->line));
+  if (has_pin) {
+    append(line_rows(solution, contact, line));
     append(pin_rows(*mechanism->pin, report.errors.mechanism));
   }
   if (mechanism && mechanism->bore_torque)

@@ -17,15 +17,20 @@
 namespace geneva::post {
 
 /// The pin of a mechanism in 3-D.
+/// The pin as line contacts that half-spaces and a beam couple.
+struct PinLineReport {
+  loads::PinLine pin;
+  loads::PinLineContact contact;
+  loads::PeakDoubt doubt;  ///< of the contact's peak
+};
+
 struct PinReport {
   PinBending bending;
   std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
-  /// Line contacts that half-spaces and a beam couple; none if the contact reaches an end of the
-  /// wall, where they have no peak, or the pin is held at its core.
-  std::optional<loads::PinLineContact> line;
-  std::string profile;  ///< as the case names it
-  double amplitude;     ///< of a logarithmic profile [m]; 0: other ones
-  double crown_radius;  ///< [m]; 0: other ones
+  std::optional<PinLineReport> line;       ///< none if line contacts know no answer
+  std::string profile;                     ///< as the case names it
+  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
+  double crown_radius;                     ///< [m]; 0: other ones
 };
 
 /// What the mechanism asks of the contact, SI units.

@@ -54,6 +54,7 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contac
 }
 
 std::vector<ContactColumn> section_columns(const ContactAnalysis<3>& analysis,
+                                           const std::optional<PinLineReport>& line,
                                            const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
@@ -64,6 +65,7 @@ std::vector<ContactColumn> section_columns(const ContactAnalysis<3>& analysis,
                                      {"half_width", length.name, {}},
                                      {"max_shear", stress.name, {}},
                                      {"max_shear_depth", length.name, {}}};
+  if (line) columns.push_back({"line_load_half_space_and_beam", line_load.name, {}});
   for (const ContactSection& section : analysis.sections) {
     const std::array<double, 6> row{section.z * length.factor,
                                     section.line_load * line_load.factor,
@@ -72,6 +74,9 @@ std::vector<ContactColumn> section_columns(const ContactAnalysis<3>& analysis,
                                     section.max_shear * stress.factor,
                                     section.max_shear_depth * length.factor};
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
+    if (line)
+      columns.back().values.push_back(loads::line_load_at(line->contact, section.z) *
+                                      line_load.factor);
   }
   return columns;
 }
@@ -215,7 +220,8 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
 
 template <int dim>
 void write_contact(const fem::Solution<dim>& solution, const Results<dim>& results,
-                   const UnitSystem units, const fs::path& directory) {
+                   const std::optional<PinLineReport>& line, const UnitSystem units,
+                   const fs::path& directory) {
   write_csv(
       solution,
       [&](const std::size_t pair) {
@@ -227,16 +233,16 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
       solution,
       [&](const std::size_t pair) {
         if constexpr (dim == 3)
-          return section_columns(results.contacts[pair], units);
+          return section_columns(results.contacts[pair], line, units);
         else
           return depth_columns(results.contacts[pair], units);
       },
       own_file(directory, dim == 3 ? "sections.csv" : "depth.csv"));
 }
 
-template void write_contact(const fem::Solution<2>&, const Results<2>&, UnitSystem,
-                            const fs::path&);
-template void write_contact(const fem::Solution<3>&, const Results<3>&, UnitSystem,
-                            const fs::path&);
+template void write_contact(const fem::Solution<2>&, const Results<2>&,
+                            const std::optional<PinLineReport>&, UnitSystem, const fs::path&);
+template void write_contact(const fem::Solution<3>&, const Results<3>&,
+                            const std::optional<PinLineReport>&, UnitSystem, const fs::path&);
 
 }  // namespace geneva::post

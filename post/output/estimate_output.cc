@@ -18,32 +18,72 @@ using nlohmann::json;
 
 namespace {
 
-json line_section(const loads::PinLineContact& line) {
+json line_section(const loads::PinLineContact& line, const double wheel_twist) {
   return {{"peak_pressure", quantity(line.peak_pressure, "Pa")},
           {"peak_pressure_place", quantity(line.peak_place, "m")},
           {"begin", quantity(line.begin, "m")},
           {"end", quantity(line.end, "m")},
           {"root_moment", quantity(line.root_moment, "N m")},
           {"root_stress", quantity(line.root_stress, "Pa")},
+          {"deflection", quantity(line.deflection, "m")},
+          {"slope", quantity(line.slope, "rad")},
+          {"approach", quantity(line.approach, "m")},
+          {"wheel_twist", quantity(wheel_twist, "rad/(N m)")},
           {"sections", line.sections.size()},
           {"error_of_sections", line.error}};
 }
 
+const char* name_of(const loads::PeakDoubt doubt) {
+  switch (doubt) {
+    case loads::PeakDoubt::reaches_edge:
+      return "reaches the edge";
+    case loads::PeakDoubt::at_profile_end:
+      return "at the end of the profile";
+    case loads::PeakDoubt::not_settled:
+      return "not settled";
+    case loads::PeakDoubt::none:
+      break;
+  }
+  return "none";
+}
+
+json engagement_section(const std::vector<EngagementPoint>& points) {
+  json section{{"driver_angle", json::array()},
+               {"force", json::array()},
+               {"even_pressure", json::array()},
+               {"peak_pressure", json::array()}};
+  for (const EngagementPoint& point : points) {
+    section["driver_angle"].push_back(point.driver_angle);
+    section["force"].push_back(point.force);
+    section["even_pressure"].push_back(point.even_pressure);
+    section["peak_pressure"].push_back(point.peak_pressure ? json(*point.peak_pressure)
+                                                           : json(nullptr));
+  }
+  return section;
+}
+
+/// Stress in the plane of symmetry below each section, by McEwen's field of its load.
 std::string sections_csv(const EstimateReport& report, const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit load = output_unit(units, Dimension::force_per_length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
-  std::string text = fmt::format("z [{}],line load [{}],pressure [{}],half-width [{}]\n",
-                                 length.name, load.name, stress.name, length.name);
+  std::string text = fmt::format(
+      "z [{0}],line load [{1}],pressure [{2}],half-width [{0}],maximum shear [{2}],"
+      "depth of maximum shear [{0}],maximum von Mises [{2}],depth of maximum von Mises [{0}]\n",
+      length.name, load.name, stress.name);
   for (const loads::PinSection& section : report.line->sections) {
     const bool is_loaded = section.line_load > 0.;
     const loads::HertzLine hertz =
         is_loaded
             ? loads::hertz_line(section.line_load, report.relative_radius, report.contact_modulus)
             : loads::HertzLine{};
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", section.place * length.factor,
-                        section.line_load * load.factor, hertz.peak_pressure * stress.factor,
-                        hertz.half_width * length.factor);
+    const loads::DeepStress deep =
+        is_loaded ? loads::maximum_von_mises(hertz, report.poissons_ratio) : loads::DeepStress{};
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
+                        section.place * length.factor, section.line_load * load.factor,
+                        hertz.peak_pressure * stress.factor, hertz.half_width * length.factor,
+                        hertz.max_shear * stress.factor, hertz.max_shear_depth * length.factor,
+                        deep.value * stress.factor, deep.depth * length.factor);
   }
   return text;
 }
@@ -87,7 +127,12 @@ json estimate_summary(const EstimateReport& report) {
                  {"half_width", quantity(report.even.half_width, "m")}}},
                {"estimate", rows},
                {"left_out", report.left_out}};
-  if (report.line) summary["half_space_and_beam"] = line_section(*report.line);
+  summary["engagement"] = engagement_section(report.engagement);
+  if (!report.line) return summary;
+  summary["half_space_and_beam"] = line_section(*report.line, report.wheel_twist);
+  summary["half_space_and_beam"]["peak_doubt"] = name_of(report.doubt);
+  if (report.expected_error)
+    summary["half_space_and_beam"]["expected_error"] = *report.expected_error;
   return summary;
 }
 

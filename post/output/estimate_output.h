@@ -21,17 +21,30 @@ struct EstimateRow {
   std::string basis;
 };
 
+/// An angle of the driver at which the pin presses on a wall; SI units.
+struct EngagementPoint {
+  double driver_angle;                  ///< [rad]
+  double force;                         ///< [N]; negative: on the braking wall
+  double even_pressure;                 ///< Hertz's of an even load [Pa]
+  std::optional<double> peak_pressure;  ///< in 3-D, where line contacts know it [Pa]
+};
+
 /// What closed forms and the pin's line contacts say of a case, SI units.
 struct EstimateReport {
   base::CaseHeader about;
   std::string geneva_version;
   std::string mechanism;  ///< in words
   loads::PinLoad load;
-  double relative_radius;                     ///< R [m]
-  double contact_modulus;                     ///< E* [Pa]
-  double even_line_load;                      ///< F/t [N/m]
-  loads::HertzLine even;                      ///< Hertz's contact of that
-  std::optional<loads::PinLineContact> line;  ///< in 3-D
+  double relative_radius;                           ///< R [m]
+  double contact_modulus;                           ///< E* [Pa]
+  double poissons_ratio;                            ///< the smaller one of pin and wheel
+  double even_line_load;                            ///< F/t [N/m]
+  loads::HertzLine even;                            ///< Hertz's contact of that
+  std::optional<loads::PinLineContact> line;        ///< in 3-D
+  loads::PeakDoubt doubt = loads::PeakDoubt::none;  ///< of that
+  double wheel_twist = 0.;                          ///< of that, see loads::PinLine
+  std::optional<double> expected_error;             ///< of its peak, relative; none without one
+  std::vector<EngagementPoint> engagement;
   std::vector<EstimateRow> rows;
   std::vector<std::string> left_out;  ///< sentences
 };

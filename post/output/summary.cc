@@ -134,6 +134,23 @@ json johnson_section(const fem::Solution<3>& solution, const fem::ContactResult<
           {"factor", is_finite ? json(contact.peak_pressure / even.peak_pressure) : json()}};
 }
 
+/// Without a peak where line contacts know none.
+json line_section(const PinLineReport& line) {
+  const loads::PinLineContact& contact = line.contact;
+  json section{{"half_length", quantity((contact.end - contact.begin) / 2., "m")},
+               {"mid_length_line_load", quantity(loads::line_load_at(contact, 0.), "N/m")},
+               {"root_stress", quantity(contact.root_stress, "Pa")},
+               {"tip_deflection", quantity(contact.deflection, "m")},
+               {"slope", quantity(contact.slope, "rad")},
+               {"sections", contact.sections.size()},
+               {"error_of_sections", contact.error}};
+  if (line.doubt != loads::PeakDoubt::none) return section;
+  section["peak_pressure"] = quantity(contact.peak_pressure, "Pa");
+  section["peak_pressure_place"] = quantity(contact.peak_place, "m");
+  section["expected_error"] = loads::expected_error(line.pin, contact);
+  return section;
+}
+
 /// Only of a pin that is a beam: nothing bends one that is held at its core.
 json pin_section(const PinReport& pin, const Figures& errors) {
   json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
@@ -145,14 +162,7 @@ json pin_section(const PinReport& pin, const Figures& errors) {
   section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
   section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
   section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
-  if (pin.line)
-    section["half_space_and_beam"] = {
-        {"peak_pressure", quantity(pin.line->peak_pressure, "Pa")},
-        {"peak_pressure_place", quantity(pin.line->peak_place, "m")},
-        {"half_length", quantity((pin.line->end - pin.line->begin) / 2., "m")},
-        {"root_stress", quantity(pin.line->root_stress, "Pa")},
-        {"sections", pin.line->sections.size()},
-        {"error_of_sections", pin.line->error}};
+  if (pin.line) section["half_space_and_beam"] = line_section(*pin.line);
   return section;
 }
 

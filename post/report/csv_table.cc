@@ -38,6 +38,11 @@ CsvColumn column_of(const std::string& heading) {
 
 }  // namespace
 
+bool CsvTable::has_column(const std::string& name) const {
+  return std::any_of(columns.begin(), columns.end(),
+                     [&](const CsvColumn& column) { return column.name == name; });
+}
+
 const CsvColumn& CsvTable::column(const std::string& name) const {
   const auto found = std::find_if(columns.begin(), columns.end(),
                                   [&](const CsvColumn& column) { return column.name == name; });

@@ -23,6 +23,7 @@ struct CsvTable {
   }
   /// @throws base::InputError if there is no such column
   [[nodiscard]] const CsvColumn& column(const std::string& name) const;
+  [[nodiscard]] bool has_column(const std::string& name) const;
   /// The rows whose field in a column is a word.
   [[nodiscard]] CsvTable rows_with(const std::string& column, const std::string& word) const;
 };

@@ -46,6 +46,28 @@ Chart chart_of(const CsvTable& table, const char* const across, const std::strin
   return chart;
 }
 
+/// Pressure over the engagements: Hertz's of an even load, and that of line contacts.
+Chart engagement_chart(const json& estimate, const base::UnitSystem units) {
+  const json& points = estimate.at("engagement");
+  const double degrees = base::output_unit(units, base::Dimension::angle).factor;
+  const double factor = base::output_unit(units, base::Dimension::stress).factor;
+  Chart chart{"chart-estimate-engagement",
+              "Contact pressure over the engagement",
+              "Estimate of the contact pressure against the driver angle",
+              {labelled("driver angle", base::Dimension::angle, units)},
+              {labelled("contact pressure", base::Dimension::stress, units)},
+              {{"even load", SeriesStyle::dashed, {}}}};
+  ChartSeries peak{"half-space and beam", SeriesStyle::line, {}};
+  for (std::size_t i = 0; i < points.at("driver_angle").size(); ++i) {
+    const double angle = points.at("driver_angle")[i].get<double>() * degrees;
+    chart.series[0].points.push_back({angle, points.at("even_pressure")[i].get<double>() * factor});
+    if (const json& pressure = points.at("peak_pressure")[i]; !pressure.is_null())
+      peak.points.push_back({angle, pressure.get<double>() * factor});
+  }
+  if (!peak.points.empty()) chart.series.push_back(peak);
+  return chart;
+}
+
 }  // namespace
 
 ReportPart estimate_part(const ResultsDirectory& results) {
@@ -55,7 +77,8 @@ ReportPart estimate_part(const ResultsDirectory& results) {
   const std::vector<Chart> charts{
       has_line ? chart_of(table, "z", "place along the pin, z", "pressure",
                           "maximum pressure along the pin")
-               : chart_of(table, "depth", "depth", "shear", "shear below the contact")};
+               : chart_of(table, "depth", "depth", "shear", "shear below the contact"),
+      engagement_chart(estimate, results.units())};
   return {html_section(
               "estimate", "Estimate",
               figures_table(estimate, results.units()) + left_out_list(estimate) + html(charts)),

@@ -257,12 +257,17 @@ Chart line_load_chart(const ResultsDirectory& results, const UnitSystem units) {
               {axis_label("place along the pin, z", z)},
               {axis_label("line load", load)},
               {series("this program", SeriesStyle::line, z.values, load.values)}};
-  for (const json& row : results.document("summary")->at("comparison"))
-    if (row.at("quantity") == "line load, middle" && !row.at("closed_form").is_null()) {
-      const double even = in_units(row.at("closed_form"), Dimension::force_per_length, units);
-      chart.series.push_back(
-          {"even load", SeriesStyle::dashed, {{z.values.front(), even}, {z.values.back(), even}}});
-    }
+  if (table.has_column("line_load_half_space_and_beam"))
+    chart.series.push_back(series("half-space and beam", SeriesStyle::dashed, z.values,
+                                  table.column("line_load_half_space_and_beam").values));
+  else
+    for (const json& row : results.document("summary")->at("comparison"))
+      if (row.at("quantity") == "line load, middle" && !row.at("closed_form").is_null()) {
+        const double even = in_units(row.at("closed_form"), Dimension::force_per_length, units);
+        chart.series.push_back({"even load",
+                                SeriesStyle::dashed,
+                                {{z.values.front(), even}, {z.values.back(), even}}});
+      }
   return chart;
 }
 

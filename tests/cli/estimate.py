@@ -57,10 +57,44 @@ class Estimate(CliTest):
         self.assertEqual(self.value(summary, "pressure in the middle"), 0.)
         self.assertEqual(self.value(summary, "line load, middle"), 0.)
 
-    def test_a_pin_that_is_held_at_its_core_is_hertz_s(self):
+    def test_a_pin_that_is_held_at_its_core_does_not_bend(self):
         case = self.changed("crowned-pin", {"Mechanism/Pin/Held at": "core", "Mechanism/Pin/Root gap": None})
+        run, summary = self.estimate(case)
+        self.assertNotIn("bending stress", run.out)
+        self.assertAlmostEqual(self.value(summary, "place of the peak along the pin"), 0., delta=1e-9)
+        self.assertAlmostEqual(self.value(summary, "peak contact pressure") / 828.7e6, 1.005, delta=0.005,
+                               msg="Hertz's ellipse, and a little more on a thin layer")
+
+    def test_it_follows_the_pin_over_its_engagement(self):
+        case = self.changed("crowned-pin", {"Mechanism/Pin material/Yield strength": "600 MPa"})
+        with open(case / "case.prm", "a", encoding="utf-8") as file:
+            file.write("subsection Allowable\n  set Contact pressure = 1 GPa\nend\n")
+        _, summary = self.estimate(case)
+        curve = summary["engagement"]
+        self.assertGreater(len(curve["driver_angle"]), 25)
+        peaks = [peak for peak in curve["peak_pressure"] if peak is not None]
+        self.assertGreater(len(peaks), 25)
+        self.assertAlmostEqual(max(peaks), self.value(summary, "greatest pressure of the engagement"), delta=1.)
+        self.assertTrue(min(curve["force"]) < 0 < max(curve["force"]), "it drives, then it brakes")
+        for even, peak, force in zip(curve["even_pressure"], curve["peak_pressure"], curve["force"]):
+            if peak is not None and abs(force) > 100:
+                self.assertGreater(peak, even, "a crown carries on less than the wall's length")
+        self.assertAlmostEqual(self.value(summary, "safety factor of the contact pressure"),
+                               1e9 / self.value(summary, "peak contact pressure"), delta=1e-9)
+        self.assertAlmostEqual(self.value(summary, "safety factor of the pin's root"),
+                               600e6 / self.value(summary, "bending stress at the root"), delta=1e-9)
+
+    def test_a_short_pin_that_is_held_twice_is_no_beam_at_its_root(self):
+        case = self.changed("crowned-pin", {"Mechanism/Pin/Held at": "both ends", "Mechanism/Pin/Overhang": None})
         run, _ = self.estimate(case)
-        self.assertIn("held at its core", run.out)
+        self.assertNotIn("bending stress at the root", run.out)
+        self.assertIn("too short for a beam", run.out)
+
+    def test_a_pin_in_the_round_bottom_is_hertz_s(self):
+        case = self.changed("crowned-pin", {"Mechanism/Driver angle": "-0.01 deg"})
+        run, _ = self.estimate(case)
+        self.assertNotIn("half-space and beam", run.out)
+        self.assertIn("round bottom", run.out)
 
     def test_the_report_shows_it_beside_the_motion(self):
         case = self.copy_case("crowned-pin")

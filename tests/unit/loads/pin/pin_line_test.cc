@@ -31,7 +31,7 @@ PinLine johnson() {
   pin.clearance.wall_half = pin.radius;
   pin.clearance.lower_end = -pin.radius - 0.1 * inch;
   pin.clearance.upper_end = pin.radius + 0.15 * inch;
-  pin.wheel_twist = 1.2e-6 / (pound * inch);
+  pin.wheel_twist = 1.3e-6 / (pound * inch);
   return pin;
 }
 
@@ -97,10 +97,84 @@ TEST(CylinderKernel, IsInterpolatedBetweenPoissonsRatiosAndPlaces) {
   EXPECT_THROW(CylinderKernel(-0.1), base::InputError);
 }
 
-/// The pin is rigid, so that it does not bend, and the wheel's faces are far. The sections' own
-/// contact is that of an endless line: what it lacks falls with the square of the axes' ratio.
+/// Values made with 40 digits, not by the table.
+TEST(CylinderKernel, OfATubeAndOfACylinderHeldAtItsCoreIsInterpolated) {
+  const CylinderKernel core(0.3, PinInside::held_core, 0.42);
+  EXPECT_NEAR(core.integral(0.2566291814), -0.147437591, 1e-4);
+  EXPECT_NEAR(core.integral(2.7691127599), -0.749702607, 1e-4);
+  EXPECT_NEAR(core.integral(13.7422596469), -1.213803136, 1e-4);
+  EXPECT_NEAR(CylinderKernel(0.49, PinInside::held_core, 0.5).integral(1.0054641855), -0.473527006,
+              2e-5);
+  const CylinderKernel tube(0.3, PinInside::hollow, 0.45);
+  EXPECT_NEAR(tube.integral(0.2566291814), 0.071580738, 1e-4);
+  EXPECT_NEAR(tube.integral(7.5404643652), -0.294836405, 1e-4);
+  EXPECT_NEAR(CylinderKernel(0.3, PinInside::hollow, 0.5).shear_factor(), 1.152189, 1e-6);
+}
+
+TEST(CylinderKernel, OfATubeWithoutABoreIsThatOfACylinder) {
+  for (const double nu : {0., 0.2, 0.45}) {
+    const CylinderKernel solid(nu);
+    const CylinderKernel tube(nu, PinInside::hollow, 0.);
+    EXPECT_NEAR(tube.shear_factor(), solid.shear_factor(), 1e-14);
+    for (const double z : {0.05, 0.4, 1.7, 6., 30.})
+      EXPECT_NEAR(tube.integral(z), solid.integral(z), 3e-5) << nu << ", " << z;
+  }
+}
+
+TEST(CylinderKernel, KnowsThinTubesAndThinCoresNot) {
+  EXPECT_THROW(CylinderKernel(0.3, PinInside::hollow, 0.75), base::InputError);
+  EXPECT_THROW(CylinderKernel(0.3, PinInside::held_core, 0.05), base::InputError);
+}
+
+TEST(PinLine, OfAPinWithABoreIsThatOfASolidOneAsTheBoreCloses) {
+  PinLine pin = crowned();
+  const PinLineContact solid = pin_line_contact(pin, pin_force, 1e-4);
+  pin.inner_radius = 1e-3 * pin.radius;
+  const PinLineContact closing = pin_line_contact(pin, pin_force, 1e-4);
+  EXPECT_NEAR(closing.peak_pressure / solid.peak_pressure, 1., 2e-5);
+  EXPECT_NEAR(closing.deflection / solid.deflection, 1., 2e-5);
+  pin.inner_radius = 0.6 * pin.radius;
+  const PinLineContact tube = pin_line_contact(pin, pin_force, 1e-4);
+  EXPECT_NEAR(tube.root_stress / solid.root_stress,
+              tube.root_moment / solid.root_moment / (1. - std::pow(0.6, 4)), 1e-12);
+  EXPECT_GT(tube.deflection, 1.1 * solid.deflection);
+}
+
+TEST(PinLine, HeldAtItsCoreIsSymmetricAndDoesNotBend) {
+  PinLine pin = crowned();
+  pin.hold = PinHold::core;
+  pin.inner_radius = pin.radius / 2.;
+  pin.clearance.lower_end = -pin.clearance.upper_end;
+  const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-4);
+  EXPECT_NEAR(contact.peak_place, 0., 1e-9);
+  EXPECT_EQ(contact.root_moment, 0.);
+  EXPECT_EQ(contact.deflection, 0.);
+}
+
+/// A cantilever under a force in its middle: F a^3/(3 E I) + a F/(kappa G A) where it acts, and the
+/// rest of its length turns with it.
+TEST(PinLine, DeflectsAsACantileverUnderAShortContact) {
+  PinLine pin = crowned();
+  pin.clearance.profile = Crown{2. * inch};
+  pin.clearance.upper_end = 20. * pin.radius;
+  pin.clearance.lower_end = -10. * pin.radius;
+  const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-4);
+  const double arm = pin.clearance.upper_end - contact.peak_place;
+  const double area = pi * pin.radius * pin.radius;
+  const double bending = pin.pin.youngs_modulus * area * pin.radius * pin.radius / 4.;
+  const double shear = shear_coefficient(0.3) * pin.pin.youngs_modulus / 2.6 * area;
+  const double turn = pin_force * arm * arm / (2. * bending);
+  EXPECT_NEAR(contact.slope / turn, 1., 1e-3);
+  EXPECT_NEAR(contact.deflection / (pin_force * (arm * arm * arm / (3. * bending) + arm / shear) +
+                                    turn * (contact.peak_place - pin.clearance.lower_end)),
+              1., 1e-3);
+}
+
+/// The pin is rigid, so that it does not bend, and the wheel's faces are far. Within 0.1 % from
+/// axes of 7 to 1 on; the sections' loads are those of endless lines, what they lack falls with the
+/// square of the axes' ratio.
 TEST(PinLine, IsHertzsEllipseOnAHalfSpace) {
-  for (const double ratio : {30., 300., 3000., 30000.}) {
+  for (const double ratio : {20., 30., 300., 3000., 30000.}) {
     PinLine pin = johnson();
     pin.pin.youngs_modulus *= 1e9;
     const double crown = ratio * pin.radius;
@@ -112,12 +186,9 @@ TEST(PinLine, IsHertzsEllipseOnAHalfSpace) {
     pin.clearance.upper_end = pin.clearance.wall_half;
     const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-4);
     const double axes = hertz.semi_axis_long / hertz.semi_axis_short;
-    EXPECT_NEAR(contact.peak_pressure / hertz.peak_pressure, 1.,
-                1e-4 + std::log(axes) / 4. / (axes * axes))
+    EXPECT_NEAR(contact.peak_pressure / hertz.peak_pressure, 1., 1e-4 + 0.05 / (axes * axes))
         << axes;
-    EXPECT_NEAR((contact.end - contact.begin) / 2. / hertz.semi_axis_long, 1.,
-                0.003 + 1. / (axes * axes))
-        << axes;
+    EXPECT_NEAR((contact.end - contact.begin) / 2. / hertz.semi_axis_long, 1., 0.003) << axes;
   }
 }
 
@@ -129,14 +200,14 @@ TEST(PinLine, IsThatOfFiniteElements) {
   EXPECT_NEAR(crown.end - crown.begin, 0.369 * inch, 0.01 * 0.369 * inch);
   const PinLineContact tilt = pin_line_contact(tilted(), pin_force, 1e-4);
   EXPECT_NEAR(tilt.peak_pressure, 898.3e6, 0.0025 * 898.3e6);
-  EXPECT_NEAR(tilt.peak_place, -0.1221 * inch, 0.001 * inch);
+  EXPECT_NEAR(tilt.peak_place, -0.1221 * inch, 0.01 * (tilt.end - tilt.begin));
   EXPECT_NEAR(tilt.root_stress, 4611. * psi, 0.002 * 4611. * psi);
 }
 
 TEST(PinLine, CarriesItsForceAndItsMoment) {
   for (const bool is_held_twice : {false, true}) {
     PinLine pin = tilted();
-    pin.held_at_both_ends = is_held_twice;
+    pin.hold = is_held_twice ? PinHold::both_ends : PinHold::one_end;
     const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-3);
     EXPECT_NEAR(force_of(contact), pin_force, 1e-9 * pin_force);
     double lever = 0.;
@@ -152,7 +223,7 @@ TEST(PinLine, CarriesItsForceAndItsMoment) {
 /// A beam in the middle between its two ends under an even load.
 TEST(PinLine, BendsBetweenTwoEndsAsABeam) {
   PinLine pin = johnson();
-  pin.held_at_both_ends = true;
+  pin.hold = PinHold::both_ends;
   pin.clearance.lower_end = -pin.clearance.upper_end;
   pin.clearance.profile = Crown{30. * inch};
   const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-3);
@@ -181,7 +252,7 @@ TEST(PinLine, DoesNotDependOnUnits) {
 
 TEST(PinLine, HeldAtBothEndsIsTheSameMirrored) {
   PinLine pin = tilted();
-  pin.held_at_both_ends = true;
+  pin.hold = PinHold::both_ends;
   pin.clearance.lower_end = -pin.clearance.upper_end;
   const PinLineContact one = pin_line_contact(pin, pin_force, 1e-3);
   pin.clearance.tilt *= -1.;
@@ -241,7 +312,7 @@ RC_GTEST_PROP(PinLine, FindsTheBalanceOfAnyPin, ()) {
   pin.clearance.upper_end = pin.clearance.wall_half + radius * between(0., 2.);
   pin.clearance.profile = Crown{radius * std::pow(10., between(1.7, 5.))};
   pin.clearance.tilt = between(-0.3, 0.3) * degree;
-  pin.held_at_both_ends = *rc::gen::arbitrary<bool>();
+  pin.hold = *rc::gen::element(PinHold::one_end, PinHold::both_ends);
   pin.wheel_twist *= between(0., 3.);
   const double force = pin_force * std::pow(10., between(-2., 1.));
   const PinLineContact contact = pin_line_contact(pin, force, 1e-3);

@@ -22,7 +22,7 @@ PinLine steel_pin(const double upper_end, const bool held_at_both_ends) {
   pin.wheel = pin.pin;
   pin.radius = 0.008;
   pin.relative_radius = pin.radius;
-  pin.held_at_both_ends = held_at_both_ends;
+  pin.hold = held_at_both_ends ? PinHold::both_ends : PinHold::one_end;
   pin.clearance.wall_half = half;
   pin.clearance.lower_end = held_at_both_ends ? -upper_end : -0.014;
   pin.clearance.upper_end = upper_end;
@@ -44,6 +44,9 @@ TEST(LoadEvenness, OfAnEvenLoadIsOne) {
   PinLineContact contact;
   for (int i = 0; i < 10; ++i)
     contact.sections.push_back({-half + (i + 0.5) * half / 5., half / 5., 4.});
+  contact.peak_line_load = 4.;
+  contact.begin = -half;
+  contact.end = half;
   const LoadEvenness load = load_evenness(pin, contact);
   EXPECT_NEAR(load.ratio(), 1., 1e-12);
   EXPECT_NEAR(load.even, 4., 1e-12);
@@ -55,6 +58,9 @@ TEST(LoadEvenness, CountsAPartlyCoveredSectionInPart) {
   contact.sections = {{-half / 2., half, 1.},
                       {half / 2. - 0.0001, half - 0.0002, 0.},
                       {half - 0.0001, 0.0002, 50.}};
+  contact.peak_line_load = 50.;
+  contact.begin = -half;
+  contact.end = half;
   // a twentieth of the length is 1 mm, of which 0.2 mm carry 50 N/m
   const LoadEvenness load = load_evenness(pin, contact);
   EXPECT_NEAR(load.maximum, 10., 1e-9);

@@ -1,0 +1,56 @@
+#include "api/engagement.h"
+
+#include <cmath>
+#include <optional>
+
+#include "api/mechanism_picture.h"
+#include "base/errors.h"
+#include "loads/motion/kinematics.h"
+#include "model/pin_in_space.h"
+
+namespace geneva::api {
+
+namespace {
+
+using post::EngagementPoint;
+
+constexpr int steps_of_cycle = 240;
+constexpr std::size_t most_points = 60;
+
+/// The pin on the wall that carries: on the braking one it leans the other way.
+std::optional<double> peak_of(loads::PinLine pin, const double force) {
+  constexpr double accuracy = 2e-3;
+  if (force < 0.) pin.clearance.tilt = -pin.clearance.tilt;
+  try {
+    const loads::PinLineContact contact = loads::pin_line_contact(pin, std::abs(force), accuracy);
+    if (loads::peak_doubt(pin, contact) == loads::PeakDoubt::none) return contact.peak_pressure;
+  } catch (const base::InputError&) {
+    // no balance: no figure
+  }
+  return std::nullopt;
+}
+
+/// Every so many rows that a force acts in.
+std::vector<EngagementPoint> loaded_points(const std::vector<loads::KinematicsRow>& rows) {
+  std::vector<EngagementPoint> loaded;
+  for (const loads::KinematicsRow& row : rows)
+    if (row.load.force != 0.)
+      loaded.push_back({row.load.driver_angle, row.load.force, row.pressure, std::nullopt});
+  const std::size_t stride = loaded.size() / most_points + 1;
+  std::vector<EngagementPoint> points;
+  for (std::size_t i = 0; i < loaded.size(); i += stride) points.push_back(loaded[i]);
+  return points;
+}
+
+}  // namespace
+
+std::vector<EngagementPoint> engagement(const model::MechanismCase& mechanism,
+                                        const model::MechanismState& state) {
+  std::vector<EngagementPoint> points = loaded_points(loads::kinematics_rows(
+      state.driven, state.train, pin_contact(mechanism, state.sizes), steps_of_cycle));
+  if (const auto pin = model::pin_line_if_known(mechanism, state))
+    for (EngagementPoint& point : points) point.peak_pressure = peak_of(*pin, point.force);
+  return points;
+}
+
+}  // namespace geneva::api

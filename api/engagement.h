@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "model/mechanism_state.h"
+#include "post/output/estimate_output.h"
+
+namespace geneva::api {
+
+/// Pin force and contact pressure over the engagements, at about 60 driver angles: Hertz's of an
+/// even load, and in 3-D that of line contacts along the pin where they know a peak, with the
+/// wheel's twist of the analysed angle.
+std::vector<post::EngagementPoint> engagement(const model::MechanismCase& mechanism,
+                                              const model::MechanismState& state);
+
+}  // namespace geneva::api
