@@ -65,6 +65,17 @@ TEST(HertzLine, MaximumShearIsThreeTenthsOfPeakPressureAtFourFifthsOfHalfWidth) 
   EXPECT_NEAR(line.max_shear_depth / line.half_width, 0.786151, 5e-7);
 }
 
+TEST(HertzLine, MaximumVonMisesIsBelowTheSurfaceOrOnItBelowNuOfAFifth) {
+  const HertzLine contact = hertz_line(1e5, 0.01, 1e11);
+  const DeepStress of_steel = maximum_von_mises(contact, 0.3);
+  EXPECT_NEAR(of_steel.value / contact.peak_pressure, 0.5575, 1e-4);
+  EXPECT_NEAR(of_steel.depth / contact.half_width, 0.704, 1e-3);
+  EXPECT_NEAR(maximum_von_mises(contact, 0.49).value / contact.peak_pressure, 0.5202, 1e-4);
+  const DeepStress of_foam = maximum_von_mises(contact, 0.1);
+  EXPECT_NEAR(of_foam.value / contact.peak_pressure, 0.8, 1e-12);
+  EXPECT_EQ(of_foam.depth, 0.);
+}
+
 TEST(HertzLine, PressureIsEllipticAndCarriesTheForce) {
   const HertzLine line = hertz_line(1e6, 0.01, 1e11);
   EXPECT_DOUBLE_EQ(line.pressure(0.), line.peak_pressure);
