@@ -16,9 +16,14 @@ using dealii::Tensor;
 
 namespace {
 
-/// Shares of a source node's faces that must be covered by the target for the node to take part in
-/// the contact.
-constexpr double minimum_coverage = 1e-6;
+/// Share of a source node's faces that must be covered by the target for the node to take part in
+/// the contact: where a pin sticks out of its slot, layers beyond the wheel's face are covered to
+/// 1e-5 to 5e-4.
+constexpr double minimum_coverage = 1e-3;
+/// Of a node of which less is covered the gap is the mean over what is covered, weighted by its
+/// shape function: the dual one extrapolates to the node, as many times farther as less is covered.
+/// Where the target bends away, a node a diameter beside the contact was found to be closed.
+constexpr double extrapolated_coverage = 0.1;
 /// Below this reciprocal condition the covered sliver of a face is too thin for a basis of its own.
 constexpr double minimum_condition = 1e-14;
 
@@ -53,6 +58,7 @@ struct RowSum {
   double full_weight = 0.;
   Tensor<1, dim> normal;
   double gap = 0.;
+  double covered_gap = 0.;  ///< weighted by the shape function instead of the dual one
   std::map<unsigned int, double> coupling;
 };
 
@@ -77,6 +83,7 @@ void add_face(const Surface<dim>& source, const SurfaceFace<dim>& face,
       row.weight += p.weight * p.source_shapes[i];
       row.normal += p.weight * psi * p.normal;
       row.gap += p.weight * psi * p.gap;
+      row.covered_gap += p.weight * p.source_shapes[i] * p.gap;
       for (std::size_t k = 0; k < n; ++k)
         row.coupling[p.target_nodes[k]] += p.weight * psi * p.target_shapes[k];
     }
@@ -105,7 +112,8 @@ PackedRows packed(const std::vector<RowSum<dim>>& rows) {
     if (row.full_weight == 0.) continue;
     result.integers.push_back(node);
     result.integers.push_back(static_cast<unsigned int>(row.coupling.size()));
-    result.reals.insert(result.reals.end(), {row.weight, row.full_weight, row.gap});
+    result.reals.insert(result.reals.end(),
+                        {row.weight, row.full_weight, row.gap, row.covered_gap});
     for (unsigned int component = 0; component < dim; ++component)
       result.reals.push_back(row.normal[component]);
     for (const auto& [target, coupling] : row.coupling) {
@@ -125,6 +133,7 @@ void add_packed(const PackedRows& packed, std::vector<RowSum<dim>>& rows) {
     row.weight += *real++;
     row.full_weight += *real++;
     row.gap += *real++;
+    row.covered_gap += *real++;
     for (unsigned int component = 0; component < dim; ++component) row.normal[component] += *real++;
     for (unsigned int i = 0; i < couplings; ++i) row.coupling[*integer++] += *real++;
   }
@@ -160,8 +169,9 @@ std::vector<ContactRow<dim>> mortar_rows(const Surface<dim>& source, const Surfa
   for (unsigned int node = 0; node < sums.size(); ++node) {
     const RowSum<dim>& sum = sums[node];
     if (sum.weight <= minimum_coverage * sum.full_weight) continue;
-    rows.push_back(
-        {node, sum.weight, frame_along(sum.normal / sum.normal.norm()), sum.gap, couplings(sum)});
+    const bool is_extrapolated = sum.weight < extrapolated_coverage * sum.full_weight;
+    rows.push_back({node, sum.weight, frame_along(sum.normal / sum.normal.norm()),
+                    is_extrapolated ? sum.covered_gap : sum.gap, couplings(sum)});
   }
   return rows;
 }

@@ -160,6 +160,23 @@ TEST(Mortar, PartlyCoveredNodesKeepTheirShareAndUncoveredOnesHaveNoRow) {
   EXPECT_NEAR(row_of(rows, 2).weight, 0.08, round_off);
 }
 
+/// The target ends, along its normals, at 0.05 of the edge from 1 to 2, or at 0.02: the node at 2
+/// is covered by 0.0025 of its faces, or by 0.0004.
+TEST(Mortar, NodesBesideASliverHaveItsGapAndOnesWithoutEvenThatHaveNoRow) {
+  const double slope = 0.2;
+  const double cosine = 1. / std::hypot(1., slope);
+  const auto rows =
+      mortar_rows(underside({0., 1., 2.}, 0.6), upper_side({-1., 0.5, 1.125}, slope), plane_data());
+  ASSERT_EQ(rows.size(), 3U);
+  const ContactRow<2>& far = row_of(rows, 2);
+  EXPECT_LT(far.initial_gap, far.weight * (0.6 - slope * 1.) * cosine);
+  EXPECT_GT(far.initial_gap, far.weight * (0.6 - slope * 1.05) * cosine)
+      << "at the node itself it would be half of that";
+  const auto fewer = mortar_rows(underside({0., 1., 2.}, 0.6),
+                                 upper_side({-1., 0.5, 1.0962}, slope), plane_data());
+  EXPECT_EQ(fewer.size(), 2U);
+}
+
 /// A rotation of both bodies together, seen from flat surfaces in touch: M reproduces linear
 /// displacements. n . (omega x d) vanishes for a distance d along the normal too.
 TEST(Mortar, RotationOfBothBodiesTogetherOpensNoFlatGap) {
