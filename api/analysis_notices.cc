@@ -87,11 +87,10 @@ std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
 std::string doubtful(const post::PinLineReport& line) {
   constexpr double slender = 15.;  // an ellipse then loses 0.3 % of its pressure
   const loads::PinLineContact& contact = line.contact;
-  const loads::PinClearance& ends = line.pin.clearance;
   const double width = 2. * loads::peak_contact(line.pin, contact).half_width;
   if (contact.end - contact.begin < slender * width)
     return "the line contacts, which want a contact much longer than wide";
-  if (std::min(ends.upper_end - contact.end, contact.begin - ends.lower_end) < line.pin.radius)
+  if (loads::is_near_end(line.pin, contact))
     return "the line contacts, which know the pin as a long cylinder: an end of it is nearer to "
            "the contact than its radius";
   return "the finite elements, whose first mesh may be too coarse for the pin's bending: ask for a "

@@ -61,6 +61,10 @@ void append_line(post::EstimateReport& report, const loads::PinLine& pin) {
     report.left_out.emplace_back(
         "the bending stress where the pin is held: it is too short for a beam that is held twice");
   if (pin.hold == loads::PinHold::both_ends) return;
+  if (loads::is_near_end(pin, line))
+    report.left_out.emplace_back(
+        "what the pin's ends change: one is nearer to the contact than its radius; deflection and "
+        "slope are up to 7 % off");
   rows.push_back({"pin deflection", Dimension::length, line.deflection, "beam"});
   rows.push_back({"pin slope in the slot", Dimension::slope, line.slope, "beam"});
 }

@@ -335,6 +335,11 @@ double line_load_at(const PinLineContact& contact, const double place) {
   return section == contact.sections.end() ? 0. : section->line_load;
 }
 
+bool is_near_end(const PinLine& pin, const PinLineContact& contact) {
+  const PinClearance& ends = pin.clearance;
+  return std::min(ends.upper_end - contact.end, contact.begin - ends.lower_end) < pin.radius;
+}
+
 bool is_beam(const PinLine& pin) {
   constexpr double nearest = 1.3;  // in diameters
   const PinClearance& ends = pin.clearance;

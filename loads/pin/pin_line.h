@@ -86,6 +86,10 @@ HertzLine peak_contact(const PinLine& pin, const PinLineContact& contact);
 /// diameters its root moment is 10 to 90 % off (doc/validation.md).
 bool is_beam(const PinLine& pin);
 
+/// Whether an end of the pin, free or held, is nearer to the contact than the pin's radius: its
+/// deflection is then up to 7 % off (doc/validation.md), since it is taken as a long cylinder.
+bool is_near_end(const PinLine& pin, const PinLineContact& contact);
+
 /// q of the section at a place [N/m]; 0 beyond them.
 double line_load_at(const PinLineContact& contact, double place);
 
