@@ -420,8 +420,8 @@ def summary_lines(verdicts):
         lines.append(f"peak plainly within {100 * PEAK:g} % where the run reached its accuracy: "
                      f"{share(plain, len(reached))}")
     whole = [v for v in verdicts if v.is_valid]
-    lines.append(f"whether the contact reaches the edge is told alike in "
-                 f"{share(sum((v.row['edge pressure'] > 0) == (v.row["model's edge"] == 1) for v in whole), len(whole))}")
+    alike = sum((v.row["edge pressure"] > 0) == (v.row["model's edge"] == 1) for v in whole)
+    lines.append(f"whether the contact reaches the edge is told alike in {share(alike, len(whole))}")
     wrong = [v.row["pin"] for v in whole
              if abs(v.row["reported middle load"] - v.row["middle load"]) > 0.01 * v.row["middle load"]]
     lines.append("line_load.middle of summary.json is not that of sections.csv at z = 0, by more than 1 %: "
