@@ -165,10 +165,11 @@ class PlateElement {
     Eigen::Matrix<double, 2, 12> strains = Eigen::Matrix<double, 2, 12>::Zero();
     for (int corner = 0; corner < 4; ++corner) {
       const auto [value, dx, dy] = shape(corner, 0.5, 0.5, width, height);
-      strains(0, 3 * corner) = dx;
-      strains(0, 3 * corner + 1) = -value;
-      strains(1, 3 * corner) = dy;
-      strains(1, 3 * corner + 2) = -value;
+      const Eigen::Index first = 3L * corner;
+      strains(0, first) = dx;
+      strains(0, first + 1) = -value;
+      strains(1, first) = dy;
+      strains(1, first + 2) = -value;
     }
     return strains;
   }
@@ -199,7 +200,8 @@ class PlateGrid {
         if (part > 0.) append(entries, i, j, part * element.stiffness(width, height));
       }
     if (!is_held_) throw base::InputError("the plate is not held anywhere");
-    Eigen::SparseMatrix<double> matrix(3 * n_nodes_, 3 * n_nodes_);
+    const Eigen::Index n_dofs = 3L * n_nodes_;
+    Eigen::SparseMatrix<double> matrix(n_dofs, n_dofs);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
@@ -207,7 +209,7 @@ class PlateGrid {
   /// An even load along a line y = const., for beta_y, whose sum is 1.
   /// @throws base::InputError if the plate does not reach there
   [[nodiscard]] Eigen::VectorXd moment_along(const Point middle, const double length) const {
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * n_nodes_);
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(3L * n_nodes_);
     const auto row = static_cast<std::size_t>(
         std::lower_bound(ys_.begin(), ys_.end(), middle.y - finest_ / 4.) - ys_.begin());
     for (std::size_t i = 0; i < xs_.size(); ++i) {
