@@ -20,6 +20,9 @@ namespace {
 
 using Profile = model::PinCase::Profile;
 
+/// Of the line contacts of the pins before and after, relative.
+constexpr double accuracy_shown = 5e-4;
+
 void check(const model::Case& given) {
   if (!given.mechanism)
     model::refuse_model(given, "there is no pin to crown", "geneva design --crown", "mechanism");
@@ -85,15 +88,14 @@ loads::ProfileDuty duty_of(const model::MechanismCase& mechanism,
 }
 
 /// The pin of the case at the worst of the tilts.
-std::pair<double, loads::LoadEvenness> as_it_is(const loads::ProfileDuty& duty) {
-  constexpr double accuracy = 5e-4;
-  std::pair<double, loads::LoadEvenness> worst{};
+loads::LoadEvenness as_it_is(const loads::ProfileDuty& duty) {
+  loads::LoadEvenness worst{};
   for (const double tilt : duty.tilts) {
     loads::PinLine pin = duty.pin;
     pin.clearance.tilt = tilt;
     const loads::LoadEvenness load =
-        loads::load_evenness(pin, loads::pin_line_contact(pin, duty.force, accuracy));
-    if (load.maximum > worst.second.maximum) worst = {tilt, load};
+        loads::load_evenness(pin, loads::pin_line_contact(pin, duty.force, accuracy_shown));
+    if (load.maximum > worst.maximum) worst = load;
   }
   return worst;
 }
@@ -118,9 +120,9 @@ post::CrownReport search(const model::Case& given) {
   report.worst_tilt = tilt;
   report.trials = found.trials;
   report.map = loads::map_around(duty, found.best.size);
-  std::tie(report.tilt_before, report.before) = as_it_is(duty);
-  constexpr double accuracy = 5e-4;
-  report.after = loads::load_evenness(best, loads::pin_line_contact(best, duty.force, accuracy));
+  report.before = as_it_is(duty);
+  report.after =
+      loads::load_evenness(best, loads::pin_line_contact(best, duty.force, accuracy_shown));
   return report;
 }
 

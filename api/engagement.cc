@@ -1,12 +1,10 @@
 #include "api/engagement.h"
 
 #include <cmath>
-#include <optional>
 
 #include "api/mechanism_picture.h"
 #include "base/errors.h"
 #include "loads/motion/kinematics.h"
-#include "model/pin_in_space.h"
 
 namespace geneva::api {
 
@@ -45,10 +43,11 @@ std::vector<EngagementPoint> loaded_points(const std::vector<loads::KinematicsRo
 }  // namespace
 
 std::vector<EngagementPoint> engagement(const model::MechanismCase& mechanism,
-                                        const model::MechanismState& state) {
+                                        const model::MechanismState& state,
+                                        const std::optional<loads::PinLine>& pin) {
   std::vector<EngagementPoint> points = loaded_points(loads::kinematics_rows(
       state.driven, state.train, pin_contact(mechanism, state.sizes), steps_of_cycle));
-  if (const auto pin = model::pin_line_if_known(mechanism, state))
+  if (pin)
     for (EngagementPoint& point : points) point.peak_pressure = peak_of(*pin, point.force);
   return points;
 }

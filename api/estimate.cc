@@ -155,7 +155,8 @@ post::EstimateReport estimate_report(const Case& given) {
   } else {
     append_hertz(report.rows, report.even, by_hertz);
   }
-  report.engagement = api::engagement(mechanism, state);
+  report.engagement =
+      api::engagement(mechanism, state, known ? std::optional(known->pin) : std::nullopt);
   append_engagement(report);
   append_strength(report, given.allowed, known && loads::is_beam(known->pin));
   append_left_out(report, mechanism);

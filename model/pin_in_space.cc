@@ -212,23 +212,13 @@ loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& st
               : 0.};
 }
 
-std::optional<loads::PinLine> pin_line_if_known(const MechanismCase& mechanism,
-                                                const MechanismState& state) {
-  if (!mechanism.space) return std::nullopt;
-  try {
-    return pin_line(mechanism, state);
-  } catch (const base::InputError&) {
-    return std::nullopt;
-  }
-}
-
 std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
                                              const MechanismState& state) {
   constexpr double accuracy = 5e-4;
-  const auto pin = pin_line_if_known(mechanism, state);
-  if (!pin) return std::nullopt;
+  if (!mechanism.space) return std::nullopt;
   try {
-    return KnownPinLine{*pin, loads::pin_line_contact(*pin, state.load.force, accuracy)};
+    const loads::PinLine pin = pin_line(mechanism, state);
+    return KnownPinLine{pin, loads::pin_line_contact(pin, state.load.force, accuracy)};
   } catch (const base::InputError&) {
     return std::nullopt;
   }

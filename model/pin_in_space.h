@@ -36,10 +36,6 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const Mec
 /// of pin or wheel is negative
 loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state);
 
-/// The same; none where it throws.
-std::optional<loads::PinLine> pin_line_if_known(const MechanismCase& mechanism,
-                                                const MechanismState& state);
-
 /// Of the pin as line contacts, under the pin force.
 struct KnownPinLine {
   loads::PinLine pin;

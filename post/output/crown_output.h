@@ -26,7 +26,6 @@ struct CrownReport {
   std::vector<loads::ProfileTrial> trials;  ///< in their order
   loads::ProfileMap map;                    ///< around the profile found
   loads::LoadEvenness before;               ///< the case's profile, at its worst tilt
-  double tilt_before;                       ///< that [rad]
   loads::LoadEvenness after;                ///< the one found, at its worst tilt
   std::optional<loads::LoadEvenness> confirmed;  ///< the same by finite elements
 };
