@@ -1,6 +1,7 @@
 #include "fem/discretisation/refined_mesh.h"
 
 #include <deal.II/distributed/solution_transfer.h>
+#include <deal.II/dofs/dof_tools.h>
 
 #include <utility>
 

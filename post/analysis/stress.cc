@@ -21,13 +21,6 @@ using dealii::Point;
 
 namespace {
 
-std::array<double, 4> components(const fem::PlaneStress& stress) {
-  return {stress.in_plane[0][0], stress.in_plane[1][1], stress.out_of_plane, stress.in_plane[0][1]};
-}
-std::array<double, 6> components(const dealii::SymmetricTensor<2, 3>& stress) {
-  return {stress[0][0], stress[1][1], stress[2][2], stress[0][1], stress[0][2], stress[1][2]};
-}
-
 /// The maximum of the ranks' peaks, with its place, on every rank.
 template <int dim>
 StressPeak<dim> maximum(const MPI_Comm communicator, const StressPeak<dim>& local) {
@@ -165,49 +158,9 @@ double in_plane_shear(const fem::PlaneStress& stress) {
 
 template <int dim>
 NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
-  NodalStress<dim> result;
-  result.element = fem::linear_element<dim>(n_stress_components<dim>);
-  result.dof_handler = std::make_unique<dealii::DoFHandler<dim>>(*solution.triangulation);
-  result.dof_handler->distribute_dofs(*result.element);
-  const MPI_Comm communicator = solution.dof_handler->get_communicator();
-  const dealii::IndexSet owned = result.dof_handler->locally_owned_dofs();
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*result.dof_handler, relevant);
-  fem::Vector sum(owned, relevant, communicator);
-  fem::Vector weight(owned, relevant, communicator);
-
-  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QTrapezoid<dim>());
-  std::vector<dealii::types::global_dof_index> dofs(result.element->n_dofs_per_cell());
-  dealii::Vector<double> values(result.element->n_dofs_per_cell());
-  dealii::Vector<double> weights(result.element->n_dofs_per_cell());
-  auto stress_cell = result.dof_handler->begin_active();
-  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
-    if (cell->is_locally_owned()) {
-      const auto stresses = evaluate(cell, solution.displacement);
-      const double measure = cell->measure();
-      stress_cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < dofs.size(); ++i) {
-        const auto [component, vertex] = result.element->system_to_component_index(i);
-        values[i] = measure * components(stresses[vertex])[component];
-        weights[i] = measure;
-      }
-      sum.add(dofs, values);
-      weight.add(dofs, weights);
-    }
-    ++stress_cell;
-  }
-  sum.compress(dealii::VectorOperation::add);
-  weight.compress(dealii::VectorOperation::add);
-  fem::Vector average(owned, communicator);
-  for (const auto dof : owned) average(dof) = sum(dof) / weight(dof);
-  average.compress(dealii::VectorOperation::insert);
-
-  dealii::AffineConstraints<double> hanging(relevant);
-  dealii::DoFTools::make_hanging_node_constraints(*result.dof_handler, hanging);
-  hanging.close();
-  hanging.distribute(average);
-  result.values = fem::with_ghosts(average, relevant);
-  return result;
+  return fem::recovered_stress(
+      *solution.dof_handler, solution.displacement, solution.problem,
+      fem::boundary_tractions(solution.mesh, solution.problem, solution.scales, solution.contacts));
 }
 
 template <int dim>

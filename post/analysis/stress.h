@@ -10,6 +10,7 @@
 #include "fem/discretisation/vector.h"
 #include "fem/elasticity/elasticity.h"
 #include "fem/solution.h"
+#include "fem/stress_recovery.h"
 
 namespace geneva::post {
 
@@ -41,15 +42,9 @@ double max_shear(const std::array<double, 3>& principal);
 /// Maximum shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
 double in_plane_shear(const fem::PlaneStress& stress);
 
-/// Stress at the nodes [Pa], continuous within each body: the average of the cells' stresses at the
-/// node, weighted with their measure. Its components are in the order of fem::StressVector.
-template <int dim>
-struct NodalStress {
-  std::unique_ptr<dealii::FESystem<dim>> element;
-  std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
-  fem::Vector values;  ///< ghosted
-};
+using fem::NodalStress;
 
+/// Recovered at the nodes, see fem::recovered_stress().
 template <int dim>
 NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution);
 

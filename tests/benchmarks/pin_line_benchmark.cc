@@ -34,7 +34,7 @@ PinLine johnson() {
 }
 
 /// Argument: accuracy in 1e-5.
-void BM_one_pin(benchmark::State& state) {
+void one_pin(benchmark::State& state) {
   const PinLine pin = johnson();
   const double accuracy = 1e-5 * static_cast<double>(state.range(0));
   PinLineContact contact;
@@ -44,10 +44,10 @@ void BM_one_pin(benchmark::State& state) {
   }
   state.counters["sections"] = static_cast<double>(contact.sections.size());
 }
-BENCHMARK(BM_one_pin)->Arg(100)->Arg(20)->Arg(5)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(one_pin)->Arg(100)->Arg(20)->Arg(5)->Arg(1)->Unit(benchmark::kMillisecond);
 
 /// Crowns and tilts, each at 0.1 %.
-void BM_thousand_pins(benchmark::State& state) {
+void thousand_pins(benchmark::State& state) {
   PinLine pin = johnson();
   for ([[maybe_unused]] auto _ : state)
     for (int i = 0; i < 1000; ++i) {
@@ -56,29 +56,29 @@ void BM_thousand_pins(benchmark::State& state) {
       benchmark::DoNotOptimize(pin_line_contact(pin, force, 1e-3));
     }
 }
-BENCHMARK(BM_thousand_pins)->Unit(benchmark::kMillisecond);
+BENCHMARK(thousand_pins)->Unit(benchmark::kMillisecond);
 
 /// Of a contact that reaches a sharp edge.
-void BM_pin_at_an_edge(benchmark::State& state) {
+void pin_at_an_edge(benchmark::State& state) {
   PinLine pin = johnson();
   pin.clearance.profile = Cylinder{};
   pin.clearance.tilt = 0.;
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(pin_line_contact(pin, force, 1e-3));
 }
-BENCHMARK(BM_pin_at_an_edge)->Unit(benchmark::kMillisecond);
+BENCHMARK(pin_at_an_edge)->Unit(benchmark::kMillisecond);
 
-void BM_start_of_tables(benchmark::State& state) {
+void start_of_tables(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(CylinderKernel(0.28));
     benchmark::DoNotOptimize(CylinderKernel(0.28, PinInside::held_core, 0.42));
     benchmark::DoNotOptimize(SlabKernel(0.28));
   }
 }
-BENCHMARK(BM_start_of_tables)->Unit(benchmark::kMillisecond);
+BENCHMARK(start_of_tables)->Unit(benchmark::kMillisecond);
 
 /// The crown of a pin that may lean by 0.05 deg.
-void BM_crown_search(benchmark::State& state) {
+void crown_search(benchmark::State& state) {
   const double tilt = 0.05 * degree;
   const ProfileDuty duty{
       johnson(), [](const double size) { return Crown{size}; }, 20., 0.02, {-tilt, tilt}, force};
@@ -87,7 +87,7 @@ void BM_crown_search(benchmark::State& state) {
     benchmark::DoNotOptimize(map_around(duty, found.best.size));
   }
 }
-BENCHMARK(BM_crown_search)->Unit(benchmark::kMillisecond);
+BENCHMARK(crown_search)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -307,7 +307,7 @@ int check() {
 
 }  // namespace
 
-int main(const int argc, char** const argv) {
+int main(const int argc, char** const argv) {  // NOLINT(bugprone-exception-escape)
   if (argc > 1 && std::strcmp(argv[1], "--check") == 0) return check();
   print_table();
   return 0;

@@ -85,7 +85,9 @@ struct Malloc {
   Malloc() = default;
   template <typename U>
   Malloc(const Malloc<U>& /*other*/) {}
-  T* allocate(const std::size_t n) { return static_cast<T*>(std::malloc(n * sizeof(T))); }
+  T* allocate(const std::size_t n) {
+    return static_cast<T*>(std::malloc(n * sizeof(T)));  // NOLINT(bugprone-sizeof-expression)
+  }
   void deallocate(T* const memory, std::size_t /*n*/) { std::free(memory); }
   bool operator==(const Malloc& /*other*/) const { return true; }
   bool operator!=(const Malloc& /*other*/) const { return false; }

@@ -22,7 +22,7 @@ void fail(const std::string& kind) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape)
   if (argc != 3) return 1;
   const std::string kind = argv[1];
   const std::string failing = argv[2];

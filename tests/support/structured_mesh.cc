@@ -27,7 +27,7 @@ struct Grid {
 
   [[nodiscard]] unsigned int cells() const { return wraps ? columns : columns - 1; }
   [[nodiscard]] unsigned int node(const unsigned int column, const unsigned int row) const {
-    return first + row * columns + column % columns;
+    return first + row * columns + (column == columns ? 0 : column);
   }
 };
 

@@ -21,8 +21,7 @@ struct Grids {
           for (int other = 0; other < n; ++other)
             if (std::abs(other_row - row) <= 1 && std::abs(other - column) <= 1 &&
                 (other_row != row || other != column))
-              neighbours[static_cast<std::size_t>(row * n + column)].push_back(other_row * n +
-                                                                               other);
+              neighbours[bodies.size() - 1].push_back(other_row * n + other);
       }
   }
 

@@ -24,8 +24,6 @@
 namespace geneva::fem::test {
 namespace {
 
-using dealii::Point;
-using dealii::Tensor;
 using geneva::test::equal_steps;
 
 /// Stiffness of a block of 6 x 6 x 3 cells whose bottom is held and whose lower end

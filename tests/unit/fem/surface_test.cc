@@ -282,7 +282,7 @@ TEST(Boundary, OfARefinedRingHasTheSameArcLengthAndOrderOnEveryRank) {
     ASSERT_EQ(after.nodes.size(), 64U);
     EXPECT_NEAR(before.length, 2. * pi * radius, 64. * round_off);
     EXPECT_NEAR(after.length, 2. * pi * radius, 64. * round_off);
-    for (unsigned int i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i)
       EXPECT_NEAR(before.nodes[i].arc_length, after.nodes[8 * i].arc_length, 64. * round_off);
     for (const SurfaceNode<2>& node : after.nodes) {
       const Tensor<1, 2> radial = (node.position - Point<2>(0.2, 0.1)) / radius;

@@ -14,7 +14,7 @@ TEST(UnknownRanges, KnowTheOwnerOfEachUnknown) {
   const UnknownRanges ranges(static_cast<int>(3 * this_rank), MPI_COMM_WORLD);
   std::vector<unsigned int> owners;
   for (unsigned int rank = 0; rank < ranges.n_ranks(); ++rank)
-    owners.insert(owners.end(), 3 * rank, rank);
+    owners.insert(owners.end(), std::size_t{3} * rank, rank);
   ASSERT_EQ(ranges.n_all(), static_cast<int>(owners.size()));
   EXPECT_EQ(ranges.n_own(), static_cast<int>(3 * this_rank));
   for (int unknown = 0; unknown < ranges.n_all(); ++unknown) {

@@ -20,7 +20,8 @@ using namespace geneva::post;
 using Place = std::array<double, 3>;
 
 Place corner(const unsigned int index) {
-  return {index % 2 * 1., index / 2 % 2 * 1., index / 4 * 1.};
+  const auto bit = [&](const unsigned int i) { return index & (1U << i) ? 1. : 0.; };
+  return {bit(0), bit(1), bit(2)};
 }
 
 Place place(const EdgePoint& point) {

@@ -16,7 +16,8 @@ using namespace geneva::loads;
 TEST(PinPlace, GoesRoundTheDriversAxisAlsoWhileTheWheelRests) {
   const double centre = 0.1;
   const double crank = centre * std::sin(pi / 5);
-  for (double angle = -3.; angle < 3.; angle += 0.3) {
+  for (int step = -10; step < 10; ++step) {
+    const double angle = 0.3 * step;
     const Place outside = pin_place(external_geneva(5, centre).motion(angle));
     EXPECT_NEAR(outside.x, centre - crank * std::cos(angle), 1e-15);
     EXPECT_NEAR(outside.y, crank * std::sin(angle), 1e-15);
@@ -30,7 +31,8 @@ TEST(PinPlace, OfASphericalGenevaIsOnTheSphereAtTheSameAngleFromTheDriversAxis) 
   const double shaft = 1.2;
   const Mechanism mechanism = spherical_geneva(6, shaft, 0.05);
   const double cosine = std::sqrt(1. - std::pow(std::sin(shaft) * std::sin(pi / 6), 2));
-  for (double angle = -3.; angle < 3.; angle += 0.3) {
+  for (int step = -10; step < 10; ++step) {
+    const double angle = 0.3 * step;
     const Place pin = pin_place(mechanism.motion(angle));
     EXPECT_NEAR(std::hypot(pin.x, pin.y, pin.z), 0.05, 1e-15);
     EXPECT_NEAR((pin.x * std::sin(shaft) + pin.z * std::cos(shaft)) / 0.05, cosine, 1e-14);

@@ -175,7 +175,8 @@ TEST(PinLoad, HasOneWallThatAgreesWithItsOwnFriction) {
   for (const double moment : {-0.4, -0.02, 0.02, 0.4}) {
     WheelTrain train = rough_train(0.6, 0.02);
     train.external_torque = moment;
-    for (double angle = -44.; angle < 45.; angle += 0.25) {
+    for (int step = -176; step < 180; ++step) {
+      const double angle = 0.25 * step;
       const MotionState state = driven(4, 5.).at_engaged_angle(angle * degree);
       const PinLoad load = pin_load(state, train);
       int solutions = 0;
@@ -203,8 +204,8 @@ TEST(PeakForceAngle, IsOnTheGreaterSideOfAJumpOfFriction) {
   EXPECT_NEAR(angle / degree, -8.1766, 5.1e-5);
   const double peak = load_at(driven(4), train, angle).force;
   double sampled = 0.;
-  for (double at = -44.9; at < 45.; at += 0.001)
-    sampled = std::max(sampled, load_at(driven(4), train, at * degree).force);
+  for (int step = -44900; step < 45000; ++step)
+    sampled = std::max(sampled, load_at(driven(4), train, 1e-3 * step * degree).force);
   EXPECT_GE(peak, sampled);
   EXPECT_NEAR(peak, sampled, 1e-4 * peak) << "a thousandth of a degree away";
   EXPECT_LT(load_at(driven(4), train, angle - 1e-9).force, 0.98 * peak);

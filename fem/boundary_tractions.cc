@@ -1,0 +1,91 @@
+#include "fem/boundary_tractions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace geneva::fem {
+
+namespace {
+
+/// Vertices of a plane agree to this share of the mesh's size.
+constexpr double rounding = 1e-9;
+
+/// Whether every face of a surface has one coordinate along an axis.
+template <int dim>
+bool is_normal_to(const unsigned int axis, const mesh::MeshData<dim>& mesh,
+                  const unsigned int surface, const double size) {
+  return std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const mesh::Face<dim>& face) {
+    const double place = mesh.vertices[face.vertices.front()][axis];
+    return face.surface != surface ||
+           std::all_of(face.vertices.begin(), face.vertices.end(), [&](const unsigned int vertex) {
+             return std::abs(mesh.vertices[vertex][axis] - place) <= rounding * size;
+           });
+  });
+}
+
+/// The component that a support holds, if it holds one only and that at rest.
+template <int dim>
+std::optional<unsigned int> only_held_component(const Support<dim>& support) {
+  std::optional<unsigned int> held;
+  for (unsigned int i = 0; i < dim; ++i) {
+    if (!support.displacement[i]) continue;
+    if (held || *support.displacement[i] != 0.) return std::nullopt;
+    held = i;
+  }
+  return held;
+}
+
+template <int dim>
+SurfaceTraction<dim> of_support(const mesh::MeshData<dim>& mesh, const Support<dim>& support,
+                                const unsigned int surface, const double size) {
+  const auto axis = only_held_component(support);
+  if (axis && is_normal_to(*axis, mesh, surface, size))
+    return {TractionKind::mirrored, *axis, 0., {}};
+  return {TractionKind::unknown, 0, 0., {}};
+}
+
+}  // namespace
+
+template <int dim>
+BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
+                                          const Problem<dim>& problem, const Scales& scales,
+                                          const std::vector<ContactResult<dim>>& contacts) {
+  BoundaryTractions<dim> result;
+  result.surfaces.resize(mesh.surfaces.size());
+  const auto of = [&](const std::string& name) -> SurfaceTraction<dim>& {
+    return result.surfaces[mesh::index_of(mesh.surfaces, name)];
+  };
+  for (const SurfaceLoad<dim>& load : problem.loads) {
+    of(load.surface).pressure += load.pressure;
+    for (unsigned int i = 0; i < dim; ++i) of(load.surface).traction[i] += load.traction[i];
+  }
+  for (const ContactPair& pair : problem.pairs)
+    of(pair.source).kind = of(pair.target).kind = TractionKind::contact;
+  for (const Support<dim>& support : problem.supports)
+    of(support.surface) =
+        of_support(mesh, support, mesh::index_of(mesh.surfaces, support.surface), scales.length);
+  for (const RigidTie<dim>& tie : problem.ties) of(tie.surface).kind = TractionKind::unknown;
+  for (mesh::Circle circle : mesh.circles) {
+    for (double& coordinate : circle.centre) coordinate /= scales.length;
+    circle.radius /= scales.length;
+    result.circles.push_back(circle);
+  }
+  for (const ContactResult<dim>& contact : contacts)
+    for (const ContactNode<dim>& node : contact.nodes) {
+      if (!is_closed(node.status)) continue;
+      result.in_contact.emplace_back();
+      for (unsigned int i = 0; i < dim; ++i)
+        result.in_contact.back()[i] = node.position[i] / scales.length;
+    }
+  return result;
+}
+
+template BoundaryTractions<2> boundary_tractions(const mesh::MeshData<2>&, const Problem<2>&,
+                                                 const Scales&,
+                                                 const std::vector<ContactResult<2>>&);
+template BoundaryTractions<3> boundary_tractions(const mesh::MeshData<3>&, const Problem<3>&,
+                                                 const Scales&,
+                                                 const std::vector<ContactResult<3>>&);
+
+}  // namespace geneva::fem
