@@ -10,6 +10,7 @@
 #include "model/input/parameters.h"
 #include "model/naming.h"
 #include "model/stop_message.h"
+#include "post/analysis/strength_rows.h"
 
 namespace geneva::api {
 
@@ -64,6 +65,27 @@ std::vector<std::string> impact_notices(const model::Case& given) {
           fmt::format("the wheel's speed jumps at a driver angle of {:.6g} deg: the safety factors "
                       "leave out that impact",
                       place.driver_angle / loads::degree));
+  return notices;
+}
+
+/// Stresses away from the contact that are not as accurate as asked for, and why.
+template <int dim>
+std::vector<std::string> strength_notices(const model::Case& given,
+                                          const fem::Solution<dim>& solution) {
+  const auto wanted = given.settings.structural_accuracy;
+  std::vector<std::string> notices;
+  for (const post::NamedStress<dim>& stress : post::named_stresses(solution)) {
+    const double error = stress.maximum.total_error();
+    if (!wanted || error <= *wanted) continue;
+    notices.push_back(fmt::format(
+        "the maximum {} of '{}' away from the contact is known to {:.2g} %, 'Structural accuracy' "
+        "asks for {:.2g} %: {}",
+        stress.name, stress.body, 100. * error, 100. * *wanted,
+        stress.maximum.choice > stress.maximum.error
+            ? "it stands where the contact's own field still counts, so that it depends on what is "
+              "taken for that field"
+            : "more meshes do not help it, or none was allowed"));
+  }
   return notices;
 }
 
@@ -150,6 +172,7 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
   for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
   for (const post::ContactAnalysis<dim>& contact : results.contacts)
     if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection);
+  for (const std::string& notice : strength_notices(given, solution)) notices.push_back(notice);
   if (!given.mechanism) return notices;
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
   for (const std::string& notice : length_notices(solution, results, given.units))

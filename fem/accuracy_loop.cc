@@ -20,7 +20,8 @@ AccuracyLoop<dim>::AccuracyLoop(const MPI_Comm communicator, const mesh::MeshDat
       settings_(settings),
       progress_(progress),
       limits_(communicator, settings),
-      refinement_(mesh, problem, settings) {
+      refinement_(mesh, problem, settings),
+      strength_(mesh, problem, settings.structural_accuracy) {
   solution_.problem = problem;
   solution_.scales = scales_of(problem, mesh);
   solution_.mesh = mesh;
@@ -115,12 +116,22 @@ void AccuracyLoop<dim>::record() {
   find_smooth_parts();
   LevelRecord record = record_of(solution_, *equilibrium_, *found_, refinement_.surface_ids());
   refinement_.record(record);
+  find_strength(solution_.history.size());
+  record.strength = values_of(solution_.strength);
   record.seconds = seconds_before_ + timer_.wall_time();
   solution_.history.push_back(record);
   estimate();
   if (progress_.level) progress_.level(solution_.history.back());
   if (progress_.solution) progress_.solution(solution_);
   save();
+}
+
+/// @param meshes_before number of them in the history
+template <int dim>
+void AccuracyLoop<dim>::find_strength(const std::size_t meshes_before) {
+  solution_.strength =
+      strength_.find(solution_, meshes_before == 0 ? std::vector<double>{}
+                                                   : solution_.history[meshes_before - 1].strength);
 }
 
 template <int dim>
@@ -151,6 +162,7 @@ template <int dim>
 bool AccuracyLoop<dim>::make_next_mesh() {
   std::optional<Stop> stop = choose_refinement();
   if (!stop) {
+    strength_.forget_stress();
     state_ = refinement_.refine(*equilibrium_, *found_, std::move(state_), solution_.history);
     is_ahead_ = true;
     stop = limits_.exceeded_by(solution_.dof_handler->n_dofs());
@@ -170,7 +182,11 @@ std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
                         refinement_.state().n_refinements},
                        settings_);
   };
-  if (const auto stop = why()) return stop;
+  if (const auto stop = why()) {
+    if (!is_success(stop->outcome)) return stop;
+    const auto growth = worth_refining_for_strength();
+    return growth ? limits_.exceeded_by_next(*growth, solution_.history, seconds_before_) : stop;
+  }
   std::optional<double> growth = worth_refining();
   if (!growth) {  // only the zone's part of the error is left
     error_.surroundings = 0.;
@@ -179,12 +195,34 @@ std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
     if (const auto stop = why()) return stop;
     growth = worth_refining();
   }
+  // Else it is not known yet whether there is a contact.
+  const LevelRecord& now = solution_.history.back();
+  if (now.peak_pressure > 0. && !now.cycled)
+    *growth += RefinementPass<dim>::growth_by_flagged(strength_.flag(solution_), solution_.history);
   return limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
 }
 
 template <int dim>
 std::optional<double> AccuracyLoop<dim>::worth_refining() {
   return refinement_.choose(*equilibrium_, *found_, solution_.history, error_);
+}
+
+/// Where the contact is as accurate as asked, the cells that the maxima of stress away from it
+/// need.
+/// @return by what the number of cells grows; nothing if they need none
+template <int dim>
+std::optional<double> AccuracyLoop<dim>::worth_refining_for_strength() {
+  constexpr std::ptrdiff_t most_passes = dim == 2 ? 6 : 1;  // each takes a solve
+  const auto& history = solution_.history;
+  const auto last_for_contact =
+      std::find_if(history.rbegin(), history.rend(),
+                   [](const LevelRecord& level) { return level.refined != Refined::nothing; });
+  if (last_for_contact - history.rbegin() >= most_passes ||
+      refinement_.state().n_refinements >= settings_.max_levels)
+    return std::nullopt;
+  const unsigned int flagged = strength_.flag(solution_);
+  if (flagged == 0) return std::nullopt;
+  return refinement_.choose_flagged(flagged, solution_.history);
 }
 
 /// Of one rank's memory the last mesh's state is kept, too, for when it runs out.
@@ -215,6 +253,7 @@ void AccuracyLoop<dim>::restore(const Checkpoint<dim>& start) {
   seconds_before_ = start.history.back().seconds;
   take_result();
   find_smooth_parts();
+  find_strength(solution_.history.size() - 1);
   estimate();
 }
 

@@ -12,6 +12,7 @@
 #include "fem/equilibrium.h"
 #include "fem/last_mesh.h"
 #include "fem/refinement_pass.h"
+#include "fem/strength_pass.h"
 
 namespace geneva::fem {
 
@@ -35,8 +36,10 @@ class AccuracyLoop {
   bool make_next_mesh();
   std::optional<Stop> choose_refinement();
   std::optional<double> worth_refining();
+  std::optional<double> worth_refining_for_strength();
   void take_result();
   void find_smooth_parts();
+  void find_strength(std::size_t meshes_before);
   void estimate();
   void save();
   void restore(const Checkpoint<dim>& start);
@@ -52,6 +55,7 @@ class AccuracyLoop {
   Solution<dim> solution_;
   std::optional<Equilibrium<dim>> equilibrium_;
   RefinementPass<dim> refinement_;
+  StrengthPass<dim> strength_;
   State<dim> state_;                 ///< on the present mesh
   std::optional<LevelState> found_;  ///< on the last mesh that was solved
   PressureError error_;

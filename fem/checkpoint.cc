@@ -89,6 +89,7 @@ void visit_record(Record& record, const Visit& visit) {
   visit("error_estimate", record.error_estimate);
   visit("mid_length_pressure", record.mid_length_pressure);
   visit("end_pressure", record.end_pressure);
+  visit("strength", record.strength);
   visit("halvings", record.halvings);
   visit("active_nodes", record.active_nodes);
   visit("nodes_across", record.nodes_across);

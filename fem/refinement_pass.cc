@@ -123,6 +123,17 @@ std::optional<double> RefinementPass<dim>::choose(const Equilibrium<dim>& equili
 }
 
 template <int dim>
+double RefinementPass<dim>::choose_flagged(const unsigned int flagged, const History& history) {
+  refined_ = Refined::nothing;
+  return growth_by<dim>(flagged, history);
+}
+
+template <int dim>
+double RefinementPass<dim>::growth_by_flagged(const unsigned int flagged, const History& history) {
+  return growth_by<dim>(flagged, history) - 1.;
+}
+
+template <int dim>
 bool RefinementPass<dim>::has_spread(const Level<dim>& level) const {
   constexpr double maximum_ratio = 4.;
   const double now = unevenness_of(level);

@@ -29,6 +29,13 @@ class RefinementPass {
   std::optional<double> choose(const Equilibrium<dim>& equilibrium, const LevelState& found,
                                const std::vector<LevelRecord>& history, const PressureError& error);
 
+  /// Leaves it at the cells that have been flagged.
+  /// @return by what the number of cells grows
+  double choose_flagged(unsigned int flagged, const std::vector<LevelRecord>& history);
+
+  /// By how much further flagged cells make the number of cells grow.
+  static double growth_by_flagged(unsigned int flagged, const std::vector<LevelRecord>& history);
+
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no
   /// use, the zone around them is refined once more before the next solve.
   State<dim> refine(Equilibrium<dim>& equilibrium, const LevelState& found, State<dim> now,

@@ -17,6 +17,7 @@ struct NodalStress {
   std::unique_ptr<dealii::FESystem<dim>> element;
   std::unique_ptr<dealii::DoFHandler<dim>> dof_handler;
   Vector values;  ///< ghosted
+  Vector doubt;   ///< by how much they may be off, as a stress; the same order
 };
 
 /// Superconvergent patch recovery (O. C. Zienkiewicz and J. Z. Zhu, Int. J. Numer. Meth. Engng 33,
@@ -28,6 +29,10 @@ struct NodalStress {
 /// traction is known and the surface smooth, the strains along the surface are those of the nodes'
 /// displacements and the stress on it is the traction (see surface_stress()); at an edge or corner
 /// that sticks out, what is not along it is zero.
+///
+/// The doubt is a share of the difference from a poorer recovery: at free surfaces of that from
+/// inside alone, elsewhere of the mean of the cells around, whose error is of the first order, so
+/// that the share is one in proportion to the relative difference.
 /// @param displacement ghosted
 template <int dim>
 NodalStress<dim> recovered_stress(const dealii::DoFHandler<dim>& dof_handler,

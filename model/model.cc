@@ -49,6 +49,7 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
     problem.bodies.push_back(
         {body, {material.youngs_modulus, material.poissons_ratio}, {}, material.density});
     if (is_wheel && !mechanism.is_local) problem.bodies.back().force.rotation = rotation;
+    problem.bodies.back().is_cut_out = is_wheel && mechanism.is_local;
   }
   fem::Support<dim> support{held_surface, {}};
   support.displacement.fill(0.);

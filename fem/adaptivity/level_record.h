@@ -25,7 +25,8 @@ struct LevelRecord {
   /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
-  unsigned int halvings;  ///< of the contact's cells since the mesh before
+  std::vector<double> strength;  ///< maxima of stress outside of the contacts [Pa], see values_of()
+  unsigned int halvings;         ///< of the contact's cells since the mesh before
   unsigned int active_nodes;
   unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close

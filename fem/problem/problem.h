@@ -59,7 +59,8 @@ struct Body {
   std::string name;
   Material material;
   BodyForce<dim> force;
-  double density = 0.;  ///< [kg/m^3], >= 0
+  double density = 0.;      ///< [kg/m^3], >= 0
+  bool is_cut_out = false;  ///< of a larger body, whose stresses away from the contacts it has not
 };
 
 /// Prescribed displacement [m] of a surface, by component; a component without a value is free.

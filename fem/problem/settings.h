@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace geneva::fem {
 
 /// Which solver of linear systems is taken.
@@ -11,7 +13,10 @@ enum class LinearSolver {
 
 /// When to stop refining, and what limits the effort.
 struct Settings {
-  double accuracy = 0.005;          ///< wanted relative error of the peak contact pressure, > 0
+  double accuracy = 0.005;  ///< wanted relative error of the peak contact pressure, > 0
+  /// Wanted relative error of the maxima of stress outside of the contacts, > 0; nothing: the mesh
+  /// is not refined for them.
+  std::optional<double> structural_accuracy = 0.02;
   unsigned int max_levels = 20;     ///< refinements of the coarse mesh
   unsigned int max_dofs = 2000000;  ///< displacement unknowns
   double max_memory = 16e9;         ///< peak resident memory of all ranks together [bytes]

@@ -92,10 +92,18 @@ fem::LinearSolver read_linear_solver(const CaseSection& section) {
   return word == "ML" ? fem::LinearSolver::library : fem::LinearSolver::automatic;
 }
 
+std::optional<double> read_structural_accuracy(const CaseSection& section, const int dimension) {
+  const std::string name = "Structural accuracy";
+  const auto given = section.optional_value(name);
+  if (given || section.text(name) == "off" || dimension == 3) return given;
+  return 0.02;
+}
+
 fem::Settings read_settings(const CaseSection& section, const int dimension) {
   const double accuracy_by_dimension = dimension == 3 ? 0.05 : 0.005;
   fem::Settings settings;
   settings.accuracy = section.optional_value("Accuracy").value_or(accuracy_by_dimension);
+  settings.structural_accuracy = read_structural_accuracy(section, dimension);
   settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
   settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
   settings.max_memory = section.value("Maximum memory");

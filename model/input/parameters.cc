@@ -484,6 +484,14 @@ std::vector<Parameter> settings_parameters() {
        "Wanted relative error of the peak contact pressure: the mesh is refined until its "
        "estimate is smaller. 'by dimension': 0.5 % in the plane, 5 % in 3-D."},
       {{},
+       "Structural accuracy",
+       "by dimension",
+       quantity(Dimension::dimensionless, accuracy, {"by dimension", "off"}),
+       "Wanted relative error of the bodies' maximum stresses away from the contact, such as at a "
+       "slot's bottom: the mesh is refined there, too, until their estimates are smaller. 'off': "
+       "they are reported as the mesh for the contact has them. 'by dimension': 2 % in the plane, "
+       "off in 3-D, where such cells are dear."},
+      {{},
        "Maximum refinement levels",
        "20",
        whole(0, 28, "from 0 to 28"),

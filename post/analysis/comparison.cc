@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/analysis/safety.h"
+#include "post/analysis/strength_rows.h"
 
 namespace geneva::post {
 
@@ -279,6 +280,7 @@ std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
     rows.push_back(row_of(mechanism->held_surface + " torque", Dimension::moment,
                           *mechanism->bore_torque, mechanism->expected_bore_torque,
                           value_of(report.errors.mechanism, Figure::bore_torque)));
+  append(strength_rows(solution));
   return rows;
 }
 
@@ -289,7 +291,7 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
                                   "+- error", "closed form", "published", "difference");
   for (const ComparisonRow& row : comparison(solution, results, report))
     table += line_of(row, units);
-  return table + error_lines(solution, report) +
+  return table + strength_line(solution) + error_lines(solution, report) +
          fmt::format("force balance: residual {:.1e} of the contact force\n",
                      results.equilibrium.force_residual) +
          safety_lines(safety(solution, results, report), units);

@@ -60,6 +60,9 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
       rows.push_back({"maximum von Mises stress of the " + body, Dimension::stress,
                       if_bounded(results.max_von_mises[i].value), yield->second, analysed,
                       std::nullopt});
+    if (yield != allowed.yield_strengths.end() && solution.strength[i].von_mises.value > 0.)
+      rows.push_back({"von Mises stress away from the contact, " + body, Dimension::stress,
+                      solution.strength[i].von_mises.value, yield->second, analysed, std::nullopt});
   }
   return rows;
 }

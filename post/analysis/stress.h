@@ -9,6 +9,7 @@
 
 #include "fem/discretisation/vector.h"
 #include "fem/elasticity/elasticity.h"
+#include "fem/elasticity/invariants.h"
 #include "fem/solution.h"
 #include "fem/stress_recovery.h"
 
@@ -32,15 +33,10 @@ struct CellStress {
 template <int dim>
 std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution);
 
-/// Principal stresses [same unit], largest first; the out-of-plane stress is one of them.
-std::array<double, 3> principal_stresses(const fem::PlaneStress& stress);
-std::array<double, 3> principal_stresses(const dealii::SymmetricTensor<2, 3>& stress);
-/// sqrt(((s1-s2)^2 + (s2-s3)^2 + (s3-s1)^2)/2)
-double von_mises(const std::array<double, 3>& principal);
-/// (s1 - s3)/2
-double max_shear(const std::array<double, 3>& principal);
-/// Maximum shear stress in the plane of the model, which is what Hertz's 0.300 p0 speaks of.
-double in_plane_shear(const fem::PlaneStress& stress);
+using fem::in_plane_shear;
+using fem::max_shear;
+using fem::principal_stresses;
+using fem::von_mises;
 
 using fem::NodalStress;
 

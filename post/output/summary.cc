@@ -10,6 +10,7 @@
 #include "post/analysis/checks.h"
 #include "post/analysis/comparison.h"
 #include "post/analysis/safety.h"
+#include "post/analysis/strength_rows.h"
 
 namespace geneva::post {
 
@@ -29,6 +30,29 @@ json place(const std::array<double, dim>& at) {
   const std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t i = 0; i < dim; ++i) result[axes[i]] = quantity(at[i], "m");
   return result;
+}
+
+json moment_section(const double moment) { return quantity(moment, "N m"); }
+
+json moment_section(const dealii::Tensor<1, 3>& moment) {
+  return {{"x", quantity(moment[0], "N m")},
+          {"y", quantity(moment[1], "N m")},
+          {"z", quantity(moment[2], "N m")}};
+}
+
+/// What supports and ties exert on their bodies, by surface.
+template <int dim>
+json reactions_section(const fem::Solution<dim>& solution) {
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  json surfaces = json::object();
+  for (const fem::Reaction<dim>& reaction : solution.reactions) {
+    json force = json::object();
+    for (std::size_t i = 0; i < dim; ++i) force[axes[i]] = quantity(reaction.force[i], "N");
+    surfaces[reaction.surface] = {{"force", force},
+                                  {"total", quantity(fem::magnitude(reaction.force), "N")},
+                                  {"moment", moment_section(reaction.moment)}};
+  }
+  return surfaces;
 }
 
 json hertz_section(const ClosedForm& form) {
@@ -218,6 +242,23 @@ json bodies_section(const fem::Solution<dim>& solution, const Results<dim>& resu
   return bodies;
 }
 
+/// Outside of the contacts' own field.
+template <int dim>
+json strength_section(const fem::Solution<dim>& solution) {
+  json bodies = json::object();
+  for (const fem::Body<dim>& body : solution.problem.bodies)
+    bodies[body.name] = {{"von_mises", json()}, {"tensile", json()}};
+  for (const NamedStress<dim>& stress : named_stresses(solution))
+    bodies[stress.body][stress.name == "tensile stress" ? "tensile" : "von_mises"] = {
+        {"value", stress.maximum.value},
+        {"unit", "Pa"},
+        {"error", finite(stress.maximum.total_error())},
+        {"error_by_choice", stress.maximum.choice},
+        {"place", place(stress.maximum.place)},
+        {"where", stress.where}};
+  return bodies;
+}
+
 template <int dim>
 json wheel_section(const fem::Solution<dim>& solution, const Results<dim>& results,
                    const MechanismReport& mechanism) {
@@ -339,7 +380,9 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
       {"contact", contact_section(solution, solution.contacts[leading], results.contacts[leading],
                                   report.errors.contacts[leading], parts)},
       {"bodies", bodies_section(solution, results)},
+      {"strength", strength_section(solution)},
       {"equilibrium", equilibrium_section(results, report)},
+      {"reactions", reactions_section(solution)},
       {"solver", solver_section(solution, report)},
       {"comparison", comparison_section(solution, results, report)},
       {"checks", checks_section(solution, results, report)},

@@ -1,0 +1,348 @@
+#include "fem/strength.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "fem/discretisation/gather.h"
+#include "fem/elasticity/invariants.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+
+enum class Measure { von_mises, tensile };
+
+template <int dim>
+using StressCell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+/// A measure of a stress field at a cell's vertex [Pa].
+template <int dim>
+double measured(const Vector& values, const StressCell<dim>& cell, const unsigned int vertex,
+                const Measure measure) {
+  const auto principal =
+      principal_stresses(assembled_stress<dim>([&](const unsigned int component) {
+        return values(cell->vertex_dof_index(vertex, component));
+      }));
+  return measure == Measure::von_mises ? von_mises(principal) : principal[0];
+}
+
+/// A node of this rank's cells.
+template <int dim>
+struct Candidate {
+  StressCell<dim> cell;
+  unsigned int vertex;
+  double value;  ///< [Pa]
+};
+
+/// The nodes of this rank's cells of a body that have a positive value, the greatest first.
+template <int dim>
+std::vector<Candidate<dim>> candidates(const NodalStress<dim>& stress, const unsigned int body,
+                                       const Measure measure) {
+  std::vector<Candidate<dim>> result;
+  std::vector<bool> is_known(stress.dof_handler->get_triangulation().n_vertices(), false);
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->material_id() != body) continue;
+    for (const unsigned int vertex : cell->vertex_indices()) {
+      if (is_known[cell->vertex_index(vertex)]) continue;
+      is_known[cell->vertex_index(vertex)] = true;
+      const double value = measured<dim>(stress.values, cell, vertex, measure);
+      if (value > 0.) result.push_back({cell, vertex, value});
+    }
+  }
+  std::sort(result.begin(), result.end(),
+            [](const auto& a, const auto& b) { return a.value > b.value; });
+  return result;
+}
+
+/// A node beside another one along the boundary.
+struct Beside {
+  Tensor<1, 2> offset;  ///< in the units of the triangulation
+  double value;
+};
+
+/// The two neighbours of a node of the boundary; fewer of a node inside.
+std::vector<Beside> beside(const NodalStress<2>& stress, const Candidate<2>& node,
+                           const Measure measure) {
+  const Point<2>& place = node.cell->vertex(node.vertex);
+  std::vector<Beside> result;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (cell->is_artificial() || !cell->at_boundary() ||
+        cell->material_id() != node.cell->material_id())
+      continue;
+    for (const unsigned int face : cell->face_indices())
+      for (const unsigned int end : {0U, 1U}) {
+        const auto vertex = [&](const unsigned int i) {
+          return dealii::GeometryInfo<2>::face_to_cell_vertices(face, i);
+        };
+        if (!cell->face(face)->at_boundary() || cell->vertex(vertex(end)) != place) continue;
+        result.push_back({cell->vertex(vertex(1 - end)) - place,
+                          measured<2>(stress.values, cell, vertex(1 - end), measure)});
+      }
+  }
+  return result;
+}
+
+/// Moves a maximum from its node to the top of the parabola through its neighbours' values.
+void move_to_top(StressMaximum<2>& maximum, const std::vector<Beside>& neighbours,
+                 const double length) {
+  if (neighbours.size() != 2) return;
+  const double before = neighbours[0].offset.norm();
+  const double after = neighbours[1].offset.norm();
+  const double fall_before = maximum.value - neighbours[0].value;
+  const double fall_after = maximum.value - neighbours[1].value;
+  // value(s) = maximum + slope s - curvature s^2 through (-before) and (after)
+  const double curvature = (fall_before / before + fall_after / after) / (before + after);
+  const double slope = fall_before / before - curvature * before;
+  if (!(curvature > 0.)) return;
+  const double top = std::clamp(slope / (2. * curvature), -before, after);
+  maximum.value += slope * top - curvature * top * top;
+  const Tensor<1, 2> way =
+      top > 0. ? (top / after) * neighbours[1].offset : (-top / before) * neighbours[0].offset;
+  for (unsigned int i = 0; i < 2; ++i) maximum.place[i] += way[i] * length;
+}
+
+template <int dim>
+StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                           const Candidate<dim>& node, const Measure measure) {
+  StressMaximum<dim> maximum;
+  maximum.value = node.value;
+  for (unsigned int i = 0; i < dim; ++i)
+    maximum.place[i] = node.cell->vertex(node.vertex)[i] * solution.scales.length;
+  for (const unsigned int face : node.cell->face_indices()) {
+    const auto boundary = node.cell->face(face);
+    const auto round = boundary->manifold_id();
+    for (const unsigned int i : boundary->vertex_indices()) {
+      if (!boundary->at_boundary() || maximum.is_round ||
+          dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i) != node.vertex)
+        continue;
+      maximum.surface = static_cast<int>(boundary->boundary_id());
+      maximum.is_round = round != dealii::numbers::flat_manifold_id && round > 0;
+    }
+  }
+  maximum.error =
+      measured<dim>(stress.doubt, node.cell, node.vertex, Measure::von_mises) / node.value;
+  if constexpr (dim == 2)
+    move_to_top(maximum, beside(stress, node, measure), solution.scales.length);
+  return maximum;
+}
+
+/// Where maxima are looked for.
+template <int dim>
+class Outside {
+ public:
+  Outside(const Solution<dim>& solution, const std::vector<SingularPlace<dim>>& singular)
+      : own_field_(solution), singular_(singular) {}
+
+  /// @param von_mises [Pa], at the place [m]
+  bool operator()(const Point<dim>& place, const unsigned int body, const double von_mises,
+                  const double share) const {
+    return own_field_.von_mises(place, body) < share * von_mises && !is_beside_singular(place);
+  }
+
+  /// By the cell's middle and its nodes' maximum.
+  bool operator()(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                  const StressCell<dim>& cell) const {
+    double von_mises = 0.;
+    for (const unsigned int vertex : cell->vertex_indices())
+      von_mises =
+          std::max(von_mises, measured<dim>(stress.values, cell, vertex, Measure::von_mises));
+    return (*this)(Point<dim>(cell->center() * solution.scales.length), cell->material_id(),
+                   von_mises, OwnFieldShare::usual);
+  }
+
+ private:
+  [[nodiscard]] bool is_beside_singular(const Point<dim>& place) const {
+    return std::any_of(singular_.begin(), singular_.end(), [&](const SingularPlace<dim>& other) {
+      Point<dim> begin;
+      Tensor<1, dim> along;
+      for (unsigned int i = 0; i < dim; ++i) {
+        begin[i] = other.begin[i];
+        along[i] = other.end[i] - other.begin[i];
+      }
+      const double square = along.norm_square();
+      const double at = square > 0. ? std::clamp(along * (place - begin) / square, 0., 1.) : 0.;
+      return (place - (begin + at * along)).norm() < other.radius;
+    });
+  }
+
+  ContactsOwnField<dim> own_field_;
+  const std::vector<SingularPlace<dim>>& singular_;
+};
+
+/// The maximum of all ranks.
+template <int dim>
+StressMaximum<dim> of_all_ranks(const MPI_Comm communicator, StressMaximum<dim> maximum) {
+  for (const StressMaximum<dim>& of_rank : gathered_one(communicator, maximum))
+    if (std::make_pair(-of_rank.value, of_rank.place) <
+        std::make_pair(-maximum.value, maximum.place))
+      maximum = of_rank;
+  return maximum;
+}
+
+/// This rank's greatest value outside, by the share of the contacts' own field that is allowed; 0
+/// if there is none. Nodes without tension are none of the tensile stress.
+template <int dim>
+StressMaximum<dim> greatest(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                            const std::vector<Candidate<dim>>& nodes,
+                            const Outside<dim>& is_outside, const Measure measure,
+                            const double share) {
+  constexpr double least_part = 1e-3;
+  for (const Candidate<dim>& node : nodes) {
+    const double von_mises =
+        measured<dim>(stress.values, node.cell, node.vertex, Measure::von_mises);
+    const Point<dim> place(node.cell->vertex(node.vertex) * solution.scales.length);
+    if (node.value > least_part * von_mises &&
+        is_outside(place, node.cell->material_id(), von_mises, share))
+      return of_node(solution, stress, node, measure);
+  }
+  return {};
+}
+
+/// The maximum over the ranks of what stands outside of the contacts' own field.
+template <int dim>
+StressMaximum<dim> maximum_of(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                              const Outside<dim>& is_outside, const unsigned int body,
+                              const Measure measure) {
+  const auto nodes = candidates(stress, body, measure);
+  const auto with_share = [&](const double share) {
+    return of_all_ranks(solution.dof_handler->get_communicator(),
+                        greatest(solution, stress, nodes, is_outside, measure, share));
+  };
+  StressMaximum<dim> maximum = with_share(OwnFieldShare::usual);
+  if (maximum.value == 0.) return maximum;
+  for (const double share : {OwnFieldShare::least, OwnFieldShare::most})
+    maximum.choice = std::max(maximum.choice,
+                              std::min(1., std::abs(with_share(share).value / maximum.value - 1.)));
+  return maximum;
+}
+
+/// Maximum difference of the stresses at a cell's vertices from their mean, as a von Mises stress
+/// [Pa].
+template <int dim>
+double variation(const NodalStress<dim>& stress, const StressCell<dim>& cell) {
+  StressVector<dim> mean = StressVector<dim>::Zero();
+  const auto at = [&](const unsigned int vertex) {
+    StressVector<dim> here;
+    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
+      here[i] = stress.values(cell->vertex_dof_index(vertex, i));
+    return here;
+  };
+  for (const unsigned int vertex : cell->vertex_indices()) mean += at(vertex) / (1 << dim);
+  double maximum = 0.;
+  for (const unsigned int vertex : cell->vertex_indices()) {
+    const StressVector<dim> difference = at(vertex) - mean;
+    maximum = std::max(maximum, von_mises(principal_stresses(assembled_stress<dim>(
+                                    [&](const unsigned int i) { return difference[i]; }))));
+  }
+  return maximum;
+}
+
+/// The variation over this rank's cells of a body outside of the contacts' own field [Pa].
+template <int dim>
+double maximum_variation(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                         const Outside<dim>& is_outside, const unsigned int body) {
+  double maximum = 0.;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->material_id() != body) continue;
+    const double varying = variation(stress, cell);
+    if (varying > maximum && is_outside(solution, stress, cell)) maximum = varying;
+  }
+  return dealii::Utilities::MPI::max(maximum, solution.dof_handler->get_communicator());
+}
+
+/// What a mesh leaves of a maximum over whose cells the stress varies by a share of it, wherever
+/// they are. A linear field that stands for one that decays leaves an eighth of the square;
+/// measured at slot bottoms: up to a sixth.
+double left_by_cells(const double share) { return share * share / 6.; }
+
+}  // namespace
+
+template <int dim>
+std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
+                                        const NodalStress<dim>& stress,
+                                        const std::vector<SingularPlace<dim>>& singular) {
+  const Outside<dim> is_outside(solution, singular);
+  std::vector<BodyStrength<dim>> result;
+  for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body) {
+    if (solution.problem.bodies[body].is_cut_out) {
+      result.emplace_back();
+      continue;
+    }
+    BodyStrength<dim> found{maximum_of(solution, stress, is_outside, body, Measure::von_mises),
+                            maximum_of(solution, stress, is_outside, body, Measure::tensile)};
+    const double varying = maximum_variation(solution, stress, is_outside, body);
+    for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
+      if (maximum->value > 0.) maximum->error += left_by_cells(varying / found.von_mises.value);
+    result.push_back(found);
+  }
+  return result;
+}
+
+namespace {
+
+/// Whether a cell bounds a contact surface near nodes in contact: the contact's refinement keeps
+/// its faces even.
+template <int dim>
+bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& cell) {
+  constexpr double near = 3.;  // diameters of the cell
+  if (!cell->at_boundary()) return false;
+  const auto is_of_pair = [&](const unsigned int face) {
+    if (!cell->face(face)->at_boundary()) return false;
+    const std::string& name = solution.mesh.surfaces[cell->face(face)->boundary_id()];
+    return std::any_of(
+        solution.problem.pairs.begin(), solution.problem.pairs.end(),
+        [&](const ContactPair& pair) { return name == pair.source || name == pair.target; });
+  };
+  const auto faces = cell->face_indices();
+  if (std::none_of(faces.begin(), faces.end(), is_of_pair)) return false;
+  const Point<dim> centre(cell->center() * solution.scales.length);
+  const double reach = near * cell->diameter() * solution.scales.length;
+  for (const ContactResult<dim>& contact : solution.contacts)
+    for (const ContactNode<dim>& node : contact.nodes) {
+      double square = 0.;
+      for (unsigned int i = 0; i < dim; ++i) square += std::pow(node.position[i] - centre[i], 2);
+      if (is_closed(node.status) && square < reach * reach) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+template <int dim>
+unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                               const std::vector<BodyStrength<dim>>& strength,
+                               const std::vector<SingularPlace<dim>>& singular,
+                               const std::vector<bool>& of_body, const double share_of_maximum) {
+  const Outside<dim> is_outside(solution, singular);
+  unsigned int flagged = 0;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    const unsigned int body = cell->material_id();
+    if (!cell->is_locally_owned() || cell->refine_flag_set() || !of_body[body] ||
+        strength[body].von_mises.value == 0.)
+      continue;
+    const double varying = variation(stress, cell);
+    if (varying <= share_of_maximum * strength[body].von_mises.value) continue;
+    if (!is_outside(solution, stress, cell) || belongs_to_contact(solution, cell)) continue;
+    cell->set_refine_flag();
+    ++flagged;
+  }
+  return dealii::Utilities::MPI::sum(flagged, solution.dof_handler->get_communicator());
+}
+
+#define INSTANTIATE(dim)                                                                          \
+  template std::vector<BodyStrength<dim>> strength(const Solution<dim>&, const NodalStress<dim>&, \
+                                                   const std::vector<SingularPlace<dim>>&);       \
+  template unsigned int flag_for_strength(                                                        \
+      const Solution<dim>&, const NodalStress<dim>&, const std::vector<BodyStrength<dim>>&,       \
+      const std::vector<SingularPlace<dim>>&, const std::vector<bool>&, double);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
+
+}  // namespace geneva::fem

@@ -1,0 +1,104 @@
+"""Maximum stresses away from the contact: their errors, places and what has none."""
+
+import geneva_cli
+from geneva_cli import CliTest, look_up, number, set_parameter
+
+WHEEL = """set Model = mechanism
+set Output units = SI
+set Accuracy = 2 %
+subsection Mechanism
+  set Stations = 6
+  set Wheel diameter = 100 mm
+  set Pin diameter = 14 mm
+  set Wheel thickness = 14 mm
+  set Driver speed = 300 rpm
+  set Driver angle = -20 deg
+  set Friction moment = 20 N.m
+  set Load inertia = 1e-3 kg.m^2
+  set Contact model = full wheel
+  subsection Wheel material
+    set Density = 7850 kg/m^3
+  end
+end
+"""
+VALUES = ("von_mises", "tensile")
+
+
+class Strength(CliTest):
+
+    def run_with(self, name, changes=None, ranks=None):
+        case = self.directory / name
+        case.mkdir()
+        text = WHEEL
+        for parameter, value in (changes or {}).items():
+            text = set_parameter(text, parameter, value)
+        (case / "case.prm").write_text(text)
+        return self.run_case(case, ranks=ranks)
+
+    def stresses(self, summary):
+        return [look_up(summary, f"strength.wheel.{name}") for name in VALUES]
+
+    def test_errors_at_2_percent_hold_beside_a_run_at_a_seventh_of_it(self):
+        coarse = self.run_with("coarse")
+        fine = self.run_with("fine", {"Structural accuracy": "0.3 %"})
+        for found, truth in zip(self.stresses(coarse), self.stresses(fine)):
+            self.assertLess(found["error"], 0.02)
+            self.assertLess(truth["error"], 0.003)
+            self.assert_close(found["value"], truth["value"], found["error"], "within its error")
+            self.assertEqual(found["where"], "bottom of the engaged slot")
+        self.assertLess(coarse["mesh"]["dofs"], fine["mesh"]["dofs"])
+
+    def test_they_do_not_depend_on_the_accuracy_of_the_contact(self):
+        rough, exact = self.run_with("rough", {"Accuracy": "10 %"}), self.run_with("exact", {"Accuracy": "0.2 %"})
+        for one, other in zip(self.stresses(rough), self.stresses(exact)):
+            self.assert_close(one["value"], other["value"], one["error"], "within its error")
+
+    def test_units_and_ranks_give_the_same(self):
+        alone = self.run_with("alone")
+        inches = self.run_with("inches", {"Mechanism/Wheel diameter": f"{100 / 25.4!r} in",
+                                          "Mechanism/Pin diameter": f"{14 / 25.4!r} in",
+                                          "Mechanism/Wheel thickness": f"{14 / 25.4!r} in"})
+        ranks = self.run_with("ranks", ranks=3)
+        for name, other, tolerance in (("inches", inches, 1e-8), ("ranks", ranks, 1e-6)):
+            for one, same in zip(self.stresses(alone), self.stresses(other)):
+                with self.subTest(name):
+                    self.assert_close(same["value"], one["value"], tolerance, "value")
+                    self.assert_close(same["error"], one["error"], 1e-3, "error")
+
+    def test_they_are_in_the_closing_table_and_in_the_safety_factors(self):
+        summary = self.run_with("yield", {"Mechanism/Wheel material/Yield strength": "300 MPa"})
+        rows = {row["quantity"]: row for row in summary["comparison"]}
+        of_mises = look_up(summary, "strength.wheel.von_mises")
+        self.assertEqual(number(rows["von Mises stress, wheel"]["computed"]), of_mises["value"])
+        self.assertEqual(rows["tensile stress, wheel"]["error"], look_up(summary, "strength.wheel.tensile")["error"])
+        factors = {row["quantity"]: row["factor"] for row in summary["safety"]}
+        self.assert_close(factors["von Mises stress away from the contact, wheel"], 300e6 / of_mises["value"], 1e-12,
+                          "factor")
+
+    def test_off_costs_no_cells(self):
+        summaries = {value: self.run_with(value.split()[0], {"Structural accuracy": value}) for value in ("off", "1 %")}
+        self.assertLess(summaries["off"]["mesh"]["dofs"], summaries["1 %"]["mesh"]["dofs"])
+        self.assertGreater(look_up(summaries["off"], "strength.wheel.von_mises.error"), 0.01)
+
+    def test_a_block_that_stands_for_a_wheel_has_none(self):
+        summary = self.run_with("block", {"Mechanism/Contact model": "local"})
+        self.assertEqual(summary["strength"]["wheel"], {"von_mises": None, "tensile": None})
+
+    def test_what_the_bore_gives_to_the_wheel_is_told(self):
+        summary = self.run_with("bore")
+        bore = summary["reactions"]["bore"]
+        self.assert_close(number(bore["total"]), number(look_up(summary, "contact.force")), 1e-3, "no other force")
+        self.assert_close(abs(number(bore["moment"])), number(look_up(summary, "equilibrium.bore_torque")), 1e-9, "torque")
+
+    def test_an_accuracy_out_of_range_is_refused(self):
+        case = self.directory / "bad"
+        case.mkdir()
+        (case / "case.prm").write_text(set_parameter(WHEEL, "Structural accuracy", "30 %"))
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 1)
+        self.assertIn("Structural accuracy", run.err)
+        self.assertIn("at most 20 %", run.err)
+
+
+if __name__ == "__main__":
+    geneva_cli.main()

@@ -1,0 +1,174 @@
+#include "fem/strength.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fem/elasticity/surface_stress.h"
+#include "mesh/extrusion.h"
+#include "tests/support/structured_mesh.h"
+#include "tests/unit/fem/hand_made.h"
+
+namespace geneva::fem::test {
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+using geneva::test::add_rectangle;
+using geneva::test::add_ring;
+using geneva::test::empty_mesh;
+using geneva::test::equal_steps;
+
+const Material steel{2e11, 0.3};
+
+/// The gradient of a field that is linear in the place, and its values at neighbours.
+template <int dim>
+std::vector<SurfaceNeighbour<dim>> neighbours_of(const Tensor<2, dim>& gradient,
+                                                 const std::vector<Tensor<1, dim>>& offsets) {
+  std::vector<SurfaceNeighbour<dim>> result;
+  for (const auto& offset : offsets) result.push_back({offset, gradient * offset});
+  return result;
+}
+
+TEST(SurfaceGradient, OfALinearFieldIsItsPartAlongTheSurface) {
+  const Tensor<2, 2> gradient({{0.1, 0.2}, {-0.3, 0.4}});
+  const Tensor<1, 2> normal({0.6, 0.8});
+  const Tensor<1, 2> along({-0.8, 0.6});
+  const auto found =
+      surface_gradient<2>(normal, neighbours_of<2>(gradient, {0.3 * along, -0.7 * along}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(along * (*found * along), along * (gradient * along), 1e-14);
+}
+
+/// Neighbours at the same distance; else the strain is of the third order in it.
+TEST(SurfaceGradient, OfARotationOfACircleHasNoStrain) {
+  const Tensor<2, 2> rotation({{0., -0.2}, {0.2, 0.}});
+  const auto at = [](const double angle) {
+    return Tensor<1, 2>({std::cos(angle) - 1., std::sin(angle)});
+  };
+  const Tensor<1, 2> normal({1., 0.});
+  const auto found = surface_gradient<2>(normal, neighbours_of<2>(rotation, {at(0.4), at(-0.4)}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR((*found)[1][1], 0., 1e-14);
+}
+
+TEST(SurfaceGradient, InSpaceOfALinearFieldIsItsPartAlongTheSurface) {
+  Tensor<2, 3> gradient;
+  std::mt19937 random(3);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      gradient[i][j] = static_cast<double>(random() % 100) / 100.;
+  std::vector<Tensor<1, 3>> offsets;
+  for (const double x : {-1., 0., 1.2})
+    for (const double y : {-0.1, 0., 0.2})
+      if (x != 0. || y != 0.) offsets.push_back(Tensor<1, 3>({x, y, 0.}));
+  const auto found =
+      surface_gradient<3>(Tensor<1, 3>({0., 0., 1.}), neighbours_of<3>(gradient, offsets));
+  ASSERT_TRUE(found);
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j) EXPECT_NEAR((*found)[i][j], gradient[i][j], 1e-13);
+}
+
+TEST(SurfaceGradient, IsUnknownWithoutEnoughNeighbours) {
+  EXPECT_FALSE(
+      surface_gradient<2>(Tensor<1, 2>({0., 1.}), {{Tensor<1, 2>({1., 0.}), Tensor<1, 2>()}}));
+}
+
+/// A free surface in plane strain: E/(1 - nu^2) times the strain along it.
+TEST(SurfaceStress, OfAFreeSurfaceIsAlongItAlone) {
+  const LinearElastic<2> law(steel, PlaneKind::plane_strain);
+  const Tensor<1, 2> normal({0.6, 0.8});
+  const Tensor<1, 2> along({-0.8, 0.6});
+  const double strain = 1e-3;
+  const StressVector<2> stress =
+      surface_stress<2>(law, strain * dealii::outer_product(along, along), 0., normal, {});
+  const double expected = steel.youngs_modulus / (1. - 0.3 * 0.3) * strain;
+  EXPECT_NEAR(stress[0], expected * along[0] * along[0], 1e-9 * expected);
+  EXPECT_NEAR(stress[1], expected * along[1] * along[1], 1e-9 * expected);
+  EXPECT_NEAR(stress[2], 0.3 * expected, 1e-9 * expected);
+  EXPECT_NEAR(stress[3], expected * along[0] * along[1], 1e-9 * expected);
+}
+
+TEST(SurfaceStress, HasTheTractionThatIsGiven) {
+  const LinearElastic<3> law(steel, PlaneKind::plane_strain);
+  const Tensor<1, 3> normal({2. / 3., -1. / 3., 2. / 3.});
+  const Tensor<1, 3> traction({1e6, 2e6, -3e6});
+  Tensor<2, 3> gradient;
+  gradient[0][0] = 1e-4;
+  gradient[1][2] = -2e-4;
+  const StressVector<3> stress = surface_stress<3>(law, gradient, 0., normal, traction);
+  EXPECT_LT((traction_of<3>(stress, normal) - traction).norm(), 1e-6 * traction.norm());
+}
+
+/// One node of a contact at the origin that carries 1000 N over a thickness of 0.1 m.
+Solution<2> loaded_at_origin(const PlaneKind plane) {
+  Solution<2> solution;
+  solution.problem.plane = plane;
+  solution.problem.thickness = 0.1;
+  solution.problem.bodies.push_back({"body", steel, {}});
+  ContactResult<2> contact{};
+  ContactNode<2> node{};
+  node.pressure = 1e6;
+  node.tributary = 1e-3;
+  node.status = NodeStatus::slip;
+  contact.nodes.push_back(node);
+  solution.contacts.push_back(contact);
+  return solution;
+}
+
+TEST(ContactsOwnField, IsFlamants) {
+  const double line = 1e4;  // N/m
+  const double radial = 2. * line / (pi * 0.02);
+  const ContactsOwnField<2> stress(loaded_at_origin(PlaneKind::plane_stress));
+  EXPECT_NEAR(stress.von_mises(Point<2>(0.012, -0.016), 0), radial, 1e-9 * radial);
+  // the bound by sizes is that of plane stress
+  const ContactsOwnField<2> strain(loaded_at_origin(PlaneKind::plane_strain));
+  EXPECT_NEAR(strain.von_mises(Point<2>(0.012, -0.016), 0), radial, 1e-9 * radial);
+}
+
+TEST(SingularPlaces, AreEndsOfSupportsBesideFreeSurfaces) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"held", "", "", ""});
+  Problem<2> problem;
+  problem.supports = {{"held", {0., 0.}}};
+  const auto places = singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {}));
+  ASSERT_EQ(places.size(), 2U);
+  for (const SingularPlace<2>& place : places) {
+    EXPECT_EQ(place.begin[1], 0.);
+    EXPECT_EQ(place.why, Singularity::end_of_support);
+    EXPECT_NEAR(place.radius, 0.2, 1e-15);
+  }
+}
+
+TEST(SingularPlaces, AreNoneAtPlanesOfSymmetry) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"slides", "", "", ""});
+  Problem<2> problem;
+  problem.supports = {{"slides", {std::nullopt, 0.}}};
+  EXPECT_TRUE(singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {})).empty());
+}
+
+/// Two blocks of one body that make an L.
+TEST(SingularPlaces, AreCornersThatPointIntoTheBody) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  mesh.bodies = {"L"};
+  mesh.vertices = {{0., 0.}, {1., 0.}, {2., 0.}, {2., 1.}, {1., 1.}, {1., 2.}, {0., 2.}, {0., 1.}};
+  mesh.cells = {{{0, 1, 4, 7}, 0}, {{1, 2, 3, 4}, 0}, {{7, 4, 5, 6}, 0}};
+  for (unsigned int i = 0; i < 8; ++i) mesh.faces.push_back({{i, (i + 1) % 8}, 0, -1});
+  const auto places = singular_places(mesh, boundary_tractions(mesh, Problem<2>{}, {1., 1.}, {}));
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places.front().begin, (Components<2>{1., 1.}));
+  EXPECT_EQ(places.front().why, Singularity::re_entrant_corner);
+}
+
+/// A hole is round however few its cells are, also between flat faces in 3-D.
+TEST(SingularPlaces, AreNoneAroundAHole) {
+  mesh::MeshData<2> plane = empty_mesh();
+  add_ring(plane, "ring", {{0., 0.}, {1., 2.}, equal_steps(0., 2. * pi, 6), "hole", "rim", "", ""});
+  const mesh::MeshData<3> mesh = extruded(plane, {{{0., 0.5, 1.}, "lower", "upper"}});
+  EXPECT_TRUE(singular_places(mesh, boundary_tractions(mesh, Problem<3>{}, {1., 1.}, {})).empty());
+}
+
+}  // namespace
+}  // namespace geneva::fem::test
