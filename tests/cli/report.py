@@ -240,6 +240,32 @@ class ReportTest(CliTest):
         return self.browser.run("return document.querySelector('#field-view .status').textContent")
 
 
+# At points all over the field view: by how much, of 255, the colour differs from that of the value read there.
+COLOURS_AGAINST_VALUES = """
+  const g = genevaField.canvas, c = document.createElement('canvas');
+  c.width = g.width; c.height = g.height;
+  const x = c.getContext('2d'); x.drawImage(g, 0, 0);
+  const data = x.getImageData(0, 0, c.width, c.height).data;
+  const palette = JSON.parse(document.getElementById('palette').textContent);
+  const box = g.getBoundingClientRect(), u = genevaField.uniforms, found = [];
+  for (let i = 1; i < 40; ++i) for (let j = 1; j < 20; ++j) {
+    const [px, py] = [Math.floor(i / 40 * c.width), Math.floor(j / 20 * c.height)];
+    g.dispatchEvent(new PointerEvent('pointermove', {
+      clientX: box.x + (px + 0.5) / c.width * box.width, clientY: box.y + (py + 0.5) / c.height * box.height}));
+    const value = parseFloat(document.querySelector('#field-view .status').textContent);
+    if (!Number.isFinite(value)) continue;
+    const share = Math.min(Math.max((value - u.low.value) / (u.high.value - u.low.value), 0), 1) * (palette.length - 1);
+    const k = Math.min(Math.floor(share), palette.length - 2);
+    let worst = 0;
+    for (let n = 0; n < 3; ++n) {
+      const [a, b] = [k, k + 1].map((m) => parseInt(palette[m].substr(2 * n, 2), 16));
+      worst = Math.max(worst, Math.abs(a + (share - k) * (b - a) - data[4 * (py * c.width + px) + n]));
+    }
+    found.push(worst);
+  }
+  return found;
+"""
+
 STRESSES = ("von_mises", "max_shear", "principal_stress_1", "principal_stress_2", "principal_stress_3", "displacement",
             "contact_pressure")
 
@@ -275,6 +301,32 @@ class SpaceReport(ReportTest):
         self.choose("field", "contact_pressure")
         factor = {"Pa": 1., "MPa": 1e6, "psi": PSI}[view["stress_unit"]]
         self.assert_close(self.browser.run("return genevaField.uniforms.high.value") * factor, peak, 1e-6, "colour bar")
+
+
+class CutReport(ReportTest):
+    """The report of a pin that presses on the edge of its slot, where the cut lies just below the wheel's side."""
+
+    case_name = "a pin at an edge"
+
+    def copy_case(self, name, *rest):
+        case = self.directory / "edge"
+        case.mkdir()
+        text = SPACE_CASE.format(
+            dimension=3, accuracy="20 %", thickness="17 mm", modulus="2 GPa", diameter="115 mm", pin_diameter="17 mm",
+            model="local", more="", speed="600 rpm",
+            pin="  subsection Pin\n    set Held at = one end\n    set Root gap = 4 mm\n  end\n")
+        (case / "case.prm").write_text(text)
+        return case
+
+    def test_draws_cuts_as_the_data_has_them(self):
+        self.choose("field", "von_mises")
+        for cut in ("across", "along"):
+            self.choose("cut", cut)
+            self.choose("part", "zone")
+            differences = self.browser.run(COLOURS_AGAINST_VALUES)
+            self.assertGreater(len(differences), 200, cut)
+            wrong = sum(difference > 30 for difference in differences)
+            self.assertLess(wrong, 0.02 * len(differences), f"{cut}: {wrong} of {len(differences)} points")
 
 
 class PlaneReport(ReportTest):

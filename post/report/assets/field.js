@@ -277,11 +277,19 @@
     box.querySelector(".unit").textContent = `${name} [${unitOf(field)}]${note}`;
   }
 
+  // What the model keeps: all on the far side of the cut's own plane, which may lie just below a face of the model. A
+  // plane through that face would leave triangles of it by rounding.
+  function planeBehind(mesh) {
+    const normal = new THREE.Vector3(...mesh.normal);
+    const distance = normal.dot(new THREE.Vector3(...mesh.points.slice(0, 3)));
+    return new THREE.Plane(normal.negate(), distance);
+  }
+
   function clip() {
     const name = cut();
     objects.model.visible = !isMountain();
     for (const one of ["across", "along"]) if (objects[one]) objects[one].visible = name === one && !isMountain();
-    const planes = name === "none" ? [] : [new THREE.Plane(new THREE.Vector3(...meshes[name].normal).negate(), 0)];
+    const planes = name === "none" ? [] : [planeBehind(meshes[name])];
     objects.model.material.clippingPlanes = planes;
     outlines.material.clippingPlanes = planes;
     outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
