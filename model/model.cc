@@ -18,6 +18,7 @@
 #include "mesh/triangulation.h"
 #include "mesh/user_geometry.h"
 #include "model/contact_geometry.h"
+#include "model/pin_extrusion.h"
 #include "model/pin_in_space.h"
 #include "model/together.h"
 

@@ -7,7 +7,6 @@
 #include "loads/pin/pin_beam.h"
 #include "loads/pin/pin_line.h"
 #include "loads/pin/pin_profile.h"
-#include "mesh/extrusion.h"
 #include "model/mechanism_state.h"
 
 namespace geneva::model {
@@ -23,6 +22,9 @@ PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
 /// Whether one half of pin and wheel is solved, z > 0: the pin is held at both ends and nothing
 /// tells them apart.
 bool is_half_model(const MechanismCase& mechanism);
+
+/// E* of pin and wheel [Pa].
+double contact_modulus(const MechanismCase& mechanism);
 
 /// What profile, tilt and edge breaks add to the gap.
 /// @throws base::InputError where the loads room does
@@ -45,18 +47,6 @@ struct KnownPinLine {
 /// None where line contacts know no answer.
 std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
                                              const MechanismState& state);
-
-/// How wheel (or block) and pin are extruded along z. Surfaces: "faces" of the wheel, "pin root",
-/// "pin tip"; of a half model "wheel middle" and "pin middle".
-/// @param cell maximum size of the plane cells at the contact [m]
-/// @return by the names of the bodies
-std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
-                                        const MechanismCase& mechanism, const MechanismState& state,
-                                        double cell);
-
-/// Of the layers towards the wheel's faces, or to where its broken edges begin; none with a crown
-/// whose Hertz contact is shorter, nor with a logarithmic profile, which unloads its ends.
-std::optional<mesh::Grading> grading(const MechanismCase& mechanism, const MechanismState& state);
 
 /// Name of the surface that holds the pin: "pin root" or "pin core".
 std::string pin_holder(const PinCase& pin);
