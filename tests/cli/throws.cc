@@ -39,9 +39,9 @@ bool may_throw(const std::string& kind) {
 void count(const void* const caller) {
   static const char* const at = std::getenv("GENEVA_THROW_AT");
   static const char* const kind = std::getenv("GENEVA_THROW");
-  if (kind == nullptr || is_in_c(caller)) return;
+  if (is_in_c(caller)) return;
   static long wanted = at == nullptr ? -1 : std::atol(at);
-  if (++calls != wanted) return;
+  if (++calls != wanted || kind == nullptr) return;
   if (!may_throw(kind))
     ++wanted;
   else
