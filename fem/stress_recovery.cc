@@ -483,7 +483,7 @@ StressVector<dim> StressRecovery<dim>::images_mean(const std::vector<Corner>& co
 template <int dim>
 Recovered<dim> StressRecovery<dim>::at_boundary(const std::vector<Corner>& corners,
                                                 const StressVector<dim>& inside) const {
-  const Recovered<dim> linear{inside, doubt_of_linear<dim>(inside, mean_around(corners))};
+  Recovered<dim> linear{inside, doubt_of_linear<dim>(inside, mean_around(corners))};
   const std::vector<FaceThere<dim>> faces = faces_at(corners);
   if (!std::all_of(faces.begin(), faces.end(),
                    [](const auto& face) { return face.traction.has_value(); }))
