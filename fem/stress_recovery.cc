@@ -4,7 +4,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,8 +15,8 @@
 #include "fem/contact/surface.h"
 #include "fem/discretisation/element.h"
 #include "fem/elasticity/cell_element.h"
-#include "fem/elasticity/invariants.h"
 #include "fem/elasticity/surface_stress.h"
+#include "fem/stress_patch.h"
 
 namespace geneva::fem {
 
@@ -37,71 +36,6 @@ StressVector<dim> as_vector(const Stress<dim>& stress) {
   return result;
 }
 
-/// Stress in the middle of a cell, where it is most accurate.
-template <int dim>
-struct Sample {
-  Point<dim> place;
-  StressVector<dim> stress;
-};
-
-/// A plane of symmetry.
-struct Mirror {
-  unsigned int axis;
-  double place;
-};
-
-template <int dim>
-Tensor<1, dim> mirrored(Tensor<1, dim> vector, const unsigned int axis) {
-  vector[axis] = -vector[axis];
-  return vector;
-}
-
-/// Shears with the axis change their sign.
-template <int dim>
-Sample<dim> mirrored(const Sample<dim>& sample, const Mirror& mirror) {
-  constexpr std::array<std::pair<unsigned int, unsigned int>, 3> shears{{{0, 1}, {0, 2}, {1, 2}}};
-  Sample<dim> image = sample;
-  image.place[mirror.axis] = 2. * mirror.place - sample.place[mirror.axis];
-  for (unsigned int i = 3; i < n_stress_components<dim>; ++i)
-    if (shears[i - 3].first == mirror.axis || shears[i - 3].second == mirror.axis)
-      image.stress[i] = -image.stress[i];
-  return image;
-}
-
-/// A stress that is linear around a node: its value there, then its derivatives by x, y, z.
-template <int dim>
-using LinearStress = Eigen::Matrix<double, dim + 1, n_stress_components<dim>>;
-
-/// The linear stress around a place that fits the samples best, all alike; their mean if they do
-/// not determine one.
-template <int dim>
-LinearStress<dim> fitted(const Point<dim>& place, const std::vector<Sample<dim>>& samples) {
-  using Square = Eigen::Matrix<double, dim + 1, dim + 1>;
-  constexpr double minimum_determinant = 1e-6;
-  double size = 0.;
-  for (const Sample<dim>& sample : samples) size = std::max(size, place.distance(sample.place));
-  Square matrix = Square::Zero();
-  LinearStress<dim> sums = LinearStress<dim>::Zero();
-  for (const Sample<dim>& sample : samples) {
-    Eigen::Matrix<double, dim + 1, 1> terms;
-    terms[0] = 1.;
-    for (unsigned int k = 0; k < dim; ++k) terms[k + 1] = (sample.place[k] - place[k]) / size;
-    matrix += terms * terms.transpose();
-    sums += terms * sample.stress.transpose();
-  }
-  // The determinant relative to that of the diagonal: of a body that is thin beside its cells'
-  // length, too, the derivatives are found.
-  const double scale = matrix.diagonal().prod();
-  if (!(matrix.determinant() > minimum_determinant * scale)) {
-    LinearStress<dim> mean = LinearStress<dim>::Zero();
-    mean.row(0) = sums.row(0) / matrix(0, 0);
-    return mean;
-  }
-  LinearStress<dim> result = matrix.inverse() * sums;
-  result.bottomRows(dim) /= size;
-  return result;
-}
-
 /// A boundary face, seen from one of its vertices.
 template <int dim>
 struct FaceThere {
@@ -117,25 +51,6 @@ struct FaceThere {
 /// off: at Kirsch's hole 0.16 to 0.24, with 16 to 128 cells around it; at slot bottoms up to 0.68,
 /// on coarse cells.
 constexpr double share_at_surface = 0.7;
-/// Share, over the relative difference from the mean, by which a linear recovery is off: at
-/// Kirsch's hole, extrapolated from inside, with 64 cells around it.
-constexpr double share_of_relative = 1.5;
-
-template <int dim>
-double von_mises_of(const StressVector<dim>& stress) {
-  return von_mises(principal_stresses(
-      assembled_stress<dim>([&](const unsigned int component) { return stress[component]; })));
-}
-
-/// @param mean of the cells around
-template <int dim>
-StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressVector<dim>& mean) {
-  const StressVector<dim> difference = stress - mean;
-  const double size = von_mises_of<dim>(stress);
-  const double relative = size > 0. ? von_mises_of<dim>(difference) / size : 0.;
-  return std::min(1., share_of_relative * relative) * difference;
-}
-
 /// Faces whose normals differ by less are one smooth surface.
 constexpr double cosine_of_smooth = 0.95;
 
