@@ -20,6 +20,7 @@ namespace {
 template <int dim>
 std::vector<std::string> validity_notices(const fem::Solution<dim>& solution) {
   constexpr double small_strain = 0.1;
+  if (!fem::has_contact(solution.problem)) return {};
   double modulus = std::numeric_limits<double>::max();
   for (const fem::Body<dim>& body : solution.problem.bodies)
     modulus = std::min(modulus, body.material.youngs_modulus);
@@ -74,6 +75,7 @@ std::vector<std::string> strength_notices(const model::Case& given,
                                           const fem::Solution<dim>& solution) {
   const auto wanted = given.settings.structural_accuracy;
   std::vector<std::string> notices;
+  if (!fem::has_contact(solution.problem)) return notices;  // the run's own accuracy
   for (const post::NamedStress<dim>& stress : post::named_stresses(solution)) {
     const double error = stress.maximum.total_error();
     if (!wanted || error <= *wanted) continue;
@@ -162,7 +164,9 @@ std::string shortfall(const fem::Solution<dim>& solution, const double accuracy)
   if (solution.stop.outcome == fem::Outcome::unbounded_pressure ||
       offered > model::maximum_accuracy)
     return message;
-  return message + fmt::format("; or be content with 'Accuracy' = {:.2g} %", 100. * offered);
+  const char* const parameter =
+      fem::has_contact(solution.problem) ? "Accuracy" : "Structural accuracy";
+  return message + fmt::format("; or be content with '{}' = {:.2g} %", parameter, 100. * offered);
 }
 
 template <int dim>

@@ -44,9 +44,11 @@ void write_alone(const Case& given, const AnalysedModel<dim>& analysed,
                post::mechanism_document(
                    mechanism_picture(*given.mechanism, *model.mechanism, model.mechanism->load)));
   const bool has_pin = report.mechanism && report.mechanism->pin;
-  post::write_contact(solution, results,
-                      has_pin ? report.mechanism->pin->line : std::optional<post::PinLineReport>(),
-                      given.units, directory);
+  if (fem::has_contact(solution.problem))
+    post::write_contact(
+        solution, results,
+        has_pin ? report.mechanism->pin->line : std::optional<post::PinLineReport>(), given.units,
+        directory);
   write_json(directory, "summary.json", post::summary(solution, results, report), 2);
   base::write_text(post::own_file(directory, "case.prm"), given.completed);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "base/printable.h"
@@ -46,20 +47,41 @@ void ProgressDisplay::step(const fem::StepReport& report) {
   has_status_ = true;
 }
 
+namespace {
+
+/// The figure that the meshes are refined for.
+struct Refined {
+  const char* name;
+  double value;  ///< [Pa]
+};
+
+/// Without contact there is no pressure.
+Refined refined_of(const fem::LevelRecord& record) {
+  if (record.active_nodes > 0) return {"peak pressure", record.peak_pressure};
+  double maximum = 0.;
+  for (const fem::StrengthRecord& body : record.strength)
+    maximum = std::max(maximum, body.von_mises.value);
+  return {"von Mises stress", maximum};
+}
+
+}  // namespace
+
 void ProgressDisplay::level(const fem::LevelRecord& record) {
+  const Refined refined = refined_of(record);
   if (levels_ == 0)
-    line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22}{:>12}{:>9}", "level", "unknowns", "active",
-                     "steps", "CG", "peak pressure [" + stress_.name + "]", "est. error", "time"));
+    line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>25}{:>12}{:>9}", "level", "unknowns", "active",
+                     "steps", "CG", fmt::format("{} [{}]", refined.name, stress_.name),
+                     "est. error", "time"));
   const unsigned int iterations =
       std::accumulate(record.linear_iterations.begin(), record.linear_iterations.end(), 0U);
   const std::string error = record.error_estimate < 1.
                                 ? fmt::format("{:.2g} %", 100. * record.error_estimate)
                                 : std::string("-");
-  line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>22.6g}{:>12}{:>7.2f} s", levels_, record.dofs,
+  line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>25.6g}{:>12}{:>7.2f} s", levels_, record.dofs,
                    record.active_nodes, record.linear_iterations.size(), iterations,
-                   record.peak_pressure * stress_.factor, error, record.seconds));
-  last_level_ = fmt::format("peak {:.5g} {}, est. error {}", record.peak_pressure * stress_.factor,
-                            stress_.name, error);
+                   refined.value * stress_.factor, error, record.seconds));
+  last_level_ = fmt::format("{} {:.5g} {}, est. error {}", refined.name,
+                            refined.value * stress_.factor, stress_.name, error);
   if (record.cycled)
     line(
         "note: the active set came back to an earlier one on this mesh; its nodes then could only "

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "base/errors.h"
 #include "fem/adaptivity/error_estimate.h"
 #include "fem/adaptivity/stopping_rule.h"
 #include "fem/contact/active_set.h"
@@ -64,7 +65,7 @@ template <int dim>
 bool AccuracyLoop<dim>::solve() {
   while (advance()) {
     allocations_.require_none();
-    if (n_active_nodes(equilibrium_->level()) > 0) {
+    if (!has_contact(solution_.problem) || n_active_nodes(equilibrium_->level()) > 0) {
       take_result();
       return true;
     }
@@ -117,7 +118,7 @@ void AccuracyLoop<dim>::record() {
   LevelRecord record = record_of(solution_, *equilibrium_, *found_, refinement_.surface_ids());
   refinement_.record(record);
   find_strength(solution_.history.size());
-  record.strength = values_of(solution_.strength);
+  record.strength = record_of(solution_.strength);
   record.seconds = seconds_before_ + timer_.wall_time();
   solution_.history.push_back(record);
   estimate();
@@ -129,13 +130,25 @@ void AccuracyLoop<dim>::record() {
 /// @param meshes_before number of them in the history
 template <int dim>
 void AccuracyLoop<dim>::find_strength(const std::size_t meshes_before) {
+  const auto begin = solution_.history.begin();
   solution_.strength =
-      strength_.find(solution_, meshes_before == 0 ? std::vector<double>{}
-                                                   : solution_.history[meshes_before - 1].strength);
+      strength_.find(solution_, {begin, begin + static_cast<std::ptrdiff_t>(meshes_before)});
+  solution_.singular = strength_.singular();
 }
 
 template <int dim>
 void AccuracyLoop<dim>::estimate() {
+  if (has_contact(solution_.problem)) return estimate_pressure();
+  if (!is_stressed(solution_.strength))
+    throw base::InputError(
+        "no body has any stress: there is neither a load nor a support that moves; give 'Loads', "
+        "'Body force', 'Gravity' or 'Angular speed'");
+  solution_.error_estimate = maximum_error(solution_.strength);
+  solution_.history.back().error_estimate = solution_.error_estimate;
+}
+
+template <int dim>
+void AccuracyLoop<dim>::estimate_pressure() {
   const auto& interfaces = equilibrium_->level().interfaces;
   const bool is_on_axis = reaches_axis(solution_.problem, equilibrium_->level());
   const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
@@ -175,6 +188,23 @@ bool AccuracyLoop<dim>::make_next_mesh() {
 /// @return why there is no next mesh, if there is none
 template <int dim>
 std::optional<Stop> AccuracyLoop<dim>::choose_refinement() {
+  return has_contact(solution_.problem) ? choose_for_contact() : choose_for_strength();
+}
+
+template <int dim>
+std::optional<Stop> AccuracyLoop<dim>::choose_for_strength() {
+  if (solution_.error_estimate <= settings_.accuracy) return Stop{Outcome::converged};
+  if (refinement_.state().n_refinements >= settings_.max_levels)
+    return stop_at_limit(Outcome::refinement_limit, refinement_.state().n_refinements + 1.,
+                         settings_.max_levels);
+  const unsigned int flagged = strength_.flag(solution_);
+  if (flagged == 0) return Stop{Outcome::no_progress};
+  return limits_.exceeded_by_next(refinement_.choose_flagged(flagged, solution_.history),
+                                  solution_.history, seconds_before_);
+}
+
+template <int dim>
+std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
   const auto why = [&] {
     return why_to_stop(solution_.history,
                        {solution_.error_estimate, solution_.edge,

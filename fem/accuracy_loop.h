@@ -16,8 +16,8 @@
 
 namespace geneva::fem {
 
-/// Finds the equilibrium of an instant on finer and finer meshes, until the peak contact pressure
-/// is as accurate as asked or a limit is reached.
+/// Finds the equilibrium of an instant on finer and finer meshes, until the peak contact pressure,
+/// without contact the maxima of stress, are as accurate as asked or a limit is reached.
 template <int dim>
 class AccuracyLoop {
  public:
@@ -35,12 +35,15 @@ class AccuracyLoop {
   void record();
   bool make_next_mesh();
   std::optional<Stop> choose_refinement();
+  std::optional<Stop> choose_for_contact();
+  std::optional<Stop> choose_for_strength();
   std::optional<double> worth_refining();
   std::optional<double> worth_refining_for_strength();
   void take_result();
   void find_smooth_parts();
   void find_strength(std::size_t meshes_before);
   void estimate();
+  void estimate_pressure();
   void save();
   void restore(const Checkpoint<dim>& start);
   void go_back_to_last_mesh();

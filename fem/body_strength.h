@@ -11,6 +11,9 @@ template <int dim>
 struct StressMaximum {
   double value = 0.;  ///< [Pa]; 0 if there is no place for it
   double error = 0.;  ///< relative, by the mesh
+  /// Relative: what the cells of the body would leave open if none of their errors cancelled, see
+  /// open_by_cells().
+  double open = 0.;
   /// Relative, by the choice of what counts as the contacts' own field; 1 where other choices leave
   /// no place.
   double choice = 0.;
@@ -27,6 +30,23 @@ template <int dim>
 struct BodyStrength {
   StressMaximum<dim> von_mises;
   StressMaximum<dim> tensile;  ///< the first principal stress, where it is positive
+};
+
+/// Why the stress of linear elasticity has no bound at a place.
+enum class Singularity {
+  end_of_support,     ///< a support or rigid tie ends where the surface beside it is free
+  re_entrant_corner,  ///< a sharp corner or edge that points into the body
+  growth              ///< a corner where it grows from mesh to mesh
+};
+
+/// A vertex of the coarse mesh, in 3-D an edge, with unbounded stress, and how far around it
+/// stresses are left out: as far as the coarse cells reach there. SI units.
+template <int dim>
+struct SingularPlace {
+  Components<dim> begin, end;  ///< the same in the plane
+  double radius;
+  Singularity why;
+  unsigned int surface;  ///< that is held, or one at the corner; index into MeshData::surfaces
 };
 
 }  // namespace geneva::fem

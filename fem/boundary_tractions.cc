@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace geneva::fem {
 
 namespace {
 
 /// Vertices of a plane agree to this share of the mesh's size.
-constexpr double rounding = 1e-9;
+constexpr double place_round_off = 1e-9;
 
 /// Whether every face of a surface has one coordinate along an axis.
 template <int dim>
@@ -19,7 +20,7 @@ bool is_normal_to(const unsigned int axis, const mesh::MeshData<dim>& mesh,
     const double place = mesh.vertices[face.vertices.front()][axis];
     return face.surface != surface ||
            std::all_of(face.vertices.begin(), face.vertices.end(), [&](const unsigned int vertex) {
-             return std::abs(mesh.vertices[vertex][axis] - place) <= rounding * size;
+             return std::abs(mesh.vertices[vertex][axis] - place) <= place_round_off * size;
            });
   });
 }
@@ -36,11 +37,24 @@ std::optional<unsigned int> only_held_component(const Support<dim>& support) {
   return held;
 }
 
+/// Whether the body of a surface has a uniform force along an axis: then nothing is mirrored there.
 template <int dim>
-SurfaceTraction<dim> of_support(const mesh::MeshData<dim>& mesh, const Support<dim>& support,
-                                const unsigned int surface, const double size) {
+bool is_pulled_along(const unsigned int axis, const mesh::MeshData<dim>& mesh,
+                     const Problem<dim>& problem, const unsigned int surface) {
+  const std::set<unsigned int> bodies = mesh::bodies_of(mesh, surface);
+  return std::any_of(bodies.begin(), bodies.end(), [&](const unsigned int i) {
+    const Body<dim>& body = problem.bodies[i];
+    return body.force.uniform[axis] + body.density * body.force.acceleration[axis] != 0.;
+  });
+}
+
+template <int dim>
+SurfaceTraction<dim> of_support(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                                const Support<dim>& support, const double size) {
+  const unsigned int surface = mesh::index_of(mesh.surfaces, support.surface);
   const auto axis = only_held_component(support);
-  if (axis && is_normal_to(*axis, mesh, surface, size))
+  if (axis && is_normal_to(*axis, mesh, surface, size) &&
+      !is_pulled_along(*axis, mesh, problem, surface))
     return {TractionKind::mirrored, *axis, 0., {}};
   return {TractionKind::unknown, 0, 0., {}};
 }
@@ -63,8 +77,7 @@ BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
   for (const ContactPair& pair : problem.pairs)
     of(pair.source).kind = of(pair.target).kind = TractionKind::contact;
   for (const Support<dim>& support : problem.supports)
-    of(support.surface) =
-        of_support(mesh, support, mesh::index_of(mesh.surfaces, support.surface), scales.length);
+    of(support.surface) = of_support(mesh, problem, support, scales.length);
   for (const RigidTie<dim>& tie : problem.ties) of(tie.surface).kind = TractionKind::unknown;
   for (mesh::Circle circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate /= scales.length;

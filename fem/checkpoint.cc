@@ -51,6 +51,7 @@ void read(const json& given, dealii::Point<dim>& point) {
   if (!given.is_array() || given.size() != dim) refuse_record("a place is none");
   for (unsigned int i = 0; i < dim; ++i) read(given[i], point[i]);
 }
+void read(const json& given, StrengthRecord& record);
 void read(const json& given, LevelRecord& record);
 template <typename Value>
 void read(const json& given, std::vector<Value>& values) {
@@ -68,12 +69,25 @@ json written(const dealii::Point<dim>& point) {
   for (unsigned int i = 0; i < dim; ++i) coordinates.push_back(point[i]);
   return coordinates;
 }
+json written(const StrengthRecord& record);
 json written(const LevelRecord& record);
 template <typename Value>
 json written(const std::vector<Value>& values) {
   json list = json::array();
   for (const Value& value : values) list.push_back(written(value));
   return list;
+}
+
+template <typename Record, typename Visit>
+void visit_strength(Record& record, const Visit& visit) {
+  visit("von_mises", record.von_mises.value);
+  visit("von_mises_open", record.von_mises.open);
+  visit("von_mises_place", record.von_mises.place);
+  visit("von_mises_is_round", record.von_mises.is_round);
+  visit("tensile", record.tensile.value);
+  visit("tensile_open", record.tensile.open);
+  visit("tensile_place", record.tensile.place);
+  visit("tensile_is_round", record.tensile.is_round);
 }
 
 /// Calls a function with the name and the member of everything in a record, const or not.
@@ -105,6 +119,16 @@ void visit_state(State& state, const Visit& visit) {
   visit("open_gap", state.open_gap);
   visit("same_open_gaps", state.same_open_gaps);
   visit("unevenness_levelled", state.unevenness_levelled);
+}
+
+json written(const StrengthRecord& record) {
+  json result = json::object();
+  visit_strength(record,
+                 [&](const char* name, const auto& value) { result[name] = written(value); });
+  return result;
+}
+void read(const json& given, StrengthRecord& record) {
+  visit_strength(record, [&](const char* name, auto& value) { read(member(given, name), value); });
 }
 
 json written(const LevelRecord& record) {

@@ -26,7 +26,7 @@ struct Progress {
 };
 
 /// Solves frictionless contact by nested iteration: solve, estimate, refine, until the peak contact
-/// pressure is as accurate as asked.
+/// pressure is as accurate as asked; without contact until the maxima of stress are.
 /// @param mesh coarse mesh, SI units, the same on all ranks
 /// @param start where an earlier run on this mesh and problem ended, the same on all ranks; the
 /// accuracy may be another

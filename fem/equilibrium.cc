@@ -61,6 +61,7 @@ Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<
   make_level({});
   check_rigid_motions(level_, problem_);
   check_approach(level_, scaled_problem_, scales_, communicator_);
+  check_that_loads_close();
 }
 
 template <int dim>
@@ -120,6 +121,20 @@ Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
     stop.unknowns = n_unknowns_;
     stop.residual = failure.last_residual;
     return stop;
+  }
+}
+
+/// Loads are known to open a contact before anything is solved: without it the system is singular,
+/// and what the active set makes of that is chance.
+/// @throws base::InputError if they do, and a body moves freely then
+template <int dim>
+void Equilibrium<dim>::check_that_loads_close() {
+  for (ContactInterface<dim>& interface : level_.interfaces) {
+    if (!is_pulled_apart(interface)) continue;
+    const std::vector<NodeStatus> open(interface.status.size(), NodeStatus::open);
+    const std::vector<NodeStatus> before = std::exchange(interface.status, open);
+    check_that_contact_holds();
+    interface.status = before;
   }
 }
 

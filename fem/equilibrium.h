@@ -39,7 +39,8 @@ class Equilibrium {
  public:
   /// On the coarse mesh.
   /// @param mesh SI units, the same on all ranks
-  /// @throws base::InputError where check_rigid_motions() and check_approach() do
+  /// @throws base::InputError where check_rigid_motions() and check_approach() do, and if loads
+  /// pull a body away that only a contact could hold
   Equilibrium(MPI_Comm communicator, const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
               const Scales& scales);
 
@@ -87,6 +88,7 @@ class Equilibrium {
   void make_level(const State<dim>& state);
   void set_load(const Load& load);
   Solved solve(const State<dim>& from, const Settings& settings, const StepObserver& observer);
+  void check_that_loads_close();
   void check_that_contact_holds() const;
 
   MPI_Comm communicator_;

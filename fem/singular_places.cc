@@ -77,10 +77,11 @@ bool is_smooth(const CoarseFace& one, const CoarseFace& other) {
 }
 
 bool is_re_entrant(const std::vector<CoarseFace>& faces) {
-  constexpr double rounding = 1e-6;
+  constexpr double round_off = 1e-6;
   for (const CoarseFace& one : faces)
     for (const CoarseFace& other : faces)
-      if (!is_smooth(one, other) && one.normal.dot(other.inwards) > rounding * other.inwards.norm())
+      if (!is_smooth(one, other) &&
+          one.normal.dot(other.inwards) > round_off * other.inwards.norm())
         return true;
   return false;
 }
@@ -130,6 +131,108 @@ std::vector<SingularPlace<dim>> singular_places(const mesh::MeshData<dim>& mesh,
   return places;
 }
 
+namespace {
+
+template <int dim>
+dealii::Point<dim> point_of(const Components<dim>& place) {
+  dealii::Point<dim> result;
+  for (unsigned int i = 0; i < dim; ++i) result[i] = place[i];
+  return result;
+}
+
+/// A vertex of a boundary face of the coarse mesh, and how far its faces reach.
+struct Corner {
+  unsigned int vertex;
+  unsigned int surface;
+  double reach;  ///< [m]
+};
+
+/// The one nearest to a place.
+template <int dim>
+std::optional<std::pair<Corner, double>> nearest_corner(const mesh::MeshData<dim>& mesh,
+                                                        const dealii::Point<dim>& place) {
+  std::optional<std::pair<Corner, double>> nearest;
+  for (const mesh::Face<dim>& face : mesh.faces)
+    for (const unsigned int vertex : face.vertices) {
+      const dealii::Point<dim> corner = point_of<dim>(mesh.vertices[vertex]);
+      double reach = 0.;
+      for (const unsigned int other : face.vertices)
+        reach = std::max(reach, corner.distance(point_of<dim>(mesh.vertices[other])));
+      const double distance = corner.distance(place);
+      if (!nearest || distance < nearest->second)
+        nearest = {{vertex, face.surface, reach}, distance};
+      else if (vertex == nearest->first.vertex)
+        nearest->first.reach = std::min(nearest->first.reach, reach);
+    }
+  return nearest;
+}
+
+/// Whether a stress grows over three refinements as one without bound does.
+bool grows(const std::vector<StressRecord>& course, const std::size_t last) {
+  constexpr double least = 0.1;
+  constexpr double share_of_first = 0.7;
+  std::array<double, 3> growth{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const StressRecord& now = course[last - 2 + i];
+    const StressRecord& before = course[last - 3 + i];
+    if (before.value == 0. || now.is_round) return false;
+    growth[i] = now.value / before.value - 1.;
+  }
+  return *std::min_element(growth.begin(), growth.end()) >= least &&
+         growth[2] >= share_of_first * growth[0];
+}
+
+/// Adds the corner at which a stress grows, if it does.
+template <int dim>
+void add_grown(const mesh::MeshData<dim>& mesh, const std::vector<StressRecord>& course,
+               std::vector<SingularPlace<dim>>& places) {
+  constexpr double near = 0.1;
+  for (std::size_t last = 3; last < course.size(); ++last) {
+    if (!grows(course, last)) continue;
+    dealii::Point<dim> place;
+    for (unsigned int i = 0; i < dim; ++i) place[i] = course[last].place[i];
+    const auto corner = nearest_corner(mesh, place);
+    if (!corner || corner->second > near * corner->first.reach || is_beside(places, place))
+      continue;
+    const Components<dim>& at = mesh.vertices[corner->first.vertex];
+    places.push_back({at, at, corner->first.reach, Singularity::growth, corner->first.surface});
+  }
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<SingularPlace<dim>> grown_places(const mesh::MeshData<dim>& mesh,
+                                             const std::vector<LevelRecord>& history) {
+  std::vector<SingularPlace<dim>> places;
+  if (history.empty()) return places;
+  for (std::size_t body = 0; body < history.front().strength.size(); ++body)
+    for (StressRecord StrengthRecord::*const measure :
+         {&StrengthRecord::von_mises, &StrengthRecord::tensile}) {
+      std::vector<StressRecord> course;
+      for (const LevelRecord& level : history) course.push_back(level.strength[body].*measure);
+      add_grown(mesh, course, places);
+    }
+  return places;
+}
+
+template <int dim>
+bool is_beside(const std::vector<SingularPlace<dim>>& singular, const dealii::Point<dim>& place) {
+  return std::any_of(singular.begin(), singular.end(), [&](const SingularPlace<dim>& other) {
+    const dealii::Point<dim> begin = point_of<dim>(other.begin);
+    const dealii::Tensor<1, dim> along = point_of<dim>(other.end) - begin;
+    const double square = along.norm_square();
+    const double at = square > 0. ? std::clamp(along * (place - begin) / square, 0., 1.) : 0.;
+    return (place - (begin + at * along)).norm() < other.radius;
+  });
+}
+
+template bool is_beside(const std::vector<SingularPlace<2>>&, const dealii::Point<2>&);
+template bool is_beside(const std::vector<SingularPlace<3>>&, const dealii::Point<3>&);
+template std::vector<SingularPlace<2>> grown_places(const mesh::MeshData<2>&,
+                                                    const std::vector<LevelRecord>&);
+template std::vector<SingularPlace<3>> grown_places(const mesh::MeshData<3>&,
+                                                    const std::vector<LevelRecord>&);
 template std::vector<SingularPlace<2>> singular_places(const mesh::MeshData<2>&,
                                                        const BoundaryTractions<2>&);
 template std::vector<SingularPlace<3>> singular_places(const mesh::MeshData<3>&,

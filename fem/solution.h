@@ -44,10 +44,11 @@ struct Solution {
   Vector displacement;  ///< ghosted
 
   std::vector<ContactResult<dim>> contacts;
-  std::vector<Reaction<dim>> reactions;     ///< of supports, then ties
-  Components<dim> applied_force{};          ///< of body forces and surface loads [N]
-  Moment<dim> applied_moment{};             ///< about the origin [N m]
-  std::vector<BodyStrength<dim>> strength;  ///< by body
+  std::vector<Reaction<dim>> reactions;      ///< of supports, then ties
+  Components<dim> applied_force{};           ///< of body forces and surface loads [N]
+  Moment<dim> applied_moment{};              ///< about the origin [N m]
+  std::vector<BodyStrength<dim>> strength;   ///< by body
+  std::vector<SingularPlace<dim>> singular;  ///< places left out of it
   std::vector<LevelRecord> history;
   double error_estimate = 0.;  ///< relative, of the peak contact pressure; where an edge pressure
                                ///< is not bounded, of that in the middle half of the length

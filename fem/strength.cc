@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "fem/discretisation/gather.h"
+#include "fem/discretisation/round_cell.h"
 #include "fem/elasticity/invariants.h"
+#include "fem/stress_error.h"
+#include "fem/stress_variation.h"
 
 namespace geneva::fem {
 
@@ -16,21 +20,8 @@ namespace {
 using dealii::Point;
 using dealii::Tensor;
 
-enum class Measure { von_mises, tensile };
-
 template <int dim>
 using StressCell = typename dealii::DoFHandler<dim>::active_cell_iterator;
-
-/// A measure of a stress field at a cell's vertex [Pa].
-template <int dim>
-double measured(const Vector& values, const StressCell<dim>& cell, const unsigned int vertex,
-                const Measure measure) {
-  const auto principal =
-      principal_stresses(assembled_stress<dim>([&](const unsigned int component) {
-        return values(cell->vertex_dof_index(vertex, component));
-      }));
-  return measure == Measure::von_mises ? von_mises(principal) : principal[0];
-}
 
 /// A node of this rank's cells.
 template <int dim>
@@ -116,13 +107,12 @@ StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>
     maximum.place[i] = node.cell->vertex(node.vertex)[i] * solution.scales.length;
   for (const unsigned int face : node.cell->face_indices()) {
     const auto boundary = node.cell->face(face);
-    const auto round = boundary->manifold_id();
     for (const unsigned int i : boundary->vertex_indices()) {
       if (!boundary->at_boundary() || maximum.is_round ||
           dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i) != node.vertex)
         continue;
       maximum.surface = static_cast<int>(boundary->boundary_id());
-      maximum.is_round = round != dealii::numbers::flat_manifold_id && round > 0;
+      maximum.is_round = is_round(boundary);
     }
   }
   maximum.error =
@@ -142,56 +132,46 @@ class Outside {
   /// @param von_mises [Pa], at the place [m]
   bool operator()(const Point<dim>& place, const unsigned int body, const double von_mises,
                   const double share) const {
-    return own_field_.von_mises(place, body) < share * von_mises && !is_beside_singular(place);
+    return own_field_.von_mises(place, body) < share * von_mises && !is_beside(singular_, place);
   }
 
   /// By the cell's middle and its nodes' maximum.
   bool operator()(const Solution<dim>& solution, const NodalStress<dim>& stress,
                   const StressCell<dim>& cell) const {
-    double von_mises = 0.;
-    for (const unsigned int vertex : cell->vertex_indices())
-      von_mises =
-          std::max(von_mises, measured<dim>(stress.values, cell, vertex, Measure::von_mises));
     return (*this)(Point<dim>(cell->center() * solution.scales.length), cell->material_id(),
-                   von_mises, OwnFieldShare::usual);
+                   maximum_von_mises(stress, cell), OwnFieldShare::usual);
   }
 
  private:
-  [[nodiscard]] bool is_beside_singular(const Point<dim>& place) const {
-    return std::any_of(singular_.begin(), singular_.end(), [&](const SingularPlace<dim>& other) {
-      Point<dim> begin;
-      Tensor<1, dim> along;
-      for (unsigned int i = 0; i < dim; ++i) {
-        begin[i] = other.begin[i];
-        along[i] = other.end[i] - other.begin[i];
-      }
-      const double square = along.norm_square();
-      const double at = square > 0. ? std::clamp(along * (place - begin) / square, 0., 1.) : 0.;
-      return (place - (begin + at * along)).norm() < other.radius;
-    });
-  }
-
   ContactsOwnField<dim> own_field_;
   const std::vector<SingularPlace<dim>>& singular_;
 };
 
+/// A maximum, and the greatest value of a node, beside which it is: that decides between ranks,
+/// lest the result depend on their number.
+template <int dim>
+struct FoundMaximum {
+  StressMaximum<dim> maximum;
+  double at_node = 0.;  ///< [Pa]
+};
+
 /// The maximum of all ranks.
 template <int dim>
-StressMaximum<dim> of_all_ranks(const MPI_Comm communicator, StressMaximum<dim> maximum) {
-  for (const StressMaximum<dim>& of_rank : gathered_one(communicator, maximum))
-    if (std::make_pair(-of_rank.value, of_rank.place) <
-        std::make_pair(-maximum.value, maximum.place))
-      maximum = of_rank;
-  return maximum;
+StressMaximum<dim> of_all_ranks(const MPI_Comm communicator, FoundMaximum<dim> greatest) {
+  const auto order = [](const FoundMaximum<dim>& found) {
+    return std::make_pair(-found.at_node, found.maximum.place);
+  };
+  for (const FoundMaximum<dim>& of_rank : gathered_one(communicator, greatest))
+    if (order(of_rank) < order(greatest)) greatest = of_rank;
+  return greatest.maximum;
 }
 
 /// This rank's greatest value outside, by the share of the contacts' own field that is allowed; 0
 /// if there is none. Nodes without tension are none of the tensile stress.
 template <int dim>
-StressMaximum<dim> greatest(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                            const std::vector<Candidate<dim>>& nodes,
-                            const Outside<dim>& is_outside, const Measure measure,
-                            const double share) {
+FoundMaximum<dim> greatest(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                           const std::vector<Candidate<dim>>& nodes, const Outside<dim>& is_outside,
+                           const Measure measure, const double share) {
   constexpr double least_part = 1e-3;
   for (const Candidate<dim>& node : nodes) {
     const double von_mises =
@@ -199,7 +179,7 @@ StressMaximum<dim> greatest(const Solution<dim>& solution, const NodalStress<dim
     const Point<dim> place(node.cell->vertex(node.vertex) * solution.scales.length);
     if (node.value > least_part * von_mises &&
         is_outside(place, node.cell->material_id(), von_mises, share))
-      return of_node(solution, stress, node, measure);
+      return {of_node(solution, stress, node, measure), node.value};
   }
   return {};
 }
@@ -222,27 +202,6 @@ StressMaximum<dim> maximum_of(const Solution<dim>& solution, const NodalStress<d
   return maximum;
 }
 
-/// Maximum difference of the stresses at a cell's vertices from their mean, as a von Mises stress
-/// [Pa].
-template <int dim>
-double variation(const NodalStress<dim>& stress, const StressCell<dim>& cell) {
-  StressVector<dim> mean = StressVector<dim>::Zero();
-  const auto at = [&](const unsigned int vertex) {
-    StressVector<dim> here;
-    for (unsigned int i = 0; i < n_stress_components<dim>; ++i)
-      here[i] = stress.values(cell->vertex_dof_index(vertex, i));
-    return here;
-  };
-  for (const unsigned int vertex : cell->vertex_indices()) mean += at(vertex) / (1 << dim);
-  double maximum = 0.;
-  for (const unsigned int vertex : cell->vertex_indices()) {
-    const StressVector<dim> difference = at(vertex) - mean;
-    maximum = std::max(maximum, von_mises(principal_stresses(assembled_stress<dim>(
-                                    [&](const unsigned int i) { return difference[i]; }))));
-  }
-  return maximum;
-}
-
 /// The variation over this rank's cells of a body outside of the contacts' own field [Pa].
 template <int dim>
 double maximum_variation(const Solution<dim>& solution, const NodalStress<dim>& stress,
@@ -256,10 +215,15 @@ double maximum_variation(const Solution<dim>& solution, const NodalStress<dim>& 
   return dealii::Utilities::MPI::max(maximum, solution.dof_handler->get_communicator());
 }
 
-/// What a mesh leaves of a maximum over whose cells the stress varies by a share of it, wherever
-/// they are. A linear field that stands for one that decays leaves an eighth of the square;
-/// measured at slot bottoms: up to a sixth.
-double left_by_cells(const double share) { return share * share / 6.; }
+/// Adds what a mesh leaves of maxima over whose cells the stress varies by a share of them,
+/// wherever they are. A linear field that stands for one that decays leaves an eighth of the
+/// square; measured at slot bottoms: up to a sixth.
+template <int dim>
+void add_left_by_cells(BodyStrength<dim>& found, const double varying) {
+  const double share = varying / found.von_mises.value;
+  for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
+    if (maximum->value > 0.) maximum->error += share * share / 6.;
+}
 
 }  // namespace
 
@@ -276,9 +240,11 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
     }
     BodyStrength<dim> found{maximum_of(solution, stress, is_outside, body, Measure::von_mises),
                             maximum_of(solution, stress, is_outside, body, Measure::tensile)};
-    const double varying = maximum_variation(solution, stress, is_outside, body);
-    for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
-      if (maximum->value > 0.) maximum->error += left_by_cells(varying / found.von_mises.value);
+    if (has_contact(solution.problem))
+      add_left_by_cells(found, maximum_variation(solution, stress, is_outside, body));
+    else
+      for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
+        maximum->open = open_by_cells(solution, stress, singular, body, *maximum);
     result.push_back(found);
   }
   return result;
@@ -316,18 +282,20 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
 
 template <int dim>
 unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                               const std::vector<BodyStrength<dim>>& strength,
                                const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, const double share_of_maximum) {
+                               const std::vector<bool>& of_body, const double most_share) {
+  constexpr double of_maximum = 0.7071;
   const Outside<dim> is_outside(solution, singular);
+  std::vector<double> limits(of_body.size(), std::numeric_limits<double>::max());
+  for (unsigned int body = 0; body < of_body.size(); ++body)
+    if (of_body[body])
+      limits[body] = std::min(most_share * solution.strength[body].von_mises.value,
+                              of_maximum * maximum_variation(solution, stress, is_outside, body));
   unsigned int flagged = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    const unsigned int body = cell->material_id();
-    if (!cell->is_locally_owned() || cell->refine_flag_set() || !of_body[body] ||
-        strength[body].von_mises.value == 0.)
+    if (!cell->is_locally_owned() || cell->refine_flag_set() ||
+        variation(stress, cell) <= limits[cell->material_id()])
       continue;
-    const double varying = variation(stress, cell);
-    if (varying <= share_of_maximum * strength[body].von_mises.value) continue;
     if (!is_outside(solution, stress, cell) || belongs_to_contact(solution, cell)) continue;
     cell->set_refine_flag();
     ++flagged;
@@ -338,9 +306,9 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
 #define INSTANTIATE(dim)                                                                          \
   template std::vector<BodyStrength<dim>> strength(const Solution<dim>&, const NodalStress<dim>&, \
                                                    const std::vector<SingularPlace<dim>>&);       \
-  template unsigned int flag_for_strength(                                                        \
-      const Solution<dim>&, const NodalStress<dim>&, const std::vector<BodyStrength<dim>>&,       \
-      const std::vector<SingularPlace<dim>>&, const std::vector<bool>&, double);
+  template unsigned int flag_for_strength(const Solution<dim>&, const NodalStress<dim>&,          \
+                                          const std::vector<SingularPlace<dim>>&,                 \
+                                          const std::vector<bool>&, double);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

@@ -19,14 +19,15 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
                                         const NodalStress<dim>& stress,
                                         const std::vector<SingularPlace<dim>>& singular);
 
-/// Flags cells outside of the contacts' own field over which the stress varies by more than a share
-/// of the body's maximum von Mises stress, none that is flagged already or bounds the contact.
+/// Beside a contact: flags cells outside of its own field over which the stress varies by more than
+/// a share of the body's maximum von Mises stress, none that is flagged already or bounds the
+/// contact.
 /// @param of_body whether a body's cells are wanted finer
+/// @param most_share of the maximum; less where no cell varies by so much
 /// @return number of flagged cells on all ranks
 template <int dim>
 unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                               const std::vector<BodyStrength<dim>>& strength,
                                const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, double share_of_maximum);
+                               const std::vector<bool>& of_body, double most_share);
 
 }  // namespace geneva::fem

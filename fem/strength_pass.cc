@@ -4,8 +4,17 @@
 #include <cmath>
 
 #include "fem/strength.h"
+#include "fem/stress_error.h"
 
 namespace geneva::fem {
+
+template <int dim>
+StrengthPass<dim>::StrengthPass(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                                const std::optional<double> accuracy)
+    : accuracy_(accuracy),
+      mesh_(mesh),
+      by_geometry_(
+          singular_places(mesh, boundary_tractions(mesh, problem, scales_of(problem, mesh), {}))) {}
 
 namespace {
 
@@ -13,36 +22,51 @@ namespace {
 /// relative error `accuracy`, about: at Kirsch's hole the error is 0.12 to 0.18 times the square.
 double first_share(const double accuracy) { return 2. * std::sqrt(accuracy); }
 
-/// Adds what the mesh before had less: the cells around have changed the stress by so much.
+/// Beside a contact: adds what the mesh before had less, since the cells around have changed the
+/// stress by so much.
 template <int dim>
 void add_change(StressMaximum<dim>& maximum, const double before) {
   constexpr double share_left = 1. / 3.;
-  if (maximum.value == 0. || before == 0.) return;
-  maximum.error += share_left * std::abs(before / maximum.value - 1.);
+  if (before > 0.) maximum.error += share_left * std::abs(before / maximum.value - 1.);
+}
+
+/// Without contact: adds what the cells leave open, as much of it as earlier meshes have shown to
+/// be so.
+template <int dim>
+void add_open(StressMaximum<dim>& maximum, const std::vector<StressRecord>& before) {
+  maximum.error += share_of_open(before, maximum.value, maximum.open) * maximum.open;
+}
+
+/// @param record of a mesh that one of the maximum
+template <int dim, typename RecordOf>
+void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& before,
+               const bool has_contact, const RecordOf& record) {
+  if (maximum.value == 0.) return;
+  std::vector<StressRecord> course;
+  for (const LevelRecord& level : before) course.push_back(record(level));
+  if (!has_contact)
+    add_open(maximum, course);
+  else if (!course.empty())
+    add_change(maximum, course.back().value);
 }
 
 }  // namespace
 
 template <int dim>
-StrengthPass<dim>::StrengthPass(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
-                                const std::optional<double> accuracy)
-    : accuracy_(accuracy),
-      singular_(
-          singular_places(mesh, boundary_tractions(mesh, problem, scales_of(problem, mesh), {}))),
-      share_of_maximum_(first_share(accuracy.value_or(1.))) {}
-
-template <int dim>
 std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solution,
-                                                       const std::vector<double>& before) {
+                                                       const std::vector<LevelRecord>& before) {
   stress_.emplace(recovered_stress(
       *solution.dof_handler, solution.displacement, solution.problem,
       boundary_tractions(solution.mesh, solution.problem, solution.scales, solution.contacts)));
+  singular_ = by_geometry_;
+  for (const SingularPlace<dim>& place : grown_places(mesh_, before)) singular_.push_back(place);
   std::vector<BodyStrength<dim>> found = strength(solution, *stress_, singular_);
-  if (before.size() == 2 * found.size())
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      add_change(found[i].von_mises, before[2 * i]);
-      add_change(found[i].tensile, before[2 * i + 1]);
-    }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    add_error(found[i].von_mises, before, has_contact(solution.problem),
+              [i](const LevelRecord& level) { return level.strength[i].von_mises; });
+    add_error(found[i].tensile, before, has_contact(solution.problem),
+              [i](const LevelRecord& level) { return level.strength[i].tensile; });
+  }
   return found;
 }
 
@@ -58,34 +82,60 @@ bool StrengthPass<dim>::is_open(const std::vector<BodyStrength<dim>>& strength) 
 }
 
 template <int dim>
-unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) {
-  constexpr double finer = 0.7071;
-  constexpr double minimum_share = 1e-3;
+unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
   if (!stress_ || !is_open(solution.strength)) return 0;
   std::vector<bool> of_body;
   for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
-  while (share_of_maximum_ > minimum_share) {
-    if (const unsigned int flagged = flag_for_strength(solution, *stress_, solution.strength,
-                                                       singular_, of_body, share_of_maximum_))
+  if (!has_contact(solution.problem)) return flag_open(solution, *stress_, singular_, of_body);
+  constexpr double finer = 0.7071;
+  constexpr double minimum_share = 1e-3;
+  for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
+    if (const unsigned int flagged =
+            flag_for_strength(solution, *stress_, singular_, of_body, share))
       return flagged;
-    share_of_maximum_ *= finer;
-  }
   return 0;
 }
 
 template <int dim>
-std::vector<double> values_of(const std::vector<BodyStrength<dim>>& strength) {
-  std::vector<double> values;
-  for (const BodyStrength<dim>& body : strength) {
-    values.push_back(body.von_mises.value);
-    values.push_back(body.tensile.value);
-  }
-  return values;
+bool is_stressed(const std::vector<BodyStrength<dim>>& strength) {
+  return std::any_of(strength.begin(), strength.end(),
+                     [](const auto& body) { return body.von_mises.value > 0.; });
+}
+
+template <int dim>
+double maximum_error(const std::vector<BodyStrength<dim>>& strength) {
+  double error = 0.;
+  for (const BodyStrength<dim>& body : strength)
+    error = std::max({error, body.von_mises.error, body.tensile.error});
+  return std::min(error, 1.);
+}
+
+namespace {
+
+template <int dim>
+StressRecord record_of(const StressMaximum<dim>& maximum) {
+  StressRecord record{maximum.value, maximum.open, {}, maximum.is_round};
+  for (unsigned int i = 0; i < dim; ++i) record.place[i] = maximum.place[i];
+  return record;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<StrengthRecord> record_of(const std::vector<BodyStrength<dim>>& strength) {
+  std::vector<StrengthRecord> records;
+  for (const BodyStrength<dim>& body : strength)
+    records.push_back({record_of(body.von_mises), record_of(body.tensile)});
+  return records;
 }
 
 template class StrengthPass<2>;
 template class StrengthPass<3>;
-template std::vector<double> values_of(const std::vector<BodyStrength<2>>&);
-template std::vector<double> values_of(const std::vector<BodyStrength<3>>&);
+template bool is_stressed(const std::vector<BodyStrength<2>>&);
+template bool is_stressed(const std::vector<BodyStrength<3>>&);
+template double maximum_error(const std::vector<BodyStrength<2>>&);
+template double maximum_error(const std::vector<BodyStrength<3>>&);
+template std::vector<StrengthRecord> record_of(const std::vector<BodyStrength<2>>&);
+template std::vector<StrengthRecord> record_of(const std::vector<BodyStrength<3>>&);
 
 }  // namespace geneva::fem

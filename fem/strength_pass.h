@@ -18,17 +18,20 @@ class StrengthPass {
                std::optional<double> accuracy);
 
   /// Recovers the stress on this mesh and finds the maxima.
-  /// @param before those on the mesh before, see LevelRecord::strength; may be empty
+  /// @param before the meshes before, the newest last; may be empty
   std::vector<BodyStrength<dim>> find(const Solution<dim>& solution,
-                                      const std::vector<double>& before);
+                                      const std::vector<LevelRecord>& before);
 
   /// Whether an error is greater than wanted.
   [[nodiscard]] bool is_open(const std::vector<BodyStrength<dim>>& strength) const;
 
-  /// Flags the cells of bodies whose errors are greater than wanted; the more, the less it helped
-  /// before. Those found on this mesh must be `solution`'s.
+  /// Flags the cells that count most of bodies whose errors are greater than wanted. The maxima
+  /// found on this mesh must be `solution`'s.
   /// @return number of flagged cells on all ranks
-  unsigned int flag(const Solution<dim>& solution);
+  unsigned int flag(const Solution<dim>& solution) const;
+
+  /// Places left out on the last mesh.
+  [[nodiscard]] const std::vector<SingularPlace<dim>>& singular() const { return singular_; }
 
   /// Before the mesh changes.
   void forget_stress() { stress_.reset(); }
@@ -37,13 +40,22 @@ class StrengthPass {
   [[nodiscard]] bool is_open(const BodyStrength<dim>& body) const;
 
   std::optional<double> accuracy_;
-  std::vector<SingularPlace<dim>> singular_;
-  double share_of_maximum_;
+  mesh::MeshData<dim> mesh_;
+  std::vector<SingularPlace<dim>> by_geometry_;
+  std::vector<SingularPlace<dim>> singular_;  ///< those, and where stresses have grown
   std::optional<NodalStress<dim>> stress_;
 };
 
-/// The values alone: von Mises and tensile stress by body.
+/// Whether there is any.
 template <int dim>
-std::vector<double> values_of(const std::vector<BodyStrength<dim>>& strength);
+bool is_stressed(const std::vector<BodyStrength<dim>>& strength);
+
+/// The greatest of their errors.
+template <int dim>
+double maximum_error(const std::vector<BodyStrength<dim>>& strength);
+
+/// What a history keeps of them.
+template <int dim>
+std::vector<StrengthRecord> record_of(const std::vector<BodyStrength<dim>>& strength);
 
 }  // namespace geneva::fem

@@ -14,6 +14,7 @@
 
 #include "fem/contact/surface.h"
 #include "fem/discretisation/element.h"
+#include "fem/discretisation/round_cell.h"
 #include "fem/elasticity/cell_element.h"
 #include "fem/elasticity/surface_stress.h"
 #include "fem/stress_patch.h"
@@ -452,9 +453,8 @@ FaceThere<dim> StressRecovery<dim>::face_there(const Corner& corner,
   FaceThere<dim> there;
   const Tensor<1, dim> flat = normal_of(surface);
   const Tensor<1, dim> outwards = surface->center() - cell->center();
-  const auto manifold = surface->manifold_id();
-  const bool is_round = manifold != dealii::numbers::flat_manifold_id && manifold > 0;
-  there.normal = is_round ? radial(tractions_.circles[manifold - 1], place) : flat;
+  there.normal =
+      is_round(surface) ? radial(tractions_.circles[surface->manifold_id() - 1], place) : flat;
   there.normal /= there.normal.norm();
   if (there.normal * flat * (flat * outwards) < 0.) there.normal = -there.normal;
   there.inwards = surface->center() - place;

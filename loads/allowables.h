@@ -8,9 +8,10 @@ namespace geneva::loads {
 
 /// What the case allows.
 struct Allowables {
-  std::optional<double> contact_pressure;         ///< [Pa]
-  std::optional<double> pressure_times_slip;      ///< contact pressure times slip speed [Pa m/s]
-  std::map<std::string, double> yield_strengths;  ///< [Pa] by body
+  std::optional<double> contact_pressure;           ///< [Pa]
+  std::optional<double> pressure_times_slip;        ///< contact pressure times slip speed [Pa m/s]
+  std::map<std::string, double> yield_strengths;    ///< [Pa] by body
+  std::map<std::string, double> fatigue_strengths;  ///< under pulsating tension [Pa] by body
 };
 
 }  // namespace geneva::loads

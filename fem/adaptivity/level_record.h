@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/point.h>
+
 #include <vector>
 
 namespace geneva::fem {
@@ -9,6 +11,20 @@ enum class Refined {
   nothing,      ///< the first mesh
   zone,         ///< the contact zone; the cells around keep their ratio of size to distance
   surroundings  ///< the cells around the contact, whose ratio of size to distance is halved
+};
+
+/// A maximum stress on a mesh.
+struct StressRecord {
+  double value;            ///< [Pa]; 0 if there is no place for it
+  double open;             ///< relative, see StressMaximum
+  dealii::Point<3> place;  ///< [m]; z is 0 in the plane
+  bool is_round;           ///< whether the surface is round there
+};
+
+/// Those of a body away from the contacts.
+struct StrengthRecord {
+  StressRecord von_mises;
+  StressRecord tensile;
 };
 
 /// One mesh of the nested iteration.
@@ -25,8 +41,8 @@ struct LevelRecord {
   /// ends [Pa].
   double mid_length_pressure;
   double end_pressure;
-  std::vector<double> strength;  ///< maxima of stress outside of the contacts [Pa], see values_of()
-  unsigned int halvings;         ///< of the contact's cells since the mesh before
+  std::vector<StrengthRecord> strength;  ///< by body
+  unsigned int halvings;                 ///< of the contact's cells since the mesh before
   unsigned int active_nodes;
   unsigned int nodes_across;  ///< active nodes that the contacts are wide
   bool cycled;     ///< the active set came back to an earlier one; its nodes then could only close

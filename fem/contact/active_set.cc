@@ -60,6 +60,21 @@ NodeStatus touching(const bool touches) { return touches ? NodeStatus::slip : No
 }  // namespace
 
 template <int dim>
+bool is_pulled_apart(const ContactInterface<dim>& interface) {
+  constexpr double near = 0.1;
+  const auto nearest = std::min_element(
+      interface.rows.begin(), interface.rows.end(),
+      [](const auto& a, const auto& b) { return initial_gap(a) < initial_gap(b); });
+  const auto closes = [&](const ContactRow<dim>& row) {
+    return initial_gap(row) < near * interface.source.length &&
+           closing_rate(row, interface.approach) > minimum_closing_rate;
+  };
+  return nearest != interface.rows.end() &&
+         closing_rate(*nearest, interface.approach) < -minimum_closing_rate &&
+         std::none_of(interface.rows.begin(), interface.rows.end(), closes);
+}
+
+template <int dim>
 std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface) {
   const bool meets_approach =
       std::any_of(interface.rows.begin(), interface.rows.end(), [&](const ContactRow<dim>& row) {
@@ -167,6 +182,8 @@ std::vector<NodeStatus> updated(const ContactInterface<dim>& interface, const Co
   return status;
 }
 
+template bool is_pulled_apart(const ContactInterface<2>&);
+template bool is_pulled_apart(const ContactInterface<3>&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<2>&);
 template std::vector<NodeStatus> updated(const ContactInterface<2>&, const ContactState&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<3>&);

@@ -14,6 +14,11 @@ namespace geneva::fem {
 template <int dim>
 std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface);
 
+/// Whether loads pull the source away from the target where the two are nearest, and close no gap
+/// that is small beside the surface.
+template <int dim>
+bool is_pulled_apart(const ContactInterface<dim>& interface);
+
 /// The rows within the contact that the coarser mesh found, or first_touch if there is none.
 /// @param intervals of the coarser mesh's contact [m]
 /// @param length unit of length of the triangulation [m]

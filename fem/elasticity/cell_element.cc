@@ -121,12 +121,12 @@ typename CellElement<dim>::ModeShapes CellElement<dim>::reference_shapes(const P
 template <int dim>
 typename CellElement<dim>::ModeShapes CellElement<dim>::means() const {
   ModeShapes sum = ModeShapes::Zero();
-  if (!is_axisymmetric()) return sum;
+  if (dim == 2 && !is_axisymmetric()) return sum;
   double weights = 0.;
   for (const unsigned int q : values_.quadrature_point_indices()) {
-    const double radius = values_.quadrature_point(q)[0];
-    sum += radius * reference_shapes(values_.get_quadrature().point(q));
-    weights += radius;
+    const double weight = dim == 3 ? values_.JxW(q) : values_.quadrature_point(q)[0];
+    sum += weight * reference_shapes(values_.get_quadrature().point(q));
+    weights += weight;
   }
   return sum / weights;
 }
@@ -134,7 +134,8 @@ typename CellElement<dim>::ModeShapes CellElement<dim>::means() const {
 template <int dim>
 typename CellElement<dim>::ModeShapes CellElement<dim>::mode_shapes(
     const dealii::FEValues<dim>& values, const unsigned int point) const {
-  const double ratio = centre_.jacobian(0).determinant() / values.jacobian(point).determinant();
+  const double ratio =
+      dim == 3 ? 1. : centre_.jacobian(0).determinant() / values.jacobian(point).determinant();
   return ratio * (reference_shapes(values.get_quadrature().point(point)) - means_);
 }
 

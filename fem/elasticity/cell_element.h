@@ -19,9 +19,12 @@ namespace geneva::fem {
 /// Without them cells that are long in a bent body are far too stiff, and nearly incompressible
 /// ones lock. The gradient of mode k is J0/J (1 - 2 xi_k - c_k) grad0 xi_k, J0 and grad0 being
 /// those of the cell's middle: with c_k = 0, in an axisymmetric model the mean of 1 - 2 xi_k
-/// weighted with r, it has no mean over the cell, and uniform stress stays exact. An axisymmetric
-/// cell has one mode more, a hoop strain of the shape (1 - 2 xi_1)(1 - 2 xi_2) (Simo and Rifai
-/// 1990), without which the dilatation of its vertices' displacements could not vanish everywhere.
+/// weighted with r, it has no mean over the cell, and uniform stress stays exact. In 3-D c_k is the
+/// mean and J0/J left away: of a cell that is long along z and distorted across it the mode along z
+/// would vary with J over its cross-section, which is a shear that keeps it from bending. An
+/// axisymmetric cell has one mode more, a hoop strain of the shape (1 - 2 xi_1)(1 - 2 xi_2) (Simo
+/// and Rifai 1990), without which the dilatation of its vertices' displacements could not vanish
+/// everywhere.
 template <int dim>
 class CellElement {
  public:
@@ -68,11 +71,12 @@ class CellElement {
                                         unsigned int point) const;
   void add_hoop_strains(const dealii::FEValues<dim>& values, unsigned int point,
                         Derivatives& derivatives) const;
-  /// Means of the reference shapes over the current cell, weighted with r; 0 unless axisymmetric.
+  /// Means of the reference shapes over the current cell, in an axisymmetric model weighted with r;
+  /// not used in other plane ones.
   [[nodiscard]] ModeShapes means() const;
   /// Shapes at a reference point: 1 - 2 xi_k for all k, in the plane then their product.
   static ModeShapes reference_shapes(const dealii::Point<dim>& xi);
-  /// Those less their means over the cell, times J0/J.
+  /// Those less their means over the cell, in the plane times J0/J.
   [[nodiscard]] ModeShapes mode_shapes(const dealii::FEValues<dim>& values,
                                        unsigned int point) const;
 

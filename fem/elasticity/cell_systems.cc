@@ -10,8 +10,10 @@
 #include <memory>
 #include <utility>
 
+#include "fem/discretisation/round_cell.h"
 #include "fem/elasticity/cell_element.h"
 #include "fem/elasticity/elasticity.h"
+#include "fem/elasticity/sliver.h"
 
 namespace geneva::fem {
 
@@ -20,11 +22,26 @@ using dealii::Tensor;
 
 namespace {
 
+template <int dim>
+Tensor<1, dim> vector_of(const Components<dim>& components) {
+  Tensor<1, dim> result;
+  for (unsigned int i = 0; i < dim; ++i) result[i] = components[i];
+  return result;
+}
+
 /// From the z axis to x.
 template <int dim>
-Tensor<1, dim> radius_vector(const Point<dim>& x) {
+Tensor<1, dim> from_z_axis(const Point<dim>& x) {
   Tensor<1, dim> radius = x;
   if (dim == 3) radius[dim - 1] = 0.;
+  return radius;
+}
+
+/// From the axis of a body's spin to x.
+template <int dim>
+Tensor<1, dim> spin_radius(const PlaneKind plane, const Point<dim>& x) {
+  Tensor<1, dim> radius = from_z_axis(x);
+  if (dim == 2 && plane == PlaneKind::axisymmetric) radius[1] = 0.;
   return radius;
 }
 
@@ -41,14 +58,15 @@ Tensor<1, dim> uniform_force(const Body<dim>& body) {
 /// Force per volume at x.
 /// @param turning_density rho of the body's rotation, see there
 template <int dim>
-Tensor<1, dim> body_force_at(const Body<dim>& body, const double turning_density,
-                             const Point<dim>& x) {
+Tensor<1, dim> body_force_at(const Body<dim>& body, const PlaneKind plane,
+                             const double turning_density, const Point<dim>& x) {
   const Rotation& rotation = body.force.rotation;
-  const Tensor<1, dim> radius = radius_vector(x);
+  const Tensor<1, dim> radius = from_z_axis(x);
   Tensor<1, dim> result = turning_density * rotation.speed * rotation.speed * radius;
   const double euler = turning_density * rotation.acceleration;
   result[0] += euler * radius[1];
   result[1] -= euler * radius[0];
+  result += body.density * body.force.spin * body.force.spin * spin_radius(plane, x);
   return result + uniform_force(body);
 }
 
@@ -70,7 +88,7 @@ std::vector<double> turning_densities(const dealii::DoFHandler<dim>& dof_handler
     values.reinit(cell);
     for (const unsigned int q : values.quadrature_point_indices())
       polar_moments[cell->material_id()] +=
-          values.JxW(q) * radius_vector(values.quadrature_point(q)).norm_square() *
+          values.JxW(q) * from_z_axis(values.quadrature_point(q)).norm_square() *
           out_of_plane_measure(problem, values.quadrature_point(q));
   }
   dealii::Utilities::MPI::sum(polar_moments, dof_handler.get_communicator(), polar_moments);
@@ -90,6 +108,7 @@ class CellIntegrator {
       : problem_(problem),
         turning_densities_(turning_densities(dof_handler, problem)),
         element_(dof_handler.get_fe(), problem),
+        slivers_(problem),
         force_values_(
             dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),
             dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points),
@@ -101,14 +120,18 @@ class CellIntegrator {
         if (surfaces[id] == load.surface) surface_loads_.emplace(id, load);
   }
 
-  dealii::FullMatrix<double> stiffness(const Cell& cell) { return element_.stiffness(cell); }
+  dealii::FullMatrix<double> stiffness(const Cell& cell) {
+    dealii::FullMatrix<double> stiffness = element_.stiffness(cell);
+    if (cell->at_boundary()) slivers_.add_stiffness(cell, stiffness);
+    return stiffness;
+  }
 
   dealii::Vector<double> load(const Cell& cell) {
     dealii::Vector<double> load(dim * n_nodes);
     if (has_force(cell->material_id())) add_body_force(cell, load);
     if (cell->at_boundary())
-      for (const auto& face : cell->face_iterators())
-        if (face->at_boundary()) add_surface_loads(cell, face, load);
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary()) add_surface_loads(cell, face, load);
     return load;
   }
 
@@ -116,7 +139,8 @@ class CellIntegrator {
   static constexpr int n_nodes = dealii::GeometryInfo<dim>::vertices_per_cell;
 
   [[nodiscard]] bool has_force(const unsigned int body) const {
-    return turning_densities_[body] != 0. || uniform_force(problem_.bodies[body]).norm() > 0.;
+    return turning_densities_[body] != 0. || problem_.bodies[body].force.spin != 0. ||
+           uniform_force(problem_.bodies[body]).norm() > 0.;
   }
 
   void add_body_force(const Cell& cell, dealii::Vector<double>& load) {
@@ -125,7 +149,7 @@ class CellIntegrator {
     for (const unsigned int q : force_values_.quadrature_point_indices()) {
       const Point<dim>& x = force_values_.quadrature_point(q);
       const Tensor<1, dim> density =
-          body_force_at(problem_.bodies[body], turning_densities_[body], x);
+          body_force_at(problem_.bodies[body], problem_.plane, turning_densities_[body], x);
       const double weight = force_values_.JxW(q) * out_of_plane_measure(problem_, x);
       for (const unsigned int i : force_values_.dof_indices())
         load[i] += weight * density[force_values_.get_fe().system_to_component_index(i).first] *
@@ -133,19 +157,21 @@ class CellIntegrator {
     }
   }
 
-  template <typename Face>
-  void add_surface_loads(const Cell& cell, const Face& face, dealii::Vector<double>& load) {
-    const auto [begin, end] = surface_loads_.equal_range(face->boundary_id());
+  void add_surface_loads(const Cell& cell, const unsigned int face, dealii::Vector<double>& load) {
+    const auto [begin, end] = surface_loads_.equal_range(cell->face(face)->boundary_id());
     if (begin == end) return;
+    if (is_round(cell->face(face)))
+      for (auto entry = begin; entry != end; ++entry)
+        slivers_.add_load(cell, face, entry->second.pressure,
+                          vector_of<dim>(entry->second.traction), load);
     face_values_.reinit(cell, face);
     for (const unsigned int q : face_values_.quadrature_point_indices()) {
       const double weight =
           face_values_.JxW(q) * out_of_plane_measure(problem_, face_values_.quadrature_point(q));
       for (auto entry = begin; entry != end; ++entry) {
         const SurfaceLoad<dim>& surface_load = entry->second;
-        Tensor<1, dim> traction = -surface_load.pressure * face_values_.normal_vector(q);
-        for (unsigned int component = 0; component < dim; ++component)
-          traction[component] += surface_load.traction[component];
+        const Tensor<1, dim> traction = vector_of<dim>(surface_load.traction) -
+                                        surface_load.pressure * face_values_.normal_vector(q);
         for (const unsigned int i : face_values_.dof_indices())
           load[i] += weight * traction[face_values_.get_fe().system_to_component_index(i).first] *
                      face_values_.shape_value(i, q);
@@ -156,6 +182,7 @@ class CellIntegrator {
   Problem<dim> problem_;
   std::vector<double> turning_densities_;  ///< by body
   CellElement<dim> element_;
+  Slivers<dim> slivers_;
   dealii::FEValues<dim> force_values_;
   dealii::FEFaceValues<dim> face_values_;
   std::multimap<unsigned int, SurfaceLoad<dim>> surface_loads_;

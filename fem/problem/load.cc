@@ -1,5 +1,7 @@
 #include "fem/problem/load.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
@@ -36,6 +38,7 @@ Problem<dim> at_instant(const Problem<dim>& problem, const Load& load) {
   scale_all(result.bodies, load.body_forces, [](Body<dim>& body, const double share) {
     multiply(body.force.uniform, share);
     multiply(body.force.acceleration, share);
+    body.force.spin *= std::sqrt(std::max(0., share));
     body.force.rotation.inertia *= share;
   });
   scale_all(result.loads, load.surface_loads, [](SurfaceLoad<dim>& surface, const double share) {

@@ -52,6 +52,9 @@ struct BodyForce {
   Components<dim> uniform{};       ///< force per volume [N/m^3]
   Components<dim> acceleration{};  ///< force per mass, such as gravity [m/s^2]
   Rotation rotation;
+  /// Angular speed about the origin, in 3-D about the z axis, in an axisymmetric model about the
+  /// axis of revolution [rad/s]: density times its square times the radius is added.
+  double spin = 0.;
 };
 
 template <int dim>
@@ -100,7 +103,7 @@ inline std::string quoted(const ContactPair& pair) {
   return "'" + pair.source + " -> " + pair.target + "'";
 }
 
-/// An elastic contact problem in the plane or in 3-D, all by name, SI units.
+/// An elastic problem with contact or without, in the plane or in 3-D, all by name, SI units.
 template <int dim>
 struct Problem {
   PlaneKind plane = PlaneKind::plane_strain;  ///< not used in 3-D
@@ -111,6 +114,11 @@ struct Problem {
   std::vector<RigidTie<dim>> ties;
   std::vector<ContactPair> pairs;
 };
+
+template <int dim>
+bool has_contact(const Problem<dim>& problem) {
+  return !problem.pairs.empty();
+}
 
 /// Whether a support moves, so that not loads alone decide the forces.
 template <int dim>

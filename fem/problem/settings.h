@@ -13,7 +13,8 @@ enum class LinearSolver {
 
 /// When to stop refining, and what limits the effort.
 struct Settings {
-  double accuracy = 0.005;  ///< wanted relative error of the peak contact pressure, > 0
+  double accuracy = 0.005;  ///< wanted relative error of the peak contact pressure, without contact
+                            ///< of the maxima of stress, > 0
   /// Wanted relative error of the maxima of stress outside of the contacts, > 0; nothing: the mesh
   /// is not refined for them.
   std::optional<double> structural_accuracy = 0.02;

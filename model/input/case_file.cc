@@ -92,18 +92,38 @@ fem::LinearSolver read_linear_solver(const CaseSection& section) {
   return word == "ML" ? fem::LinearSolver::library : fem::LinearSolver::automatic;
 }
 
-std::optional<double> read_structural_accuracy(const CaseSection& section, const int dimension) {
+bool has_contact(const Case& given) {
+  return given.mechanism ||
+         std::visit([](const auto& problem) { return fem::has_contact(problem); },
+                    given.geometry->problem);
+}
+
+std::optional<double> read_structural_accuracy(const CaseSection& section,
+                                               const bool is_off_by_default) {
   const std::string name = "Structural accuracy";
   const auto given = section.optional_value(name);
-  if (given || section.text(name) == "off" || dimension == 3) return given;
+  if (given || section.text(name) == "off" || is_off_by_default) return given;
   return 0.02;
 }
 
-fem::Settings read_settings(const CaseSection& section, const int dimension) {
-  const double accuracy_by_dimension = dimension == 3 ? 0.05 : 0.005;
+/// Of the contact pressure; without contact that of the maxima of stress counts alone, and with
+/// neither one mesh is enough.
+double read_accuracy(const CaseSection& section, const Case& given,
+                     const std::optional<double> structural) {
+  if (has_contact(given))
+    return section.optional_value("Accuracy").value_or(given.dimension == 3 ? 0.05 : 0.005);
+  if (section.is_changed("Accuracy"))
+    section.refuse("Accuracy",
+                   "it is that of the contact pressure, and the case has no 'Contact pairs'; "
+                   "'Structural accuracy' is that of the maximum stress");
+  return structural.value_or(1.);
+}
+
+fem::Settings read_settings(const CaseSection& section, const Case& given) {
   fem::Settings settings;
-  settings.accuracy = section.optional_value("Accuracy").value_or(accuracy_by_dimension);
-  settings.structural_accuracy = read_structural_accuracy(section, dimension);
+  settings.structural_accuracy =
+      read_structural_accuracy(section, given.dimension == 3 && has_contact(given));
+  settings.accuracy = read_accuracy(section, given, settings.structural_accuracy);
   settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
   settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));
   settings.max_memory = section.value("Maximum memory");
@@ -152,10 +172,23 @@ std::vector<fs::path> named_files(const CaseValues& values, const Case& given) {
   return files;
 }
 
+/// Refuses what compares a contact pressure where there is no contact.
+void refuse_limits_of_contact(const CaseValues& values, const Case& given) {
+  if (has_contact(given)) return;
+  const auto refuse = [&](const char* const name, const char* const parameter) {
+    const CaseSection section(values, {name});
+    if (section.is_changed(parameter))
+      section.refuse(parameter, "the case has no 'Contact pairs', and so no contact pressure");
+  };
+  refuse(names::allowable, "Contact pressure");
+  refuse(names::published, "Peak pressure");
+}
+
 loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   const CaseSection section(values, {names::allowable});
   loads::Allowables result{section.optional_value("Contact pressure"),
                            section.optional_value("Pressure times slip speed"),
+                           {},
                            {}};
   if (result.pressure_times_slip && !given.mechanism)
     section.refuse("Pressure times slip speed",
@@ -163,6 +196,9 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   for (const auto& [body, path] : materials_of(given))
     if (const auto yield = CaseSection(values, path).optional_value("Yield strength"))
       result.yield_strengths[body] = *yield;
+  for (const auto& [body, path] : materials_of(given))
+    if (const auto fatigue = CaseSection(values, path).optional_value("Fatigue strength"))
+      result.fatigue_strengths[body] = *fatigue;
   return result;
 }
 
@@ -183,7 +219,6 @@ Case read_case(const fs::path& directory) {
     result.synthesis = read_synthesis(values, result.directory);
   } else {
     result.dimension = general.text("Dimension") == "3" ? 3 : 2;
-    result.settings = read_settings(general, result.dimension);
     result.checkpoints = read_checkpoints(general);
     const CaseSection published(values, {names::published});
     result.published_peak_pressure = published.optional_value("Peak pressure");
@@ -192,6 +227,8 @@ Case read_case(const fs::path& directory) {
       result.mechanism = read_mechanism(values, result.directory);
     else
       result.geometry = read_geometry_case(values, result.directory, result.dimension);
+    result.settings = read_settings(general, result);
+    refuse_limits_of_contact(values, result);
     result.allowed = read_allowables(values, result);
   }
   result.completed = values.completed();

@@ -116,6 +116,7 @@ fem::Body<dim> read_body(const CaseValues& values, const std::string& name) {
   body.density = section.value("Density");
   body.force.uniform = *read_vector<dim>(section, "Body force");
   body.force.acceleration = *read_vector<dim>(section, "Gravity");
+  body.force.spin = section.value("Angular speed");
   return body;
 }
 
@@ -165,6 +166,7 @@ std::vector<fem::ContactPair> read_pairs(const CaseSection& section) {
   std::vector<fem::ContactPair> pairs;
   std::set<std::pair<std::string, std::string>> seen;
   const std::string arrow = "->";
+  if (!section.is_given("Contact pairs")) return pairs;
   for (const std::string& part : split_list(section.text("Contact pairs"))) {
     const std::size_t place = part.find(arrow);
     const std::string source = trimmed(part.substr(0, place));

@@ -26,7 +26,11 @@ std::vector<Parameter> material_parameters(const SectionPath& section) {
        "Mass density. The default is that of steel."},
       {section, "Yield strength", "", positive(Dimension::stress, {""}),
        "Von Mises stress at which the material yields; if given, the safety factor against it is "
-       "reported."}};
+       "reported."},
+      {section, "Fatigue strength", "", positive(Dimension::stress, {""}),
+       "Maximum tensile stress that the material bears any number of times, from nought to maximum "
+       "(pulsating), with the surface and size of the part; if given, the safety factor of the "
+       "maximum tensile stress away from the contact is reported."}};
 }
 
 /// A length that follows from a rule unless it is given.
@@ -299,6 +303,7 @@ std::vector<Parameter> design_parameters() {
 
 std::vector<Parameter> body_parameters(const std::string& body) {
   const SectionPath section = body_section(body);
+  const Range speed{-1e6, 1e6, true, true, "from -1e6 to 1e6 rad/s"};
   std::vector<Parameter> parameters = material_parameters(section);
   append(parameters,
          {{section, "Body force", "0 N/m^3, 0 N/m^3", vector_of(Dimension::force_per_volume),
@@ -306,7 +311,10 @@ std::vector<Parameter> body_parameters(const std::string& body) {
           {section, "Gravity", "0 m/s^2, 0 m/s^2", vector_of(Dimension::acceleration),
            "Acceleration of gravity in x and y, in 3-D in x, y and z: density times gravity is "
            "added "
-           "to the body force."}});
+           "to the body force."},
+          {section, "Angular speed", "0 rad/s", quantity(Dimension::angular_speed, speed),
+           "Of the body about the origin, in 3-D about the z axis, in an axisymmetric model about "
+           "the axis of revolution: its centrifugal force is added to the body force."}});
   return parameters;
 }
 
@@ -367,8 +375,8 @@ std::vector<Parameter> geometry_list_parameters() {
        "Physical curves (surfaces) that are loaded; each has its subsection 'Load NAME'."},
       {section, "Contact pairs", "", TextRule{"a list of 'source -> target', separated by commas"},
        "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed on "
-       "the source: choose the more curved or the softer one.",
-       true}};
+       "the source: choose the more curved or the softer one. Without any the maximum stresses are "
+       "found, to the 'Structural accuracy'."}};
 }
 
 /// Lengths whose squares are numbers.
@@ -489,8 +497,9 @@ std::vector<Parameter> settings_parameters() {
        quantity(Dimension::dimensionless, accuracy, {"by dimension", "off"}),
        "Wanted relative error of the bodies' maximum stresses away from the contact, such as at a "
        "slot's bottom: the mesh is refined there, too, until their estimates are smaller. 'off': "
-       "they are reported as the mesh for the contact has them. 'by dimension': 2 % in the plane, "
-       "off in 3-D, where such cells are dear."},
+       "they are reported as the mesh for the contact has them, without contact as the coarse mesh "
+       "has them. 'by dimension': 2 % in the plane and without contact, off beside a contact in "
+       "3-D, where such cells are dear."},
       {{},
        "Maximum refinement levels",
        "20",

@@ -1,8 +1,11 @@
 #include "post/analysis/checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace geneva::post {
 
@@ -36,11 +39,9 @@ double complementarity_residual(const fem::ContactResult<dim>& contact, const do
   return residual;
 }
 
-}  // namespace
-
+/// Of all contacts together.
 template <int dim>
-std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>& results,
-                          const RunReport& report) {
+std::vector<Check> contact_checks(const fem::Solution<dim>& solution, const Results<dim>& results) {
   double complementarity = 0.;
   double penetration = 0.;
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
@@ -50,10 +51,25 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
     complementarity = std::max(complementarity, complementarity_residual(contact, scale));
     penetration = std::max(penetration, contact.max_penetration / scale);
   }
+  return {{"complementarity",
+           "maximum pressure times gap, and maximum tension, over peak pressure times approach",
+           complementarity, complementarity_limit},
+          {"penetration", "maximum overlap left open over the approach", penetration,
+           penetration_limit}};
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>& results,
+                          const RunReport& report) {
+  const bool has_contact = fem::has_contact(solution.problem);
+  const std::string scale =
+      has_contact ? "contact force" : "maximum stress on the square of the model's extent";
   std::vector<Check> list{
-      {"balance of forces", "sum of all loads and reactions over the contact force",
+      {"balance of forces", "sum of all loads and reactions over the " + scale,
        results.equilibrium.force_residual, balance_limit},
-      {"balance of moments", "sum of all moments over contact force times extent of the model",
+      {"balance of moments", "sum of all moments over the " + scale + ", times that extent",
        results.equilibrium.moment_residual, balance_limit}};
   if (report.mechanism && report.mechanism->bore_torque)
     list.push_back(
@@ -61,13 +77,11 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
          "its reaction against what the load asks for, relative difference",
          std::abs(*report.mechanism->bore_torque / report.mechanism->expected_bore_torque - 1.),
          torque_limit});
-  list.push_back({"complementarity",
-                  "maximum pressure times gap, and maximum tension, over peak pressure times "
-                  "approach",
-                  complementarity, complementarity_limit});
-  list.push_back({"penetration", "maximum overlap left open over the approach", penetration,
-                  penetration_limit});
-  list.push_back({"convergence", "estimated relative error of the pressure, and what was asked for",
+  if (has_contact)
+    for (Check& check : contact_checks(solution, results)) list.push_back(std::move(check));
+  list.push_back({"convergence",
+                  fmt::format("estimated relative error of the {}, and what was asked for",
+                              has_contact ? "pressure" : "maximum stress"),
                   solution.error_estimate, report.accuracy});
   return list;
 }

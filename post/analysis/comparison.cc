@@ -209,6 +209,10 @@ std::vector<ComparisonRow> pin_rows(const PinReport& pin, const Figures& errors)
                  value_of(errors, Figure::root_stress))};
 }
 
+void append(std::vector<ComparisonRow>& rows, const std::vector<ComparisonRow>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
 std::string cell(const std::optional<double>& value, const double factor) {
   return value ? fmt::format("{:.5g}", *value * factor) : std::string("-");
 }
@@ -237,22 +241,28 @@ std::string line_of(const ComparisonRow& row, const UnitSystem units) {
                      cell(row.published, unit.factor), difference(row));
 }
 
+/// What the balance of forces is relative to.
+template <int dim>
+const char* force_reference(const fem::Solution<dim>& solution) {
+  return fem::has_contact(solution.problem) ? "contact force"
+                                            : "maximum stress on the square of the model's extent";
+}
+
 /// The line on the error estimate, and what is said of the edges.
 template <int dim>
 std::string error_lines(const fem::Solution<dim>& solution, const RunReport& report) {
   const bool is_edge = solution.stop.outcome == fem::Outcome::unbounded_edge;
-  const char* of = is_edge ? "pressure in the middle" : "peak contact pressure";
+  const std::string of = refined_figure(solution);
   if (solution.error_estimate >= 1.)
     return fmt::format("estimated error of the {}: unknown, the mesh is too coarse\n", of);
   return fmt::format("estimated error of the {}: {:.2g} %\n", of, 100. * solution.error_estimate) +
          (is_edge ? report.stop_message + "\n" : std::string());
 }
 
-}  // namespace
-
+/// Of the contact with the maximum pressure, and of the pin.
 template <int dim>
-std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
-                                      const Results<dim>& results, const RunReport& report) {
+std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
+                                           const Results<dim>& results, const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   const fem::ContactResult<dim>& contact = solution.contacts[leading];
   const ContactAnalysis<dim>& analysis = results.contacts[leading];
@@ -263,25 +273,40 @@ std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
       row_of("contact force", Dimension::force, parts * fem::magnitude(contact.force),
              mechanism ? std::optional(mechanism->load.force) : std::nullopt,
              value_of(errors, Figure::force))};
-  const auto append = [&](const std::vector<ComparisonRow>& more) {
-    rows.insert(rows.end(), more.begin(), more.end());
-  };
   const bool has_pin = mechanism && mechanism->pin;
   const std::optional<PinLineReport> line = has_pin ? mechanism->pin->line : std::nullopt;
-  append(contact_rows(solution, contact, analysis, errors, line));
+  append(rows, contact_rows(solution, contact, analysis, errors, line));
   for (ComparisonRow& row : rows)
     if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
-  if (mechanism) append(even_load_rows(solution, contact, analysis));
+  if (mechanism) append(rows, even_load_rows(solution, contact, analysis));
   if (has_pin) {
-    append(line_rows(solution, contact, line));
-    append(pin_rows(*mechanism->pin, report.errors.mechanism));
+    append(rows, line_rows(solution, contact, line));
+    append(rows, pin_rows(*mechanism->pin, report.errors.mechanism));
   }
+  return rows;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
+                                      const Results<dim>& results, const RunReport& report) {
+  std::vector<ComparisonRow> rows;
+  if (fem::has_contact(solution.problem)) rows = rows_of_contact(solution, results, report);
+  const auto& mechanism = report.mechanism;
   if (mechanism && mechanism->bore_torque)
     rows.push_back(row_of(mechanism->held_surface + " torque", Dimension::moment,
                           *mechanism->bore_torque, mechanism->expected_bore_torque,
                           value_of(report.errors.mechanism, Figure::bore_torque)));
-  append(strength_rows(solution));
+  append(rows, strength_rows(solution));
   return rows;
+}
+
+template <int dim>
+std::string refined_figure(const fem::Solution<dim>& solution) {
+  if (!fem::has_contact(solution.problem)) return "maximum stress";
+  return solution.edge && !solution.edge->is_bounded ? "pressure in the middle"
+                                                     : "peak contact pressure";
 }
 
 template <int dim>
@@ -292,8 +317,8 @@ std::string comparison_table(const fem::Solution<dim>& solution, const Results<d
   for (const ComparisonRow& row : comparison(solution, results, report))
     table += line_of(row, units);
   return table + strength_line(solution) + error_lines(solution, report) +
-         fmt::format("force balance: residual {:.1e} of the contact force\n",
-                     results.equilibrium.force_residual) +
+         fmt::format("force balance: residual {:.1e} of the {}\n",
+                     results.equilibrium.force_residual, force_reference(solution)) +
          safety_lines(safety(solution, results, report), units);
 }
 
@@ -301,6 +326,8 @@ template std::vector<ComparisonRow> comparison(const fem::Solution<2>&, const Re
                                                const RunReport&);
 template std::vector<ComparisonRow> comparison(const fem::Solution<3>&, const Results<3>&,
                                                const RunReport&);
+template std::string refined_figure(const fem::Solution<2>&);
+template std::string refined_figure(const fem::Solution<3>&);
 template std::string comparison_table(const fem::Solution<2>&, const Results<2>&, const RunReport&,
                                       UnitSystem);
 template std::string comparison_table(const fem::Solution<3>&, const Results<3>&, const RunReport&,

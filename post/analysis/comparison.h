@@ -10,10 +10,15 @@
 
 namespace geneva::post {
 
-/// The figures of a run, the contact force first.
+/// The figures of a run: of the contact, its force first, then of the bodies.
 template <int dim>
 std::vector<ComparisonRow> comparison(const fem::Solution<dim>& solution,
                                       const Results<dim>& results, const RunReport& report);
+
+/// What the accuracy of the run is that of: "peak contact pressure", "pressure in the middle" where
+/// an edge pressure has no bound, or without contact "maximum stress".
+template <int dim>
+std::string refined_figure(const fem::Solution<dim>& solution);
 
 /// The table that ends a run: this program with its error, closed form, published value,
 /// difference, and below it the estimated error, the balance of forces and the safety factors.

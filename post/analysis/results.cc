@@ -24,8 +24,25 @@ double norm(const fem::Components<dim>& vector) {
 double norm(const double moment) { return std::abs(moment); }
 double norm(const dealii::Tensor<1, 3>& moment) { return moment.norm(); }
 
+/// What forces are compared with: the contact force, or without contact the maximum stress on the
+/// square of the model's extent, in the plane on extent times thickness [N].
 template <int dim>
-Equilibrium equilibrium(const fem::Solution<dim>& solution) {
+double force_scale(const fem::Solution<dim>& solution,
+                   const std::vector<StressPeak<dim>>& max_von_mises) {
+  double scale = 0.;
+  for (const fem::ContactResult<dim>& contact : solution.contacts)
+    scale = std::max(scale, std::hypot(norm<dim>(contact.force), norm<dim>(contact.lateral_force)));
+  if (fem::has_contact(solution.problem)) return scale;
+  const double extent = solution.scales.length;
+  const bool has_thickness = dim == 2 && solution.problem.plane != fem::PlaneKind::axisymmetric;
+  for (const StressPeak<dim>& peak : max_von_mises)
+    scale = std::max(scale,
+                     peak.value * extent * (has_thickness ? solution.problem.thickness : extent));
+  return scale;
+}
+
+template <int dim>
+Equilibrium equilibrium(const fem::Solution<dim>& solution, const double scale) {
   const bool axisymmetric = dim == 2 && solution.problem.plane == fem::PlaneKind::axisymmetric;
   fem::Components<dim> force = solution.applied_force;
   fem::Moment<dim> moment = solution.applied_moment;
@@ -33,14 +50,10 @@ Equilibrium equilibrium(const fem::Solution<dim>& solution) {
     for (unsigned int i = 0; i < dim; ++i) force[i] += reaction.force[i];
     moment += reaction.moment;
   }
-  double contact_force = 0.;
-  for (const fem::ContactResult<dim>& contact : solution.contacts)
-    contact_force = std::max(
-        contact_force, std::hypot(norm<dim>(contact.force), norm<dim>(contact.lateral_force)));
-  if (contact_force == 0.) return {0., 0.};
+  if (scale == 0.) return {0., 0.};
   const double residual = axisymmetric ? std::abs(force[1]) : norm<dim>(force);
   const double arm = solution.scales.length;
-  return {residual / contact_force, axisymmetric ? 0. : norm(moment) / (contact_force * arm)};
+  return {residual / scale, axisymmetric ? 0. : norm(moment) / (scale * arm)};
 }
 
 double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
@@ -216,7 +229,7 @@ Results<dim> analyse(const fem::Solution<dim>& solution) {
   }
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));
-  results.equilibrium = equilibrium(solution);
+  results.equilibrium = equilibrium(solution, force_scale(solution, results.max_von_mises));
   return results;
 }
 

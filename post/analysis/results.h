@@ -13,8 +13,9 @@
 
 namespace geneva::post {
 
-/// How well the forces balance; relative to the contact force (moments: times the extent of the
-/// model).
+/// How well the forces balance; relative to the contact force, without contact to the maximum
+/// stress on the square of the model's extent, in the plane on extent times thickness (moments:
+/// times the extent).
 struct Equilibrium {
   double force_residual;
   double moment_residual;  ///< 0 in an axisymmetric model
@@ -89,7 +90,7 @@ double half_width(const fem::ContactResult<3>& contact, const ContactAnalysis<3>
 double hertz_pressure(const ContactAnalysis<2>& analysis, const fem::ContactNode<2>& node);
 double hertz_pressure(const ContactAnalysis<3>& analysis, const fem::ContactNode<3>& node);
 
-/// The contact pair with the maximum pressure.
+/// The contact pair with the maximum pressure, of a problem that has some.
 template <int dim>
 std::size_t leading_contact(const fem::Solution<dim>& solution);
 

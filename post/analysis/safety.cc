@@ -31,7 +31,9 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   const auto if_bounded = [&](const double value) {
     return is_bounded(solution) ? std::optional(value) : std::nullopt;
   };
-  const double pressure = solution.contacts[leading_contact(solution)].peak_pressure;
+  const bool has_contact = fem::has_contact(solution.problem);
+  const double pressure =
+      has_contact ? solution.contacts[leading_contact(solution)].peak_pressure : 0.;
   const loads::Allowables& allowed = report.allowed;
   const auto& mechanism = report.mechanism;
   const std::optional<double> analysed =
@@ -55,14 +57,24 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   }
   for (std::size_t i = 0; i < results.max_von_mises.size(); ++i) {
     const std::string& body = solution.problem.bodies[i].name;
-    const auto yield = allowed.yield_strengths.find(body);
-    if (yield != allowed.yield_strengths.end())
-      rows.push_back({"maximum von Mises stress of the " + body, Dimension::stress,
-                      if_bounded(results.max_von_mises[i].value), yield->second, analysed,
-                      std::nullopt});
-    if (yield != allowed.yield_strengths.end() && solution.strength[i].von_mises.value > 0.)
-      rows.push_back({"von Mises stress away from the contact, " + body, Dimension::stress,
-                      solution.strength[i].von_mises.value, yield->second, analysed, std::nullopt});
+    const fem::BodyStrength<dim>& strength = solution.strength[i];
+    const std::string where = has_contact ? " away from the contact" : "";
+    const auto add = [&](const std::string& quantity, const std::optional<double> computed,
+                         const double limit) {
+      rows.push_back({quantity, Dimension::stress, computed, limit, analysed, std::nullopt});
+    };
+    if (const auto yield = allowed.yield_strengths.find(body);
+        yield != allowed.yield_strengths.end()) {
+      if (has_contact)
+        add("maximum von Mises stress of the " + body, if_bounded(results.max_von_mises[i].value),
+            yield->second);
+      if (strength.von_mises.value > 0.)
+        add("von Mises stress" + where + ", " + body, strength.von_mises.value, yield->second);
+    }
+    if (const auto fatigue = allowed.fatigue_strengths.find(body);
+        fatigue != allowed.fatigue_strengths.end() && strength.tensile.value > 0.)
+      add("tensile stress" + where + " (fatigue), " + body, strength.tensile.value,
+          fatigue->second);
   }
   return rows;
 }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
+
+#include "fem/singular_places.h"
 
 namespace geneva::post {
 
@@ -29,6 +32,21 @@ std::string where(const fem::Solution<dim>& solution, const fem::StressMaximum<d
 
 }  // namespace
 
+namespace {
+
+/// Whether a maximum stands clear of the places that are left out, which it otherwise depends on.
+template <int dim>
+bool is_clear(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
+  constexpr double near = 1.5;
+  std::vector<fem::SingularPlace<dim>> surroundings = solution.singular;
+  for (fem::SingularPlace<dim>& place : surroundings) place.radius *= near;
+  dealii::Point<dim> at;
+  for (unsigned int i = 0; i < dim; ++i) at[i] = maximum.place[i];
+  return !fem::is_beside(surroundings, at);
+}
+
+}  // namespace
+
 template <int dim>
 std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution) {
   std::vector<NamedStress<dim>> result;
@@ -36,9 +54,11 @@ std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution)
     const fem::BodyStrength<dim>& body = solution.strength[i];
     const std::string& name = solution.problem.bodies[i].name;
     if (body.von_mises.value > 0.)
-      result.push_back({name, "von Mises stress", body.von_mises, where(solution, body.von_mises)});
+      result.push_back({name, "von Mises stress", body.von_mises, where(solution, body.von_mises),
+                        is_clear(solution, body.von_mises)});
     if (body.tensile.value > 0.)
-      result.push_back({name, "tensile stress", body.tensile, where(solution, body.tensile)});
+      result.push_back({name, "tensile stress", body.tensile, where(solution, body.tensile),
+                        is_clear(solution, body.tensile)});
   }
   return result;
 }
@@ -52,13 +72,46 @@ std::vector<ComparisonRow> strength_rows(const fem::Solution<dim>& solution) {
   return rows;
 }
 
+namespace {
+
+const char* words_of(const fem::Singularity why) {
+  switch (why) {
+    case fem::Singularity::end_of_support:
+      return "ends of the support";
+    case fem::Singularity::re_entrant_corner:
+      return "re-entrant corners of";
+    default:
+      return "a corner of";
+  }
+}
+
+/// The singular places, in words.
+template <int dim>
+std::string line_of_left_out(const fem::Solution<dim>& solution) {
+  std::set<std::string> named;
+  for (const fem::SingularPlace<dim>& place : solution.singular) {
+    const std::string& surface = solution.mesh.surfaces[place.surface];
+    named.insert(surface.empty() ? std::string(words_of(place.why)) + " a surface without a name"
+                                 : fmt::format("{} '{}'", words_of(place.why), surface));
+  }
+  std::string text;
+  for (const std::string& name : named)
+    text += (text.empty() ? "left out, since unbounded: " : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
 template <int dim>
 std::string strength_line(const fem::Solution<dim>& solution) {
+  const char* const begin =
+      fem::has_contact(solution.problem) ? "away from the contact: " : "where: ";
   std::string line;
   for (const NamedStress<dim>& stress : named_stresses(solution))
-    line += fmt::format("{}{} of '{}': {}", line.empty() ? "away from the contact: " : "; ",
-                        stress.name, stress.body, stress.where);
-  return line.empty() ? line : line + '\n';
+    line += fmt::format("{}{} of '{}': {}", line.empty() ? begin : "; ", stress.name, stress.body,
+                        stress.where);
+  const std::string left_out = line_of_left_out(solution);
+  return line.empty() ? line : line + (left_out.empty() ? "" : "; " + left_out) + '\n';
 }
 
 template std::vector<NamedStress<2>> named_stresses(const fem::Solution<2>&);

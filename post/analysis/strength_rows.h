@@ -15,6 +15,7 @@ struct NamedStress {
   std::string name;  ///< "von Mises stress" or "tensile stress"
   fem::StressMaximum<dim> maximum;
   std::string where;  ///< in words, such as "bottom of the engaged slot"
+  bool is_bounded;    ///< false beside a place that is left out: it depends on how much of it
 };
 
 /// Two of every body that has places away from the contacts' own field.

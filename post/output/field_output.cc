@@ -1,6 +1,7 @@
 #include "post/output/field_output.h"
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/reference_cell.h>
 #include <deal.II/numerics/data_out.h>
@@ -18,6 +19,7 @@
 #include <type_traits>
 
 #include "base/output_file.h"
+#include "fem/discretisation/round_cell.h"
 #include "post/output/hdf5_image.h"
 #include "post/output/result_files.h"
 
@@ -48,6 +50,34 @@ class ScaledDataOut : public dealii::DataOut<dim> {
       for (auto& vertex : patch.vertices) vertex *= factor;
   }
 
+  /// All arrays one after the other at a place of a round cell, from what is interpolated between
+  /// the cell's corners.
+  using ValuesAt = std::function<std::vector<double>(
+      const typename dealii::DoFHandler<dim>::active_cell_iterator&, const Point<dim>& place,
+      const std::vector<double>& interpolated)>;
+
+  /// Divides the patches of round cells, so that round surfaces are shown round.
+  void round(const dealii::DoFHandler<dim>& dof_handler, const ValuesAt& values_at) {
+    std::vector<Patch> divided;
+    auto patch = this->patches.begin();
+    for (const auto& cell : dof_handler.active_cell_iterators()) {
+      if (!cell->is_locally_owned()) continue;
+      const fem::RoundCell<dim> round(cell);
+      if (round.is_round())
+        add_parts(
+            *patch, round,
+            [&](const Point<dim>& place, const std::vector<double>& interpolated) {
+              return values_at(cell, place, interpolated);
+            },
+            divided);
+      else
+        divided.push_back(std::move(*patch));
+      ++patch;
+    }
+    this->patches = std::move(divided);
+    for (unsigned int i = 0; i < this->patches.size(); ++i) this->patches[i].patch_index = i;
+  }
+
   /// From now on each component of a tensor is an array of its own: HDF5 output knows no plane
   /// tensors and would keep only some of their components.
   void take_tensors_apart() { tensors_apart_ = true; }
@@ -75,6 +105,48 @@ class ScaledDataOut : public dealii::DataOut<dim> {
   }
 
  private:
+  using Patch = dealii::DataOutBase::Patch<dim>;
+  using InCell = std::function<std::vector<double>(const Point<dim>&, const std::vector<double>&)>;
+  static constexpr unsigned int n_corners = dealii::GeometryInfo<dim>::vertices_per_cell;
+
+  static void add_parts(const Patch& whole, const fem::RoundCell<dim>& round,
+                        const InCell& values_at, std::vector<Patch>& parts) {
+    std::array<unsigned int, 3> ends{1, 1, 1};
+    std::copy(round.parts().begin(), round.parts().end(), ends.begin());
+    for (unsigned int k = 0; k < ends[2]; ++k)
+      for (unsigned int j = 0; j < ends[1]; ++j)
+        for (unsigned int i = 0; i < ends[0]; ++i)
+          parts.push_back(part(whole, round, {i, j, k}, values_at));
+  }
+
+  /// @param first corner by its number along each direction
+  static Patch part(const Patch& whole, const fem::RoundCell<dim>& round,
+                    const std::array<unsigned int, 3>& first, const InCell& values_at) {
+    Patch result = whole;
+    std::fill(std::begin(result.neighbors), std::end(result.neighbors), Patch::no_neighbor);
+    for (unsigned int corner = 0; corner < n_corners; ++corner) {
+      Point<dim> reference;
+      for (unsigned int axis = 0; axis < dim; ++axis)
+        reference[axis] =
+            static_cast<double>(first[axis] + (corner >> axis & 1U)) / round.parts()[axis];
+      result.vertices[corner] = round.place(reference);
+      const std::vector<double> values =
+          values_at(result.vertices[corner], interpolated(whole, reference));
+      for (unsigned int row = 0; row < values.size(); ++row)
+        result.data(row, corner) = static_cast<float>(values[row]);
+    }
+    return result;
+  }
+
+  static std::vector<double> interpolated(const Patch& whole, const Point<dim>& reference) {
+    std::vector<double> values(whole.data.n_rows(), 0.);
+    for (unsigned int row = 0; row < values.size(); ++row)
+      for (unsigned int i = 0; i < n_corners; ++i)
+        values[row] += dealii::GeometryInfo<dim>::d_linear_shape_function(reference, i) *
+                       static_cast<double>(whole.data(row, i));
+    return values;
+  }
+
   bool tensors_apart_ = false;
 };
 
@@ -192,9 +264,30 @@ class StressOutput : public dealii::DataPostprocessor<dim> {
       const auto stress =
           assembled_stress<dim>([&](const unsigned int component) { return values[component]; });
       const Point<dim> place = solution_.scales.length * inputs.evaluation_points[q];
-      Writer writer(outputs[q], factor_);
-      write(stress, body, place, writer);
+      write(stress, body, place, outputs[q]);
     }
+  }
+
+  /// Sets all arrays of a point anew from the stress tensor, their first components.
+  /// @param values by array; those of the stress begin at `begin` [output units]
+  /// @param place [m]
+  void renew(std::vector<double>& values, const std::size_t begin, const unsigned int body,
+             const Point<dim>& place) const {
+    const auto row = [&](const unsigned int i, const unsigned int j) {
+      return values[begin + i * dim + j] / factor_;
+    };
+    Stress<dim> stress;
+    if constexpr (dim == 2) {
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = i; j < 2; ++j) stress.in_plane[i][j] = row(i, j);
+      stress.out_of_plane = values[begin + dim * dim] / factor_;
+    } else {
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j) stress[i][j] = row(i, j);
+    }
+    dealii::Vector<double> output(static_cast<unsigned int>(get_names().size()));
+    write(stress, body, place, output);
+    std::copy(output.begin(), output.end(), values.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
  private:
@@ -211,7 +304,8 @@ class StressOutput : public dealii::DataPostprocessor<dim> {
   }
 
   void write(const Stress<dim>& stress, [[maybe_unused]] const unsigned int body,
-             [[maybe_unused]] const Point<dim>& place, Writer& writer) const {
+             [[maybe_unused]] const Point<dim>& place, dealii::Vector<double>& output) const {
+    Writer writer(output, factor_);
     if constexpr (dim == 3) {
       writer.scaled(stress);
       write_invariants(stress, writer);
@@ -230,6 +324,18 @@ class StressOutput : public dealii::DataPostprocessor<dim> {
   const Results<dim>& results_;
   double factor_;
 };
+
+/// @param length of the triangulation's unit [m]
+template <int dim>
+typename ScaledDataOut<dim>::ValuesAt renewed_by(const StressOutput<dim>& stress,
+                                                 const double length) {
+  return [&stress, length](const auto& cell, const Point<dim>& place,
+                           const std::vector<double>& interpolated) {
+    std::vector<double> values = interpolated;
+    stress.renew(values, dim, cell->material_id(), length * place);  // displacements stand before
+    return values;
+  };
+}
 
 dealii::DataOutBase::VtkFlags vtk_flags(const UnitSystem units) {
   dealii::DataOutBase::VtkFlags flags;
@@ -399,6 +505,7 @@ void write_fields(const fem::Solution<dim>& solution, const Results<dim>& result
   data.add_data_vector(*results.nodal.dof_handler, results.nodal.values, stress);
   data.add_data_vector(body, "body", dealii::DataOut<dim>::type_cell_data);
   data.build_patches();
+  data.round(*solution.dof_handler, renewed_by(stress, solution.scales.length));
   data.scale_positions(length);
   write_vtu(data, communicator, directory);
   data.take_tensors_apart();

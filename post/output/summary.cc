@@ -3,6 +3,7 @@
 #include <deal.II/base/config.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -254,9 +255,34 @@ json strength_section(const fem::Solution<dim>& solution) {
         {"unit", "Pa"},
         {"error", finite(stress.maximum.total_error())},
         {"error_by_choice", stress.maximum.choice},
+        {"bounded", stress.is_bounded},
         {"place", place(stress.maximum.place)},
         {"where", stress.where}};
   return bodies;
+}
+
+const char* name_of(const fem::Singularity why) {
+  switch (why) {
+    case fem::Singularity::end_of_support:
+      return "end of support";
+    case fem::Singularity::re_entrant_corner:
+      return "re-entrant corner";
+    default:
+      return "growth";
+  }
+}
+
+/// Where stresses have no bound and are left out; in 3-D from `place` to `end`.
+template <int dim>
+json left_out_section(const fem::Solution<dim>& solution) {
+  json list = json::array();
+  for (const fem::SingularPlace<dim>& singular : solution.singular)
+    list.push_back({{"surface", solution.mesh.surfaces[singular.surface]},
+                    {"why", name_of(singular.why)},
+                    {"place", place(singular.begin)},
+                    {"end", place(singular.end)},
+                    {"radius", quantity(singular.radius, "m")}});
+  return list;
 }
 
 template <int dim>
@@ -346,6 +372,14 @@ json run_case_section(const RunReport& report, const int dimension) {
   return section;
 }
 
+/// Of all bodies, away from the contact [Pa].
+double maximum_von_mises(const fem::LevelRecord& level) {
+  double maximum = 0.;
+  for (const fem::StrengthRecord& body : level.strength)
+    maximum = std::max(maximum, body.von_mises.value);
+  return maximum;
+}
+
 template <int dim>
 json solver_section(const fem::Solution<dim>& solution, const RunReport& report) {
   json levels = json::array();
@@ -358,6 +392,7 @@ json solver_section(const fem::Solution<dim>& solution, const RunReport& report)
                       {"active_set_cycled", level.cycled},
                       {"linear_iterations", level.linear_iterations},
                       {"peak_pressure", quantity(level.peak_pressure, "Pa")},
+                      {"maximum_von_mises", quantity(maximum_von_mises(level), "Pa")},
                       {"error_estimate", level.error_estimate},
                       {"elapsed", quantity(level.seconds, "s")}});
     assemble_and_solve = level.one_solve_seconds;
@@ -368,29 +403,23 @@ json solver_section(const fem::Solution<dim>& solution, const RunReport& report)
           {"finest_assembly_and_solve", quantity(assemble_and_solve, "s")}};
 }
 
-}  // namespace
-
+/// What was refined for, and how accurate it is.
 template <int dim>
-json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
-             const RunReport& report) {
+json accuracy_section(const fem::Solution<dim>& solution, const RunReport& report) {
+  return {{"of", refined_figure(solution)},
+          {"error_estimate", solution.error_estimate},
+          {"wanted", report.accuracy}};
+}
+
+/// All contacts, and again the one with the maximum pressure.
+template <int dim>
+void add_contacts(json& result, const fem::Solution<dim>& solution, const Results<dim>& results,
+                  const RunReport& report) {
   const std::size_t leading = leading_contact(solution);
   const double parts = report.mechanism ? report.mechanism->parts : 1.;
-  json result{
-      {"case", run_case_section(report, dim)},
-      {"contact", contact_section(solution, solution.contacts[leading], results.contacts[leading],
-                                  report.errors.contacts[leading], parts)},
-      {"bodies", bodies_section(solution, results)},
-      {"strength", strength_section(solution)},
-      {"equilibrium", equilibrium_section(results, report)},
-      {"reactions", reactions_section(solution)},
-      {"solver", solver_section(solution, report)},
-      {"comparison", comparison_section(solution, results, report)},
-      {"checks", checks_section(solution, results, report)},
-      {"safety", safety_section(solution, results, report)},
-      {"notices", report.notices}};
-  const fem::LevelRecord& finest = solution.history.back();
-  result["mesh"] = {
-      {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
+  result["contact"] =
+      contact_section(solution, solution.contacts[leading], results.contacts[leading],
+                      report.errors.contacts[leading], parts);
   json pairs = json::array();
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
     pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i],
@@ -411,6 +440,30 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
     if (report.mechanism && results.contacts[leading].hertz)
       result["johnson"] = johnson_section(solution, solution.contacts[leading],
                                           results.contacts[leading].hertz->even);
+}
+
+}  // namespace
+
+template <int dim>
+json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
+             const RunReport& report) {
+  json result{{"case", run_case_section(report, dim)},
+              {"accuracy", accuracy_section(solution, report)},
+              {"bodies", bodies_section(solution, results)},
+              {"strength", strength_section(solution)},
+              {"strength_left_out", left_out_section(solution)},
+              {"equilibrium", equilibrium_section(results, report)},
+              {"reactions", reactions_section(solution)},
+              {"solver", solver_section(solution, report)},
+              {"comparison", comparison_section(solution, results, report)},
+              {"checks", checks_section(solution, results, report)},
+              {"safety", safety_section(solution, results, report)},
+              {"notices", report.notices}};
+  const fem::LevelRecord& finest = solution.history.back();
+  result["mesh"] = {
+      {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
+  result["contact_pairs"] = json::array();
+  if (fem::has_contact(solution.problem)) add_contacts(result, solution, results, report);
   if (report.mechanism && report.mechanism->pin) {
     if (report.mechanism->pin->beam)
       result["pin"] = pin_section(*report.mechanism->pin, report.errors.mechanism);

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/errors.h"
-#include "post/report/field_picture.h"
+#include "post/report/field_section.h"
 #include "post/report/html.h"
 #include "post/report/run_section.h"
 #include "post/report/shown_values.h"
@@ -70,7 +70,7 @@ std::string computed_cell(const json& summary, const json& like, const UnitSyste
 }
 
 std::string error_cell(const json& summary) {
-  const double error = summary.at("contact").at("peak_pressure_error");
+  const double error = summary.at("accuracy").at("error_estimate");
   return error < 1. ? fmt::format("{:.2g} %", 100. * error) : "not known";
 }
 
@@ -172,9 +172,10 @@ std::string pictures_of(const std::vector<ResultsDirectory>& all,
   for (std::size_t i = 0; i < all.size(); ++i) {
     const json* const view = all[i].document("view");
     if (view == nullptr) continue;
-    const std::string svg = field_picture(*view);
+    const FieldPictures pictures = field_pictures(*view);
+    const std::string svg = pictures.contact ? *pictures.contact : *pictures.model;
     text += fmt::format(
-        "<figure class=\"picture\">\n<img alt=\"von Mises stress around the contact of {0}\" "
+        "<figure class=\"picture\">\n<img alt=\"von Mises stress of {0}\" "
         "src=\"data:image/svg+xml;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
         escaped(names[i]), encoded_bytes({svg.begin(), svg.end()}));
   }
@@ -192,7 +193,7 @@ ReportPart comparison_part(const std::vector<ResultsDirectory>& all) {
   part.html = html_section("verdict", "Side by side",
                            table_of(all, names, units) + warnings_of(all, names)) +
               (part.charts.empty() ? "" : html_section("contact", "Contact", html(part.charts))) +
-              html_section("field", "von Mises stress around the contact",
+              html_section("field", "von Mises stress",
                            "<div class=\"pictures\">\n" + pictures_of(all, names) + "</div>\n");
   return part;
 }

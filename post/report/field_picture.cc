@@ -49,6 +49,7 @@ PictureAxes axes_of(const Vector& normal) {
 
 /// A flat mesh, on the picture's axes [output units] from the contact.
 struct FlatMesh {
+  PictureAxes axes;
   std::vector<double> right;
   std::vector<double> up;
   std::vector<float> values;
@@ -69,7 +70,8 @@ FlatMesh flat_mesh(const json& view) {
   const auto normal = mesh->value("normal", std::vector<double>{0., 0., 1.});
   const PictureAxes axes = axes_of({normal.at(0), normal.at(1), normal.at(2)});
   const auto points = decoded<float>(mesh->at("points"));
-  FlatMesh result{{},
+  FlatMesh result{axes,
+                  {},
                   {},
                   restored_numbers(mesh->at("fields").at("von_mises")),
                   decoded<unsigned int>(mesh->at("triangles"))};
@@ -85,20 +87,43 @@ FlatMesh flat_mesh(const json& view) {
 
 /// From places [output units] to pixels.
 struct Window {
-  double scale;  ///< pixels per unit of length
+  double scale;         ///< pixels per unit of length
+  double right = 0.;    ///< in the middle
+  double up = 0.;       ///< in the middle
+  double omitted = 0.;  ///< distance from the origin within which colours may be beyond the range
 
-  [[nodiscard]] double column(const double right) const { return 0.5 * width + scale * right; }
-  [[nodiscard]] double row(const double up) const { return 0.5 * height - scale * up; }
-  [[nodiscard]] bool shows(const double right, const double up) const {
-    return std::abs(column(right) - 0.5 * width) < 0.5 * width &&
-           std::abs(row(up) - 0.5 * height) < 0.5 * height;
+  [[nodiscard]] double column(const double at) const { return 0.5 * width + scale * (at - right); }
+  [[nodiscard]] double row(const double at) const { return 0.5 * height - scale * (at - up); }
+  [[nodiscard]] bool shows(const double right_of, const double up_of) const {
+    return std::abs(column(right_of) - 0.5 * width) < 0.5 * width &&
+           std::abs(row(up_of) - 0.5 * height) < 0.5 * height;
   }
 };
+
+Window window_on_contact(const json& view) {
+  return {0.5 * height / (half_widths_up * view.at("half_width").get<double>())};
+}
+
+/// The contact's own stress would leave no colours for the rest.
+Window window_on_model(const json& view, const FlatMesh& mesh) {
+  constexpr double margin = 1.06;
+  const auto [left_end, right_end] = std::minmax_element(mesh.right.begin(), mesh.right.end());
+  const auto [lower_end, upper_end] = std::minmax_element(mesh.up.begin(), mesh.up.end());
+  const double wide = *right_end - *left_end;
+  const double high = *upper_end - *lower_end;
+  Window window{std::min(width / wide, height / high) / margin, 0.5 * (*left_end + *right_end),
+                0.5 * (*lower_end + *upper_end)};
+  if (view.at("focus") == "contact")
+    window.omitted =
+        std::max(6. * view.at("half_width").get<double>(), 0.05 * std::max(wide, high));
+  return window;
+}
 
 std::array<double, 2> range_in(const FlatMesh& mesh, const Window& window) {
   std::array<double, 2> range{std::numeric_limits<double>::max(), 0.};
   for (std::size_t i = 0; i < mesh.values.size(); ++i)
-    if (window.shows(mesh.right[i], mesh.up[i])) {
+    if (window.shows(mesh.right[i], mesh.up[i]) &&
+        std::hypot(mesh.right[i], mesh.up[i]) >= window.omitted) {
       range[0] = std::min<double>(range[0], mesh.values[i]);
       range[1] = std::max<double>(range[1], mesh.values[i]);
     }
@@ -117,13 +142,13 @@ Picture painted(const FlatMesh& mesh, const Window& window, const std::array<dou
   return picture;
 }
 
-/// Round numbers between -extent and extent, about eight of them.
-std::vector<double> round_numbers(const double extent) {
-  const double raw = extent / 4.;
+/// Round numbers from one number to another, about eight of them.
+std::vector<double> round_numbers(const double from, const double to) {
+  const double raw = (to - from) / 8.;
   const double power = std::pow(10., std::floor(std::log10(raw)));
   const double step = power * (raw / power < 1.5 ? 1. : raw / power < 3.5 ? 2. : 5.);
   std::vector<double> numbers;
-  for (int i = static_cast<int>(std::ceil(-extent / step)); i * step <= extent; ++i)
+  for (int i = static_cast<int>(std::ceil(from / step)); i * step <= to; ++i)
     numbers.push_back(i * step);
   return numbers;
 }
@@ -133,23 +158,52 @@ std::string text(const double x, const double y, const char* anchor, const std::
                      escaped(content));
 }
 
-std::string axes(const Window& window, const std::string& unit) {
+/// @param origin of the numbers, on the picture's axes
+std::string axes(const Window& window, const std::array<double, 2>& origin,
+                 const std::string& label) {
   std::string result;
-  for (const double at : round_numbers(0.5 * width / window.scale)) {
-    const double x = left + window.column(at);
+  const double half_wide = 0.5 * width / window.scale;
+  const double half_high = 0.5 * height / window.scale;
+  const double right = window.right + origin[0];
+  const double up = window.up + origin[1];
+  for (const double at : round_numbers(right - half_wide, right + half_wide)) {
+    const double x = left + window.column(at - origin[0]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v6\"/>\n", x, top + height);
     result += text(x, top + height + 22., "middle", fmt::format("{:.4g}", at));
   }
-  for (const double at : round_numbers(0.5 * height / window.scale)) {
-    const double y = top + window.row(at);
+  for (const double at : round_numbers(up - half_high, up + half_high)) {
+    const double y = top + window.row(at - origin[1]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}h-6\"/>\n", left, y);
     result += text(left - 10., y + 5., "end", fmt::format("{:.4g}", at));
   }
-  return result + text(left + 0.5 * width, top + height + 44., "middle",
-                       fmt::format("distance from the middle of the contact [{}]", unit));
+  return result + text(left + 0.5 * width, top + height + 44., "middle", label);
 }
 
-std::string colour_bar(const std::array<double, 2>& range, const std::string& unit) {
+/// The numbered places of the maximum stresses.
+std::string marks(const json& view, const FlatMesh& mesh, const Window& window) {
+  std::string result;
+  int number = 0;
+  for (const json& mark : view.at("marks")) {
+    const Vector place = mark.at("place");
+    ++number;
+    const double right = dot(place, mesh.axes.right);
+    const double up = dot(place, mesh.axes.up);
+    if (!window.shows(right, up)) continue;
+    const double x = left + window.column(right);
+    const double y = top + window.row(up);
+    result += fmt::format(
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"11\" fill=\"#ffffff\" fill-opacity=\"0.85\" "
+        "stroke=\"#1b2126\" stroke-width=\"2\"/>\n",
+        x, y);
+    result += text(x, y + 5., "middle", std::to_string(number));
+  }
+  return result;
+}
+
+/// @param is_exceeded whether there are greater values
+/// @param id on the page
+std::string colour_bar(const std::array<double, 2>& range, const std::string& unit,
+                       const bool is_exceeded, const std::string& id) {
   const double y = top + height + 60.;
   std::string stops;
   for (std::size_t i = 0; i < palette().size(); ++i)
@@ -157,39 +211,50 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
                          static_cast<double>(i) / static_cast<double>(palette().size() - 1),
                          palette()[i]);
   std::string result = fmt::format(
-      "<defs><linearGradient id=\"stress-colours\">{}</linearGradient></defs>\n<rect x=\"{}\" "
-      "y=\"{}\" width=\"{}\" height=\"16\" fill=\"url(#stress-colours)\"/>\n",
-      stops, left, y, width);
+      "<defs><linearGradient id=\"{0}\">{1}</linearGradient></defs>\n<rect x=\"{2}\" "
+      "y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
+      id, stops, left, y, width);
   for (int i = 0; i <= 4; ++i)
     result += text(left + 0.25 * i * width, y + 34.,
                    i == 0   ? "start"
                    : i == 4 ? "end"
                             : "middle",
-                   significant(range[0] + 0.25 * i * (range[1] - range[0]), 4));
+                   (is_exceeded && i == 4 ? "≥ " : "") +
+                       significant(range[0] + 0.25 * i * (range[1] - range[0]), 4));
   return result +
          text(left + 0.5 * width, y + 54., "middle", fmt::format("von Mises stress [{}]", unit));
 }
 
 }  // namespace
 
-std::string field_picture(const json& view) {
+std::string field_picture(const json& view, const PicturePart part) {
   if (!(view.at("half_width").get<double>() > 0.))
     throw base::InputError("view.json is damaged: the half-width is not positive");
   const FlatMesh mesh = flat_mesh(view);
-  const Window window{0.5 * height / (half_widths_up * view.at("half_width").get<double>())};
+  const bool is_model = part == PicturePart::model;
+  const Window window = is_model ? window_on_model(view, mesh) : window_on_contact(view);
   const std::array<double, 2> range = range_in(mesh, window);
   const std::string image = encoded_bytes(painted(mesh, window, range).png());
+  const std::string unit = view.at("length_unit");
+  const Vector origin = view.at("origin");
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
-             "aria-label=\"von Mises stress around the contact, at most {2:.4g} {3}\" "
+             "aria-label=\"von Mises stress {8}, at most {2:.4g} {3}\" "
              "style=\"font-family:DejaVu Sans,sans-serif;font-size:15px;fill:#1b2126\">\n"
              "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
              "<image x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\" "
-             "href=\"data:image/png;base64,{8}\"/>\n<g stroke=\"#1b2126\" fill=\"none\">"
+             "href=\"data:image/png;base64,{9}\"/>\n<g stroke=\"#1b2126\" fill=\"none\">"
              "<rect x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\"/></g>\n",
              width + left + 30., height + top + 130., range[1],
-             view.at("stress_unit").get<std::string>(), left, top, width, height, image) +
-         axes(window, view.at("length_unit")) + colour_bar(range, view.at("stress_unit")) +
+             view.at("stress_unit").get<std::string>(), left, top, width, height,
+             is_model ? "of the model" : "around the contact", image) +
+         (is_model ? marks(view, mesh, window) +
+                         axes(window, {dot(origin, mesh.axes.right), dot(origin, mesh.axes.up)},
+                              fmt::format("coordinates [{}]", unit))
+                   : axes(window, {0., 0.},
+                          fmt::format("distance from the middle of the contact [{}]", unit))) +
+         colour_bar(range, view.at("stress_unit"), window.omitted > 0.,
+                    is_model ? "colours-of-model" : "colours-of-contact") +
          "</svg>\n";
 }
 

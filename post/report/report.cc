@@ -8,7 +8,6 @@
 #include "post/report/comparison_section.h"
 #include "post/report/crown_section.h"
 #include "post/report/estimate_section.h"
-#include "post/report/field_picture.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
 #include "post/report/mechanism_drawing.h"
@@ -130,9 +129,13 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
   Report report;
   const json* const view = results.document("view");
   const bool is_interactive = view != nullptr && libraries.graphics;
-  if (view != nullptr) report.picture = field_picture(*view);
-  const ReportPart part = whole_page(
-      results, view == nullptr ? "" : field_section(*view, *report.picture, is_interactive));
+  std::string field;
+  if (view != nullptr) {
+    const FieldPictures pictures = field_pictures(*view);
+    report.picture = pictures.contact ? pictures.contact : pictures.model;
+    field = field_section(*view, pictures, is_interactive);
+  }
+  const ReportPart part = whole_page(results, field);
   std::string scripts;
   if (const json* const mechanism = results.document("mechanism"))
     scripts += mechanism_script(*mechanism);

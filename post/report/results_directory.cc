@@ -75,8 +75,12 @@ ResultsDirectory read_results(const fs::path& directory) try {
     json document = read_json(file);
     check_format(document, file, files.command);
     std::vector<const char*> tables = files.tables;
-    if (std::string(files.document) == "summary")
-      tables.push_back(document.at("case").at("dimension") == 3 ? "sections" : "depth");
+    if (std::string(files.document) == "summary") {
+      if (document.contains("contact"))
+        tables.push_back(document.at("case").at("dimension") == 3 ? "sections" : "depth");
+      else
+        tables.clear();
+    }
     for (const char* const table : tables) {
       const fs::path csv = directory / (std::string(table) + ".csv");
       if (!fs::exists(csv))

@@ -33,7 +33,7 @@ std::string difference(const json& row) {
 }
 
 std::string verdict_table(const json& summary, const UnitSystem units) {
-  HtmlTable table{"This program beside the closed forms of Hertz and Johnson and published values",
+  HtmlTable table{"This program beside closed forms and published values",
                   {"quantity", "this program", "± error", "closed form", "published", "difference"},
                   {}};
   for (const json& row : summary.at("comparison")) {
@@ -50,19 +50,18 @@ std::string verdict_table(const json& summary, const UnitSystem units) {
 /// Whether the result is as accurate as wanted, in a sentence.
 std::string verdict_sentence(const json& summary) {
   const json& solver = summary.at("solver");
-  const double error = summary.at("contact").at("peak_pressure_error");
-  const bool is_edge = summary.at("contact").contains("edge") &&
-                       !summary.at("contact").at("edge").at("bounded").get<bool>();
-  const std::string of = is_edge ? "pressure in the middle" : "peak contact pressure";
+  const double error = summary.at("accuracy").at("error_estimate");
+  const std::string of = summary.at("accuracy").at("of");
   const std::string estimate =
       error < 1. ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
                  : fmt::format("The error of the {} is not known", of);
   std::string text = fmt::format("<p class=\"verdict\">{}; {:.2g} % was asked for.</p>\n", estimate,
-                                 100. * summary.at("case").at("accuracy").get<double>());
+                                 100. * summary.at("accuracy").at("wanted").get<double>());
   const std::string message = solver.at("message");
   if (!message.empty())
-    text += fmt::format("<p class=\"warning\"><strong>{}</strong> {}</p>\n",
-                        is_edge ? "Warning:" : "Not converged:", escaped(message));
+    text += fmt::format(
+        "<p class=\"warning\"><strong>{}</strong> {}</p>\n",
+        solver.at("converged").get<bool>() ? "Warning:" : "Not converged:", escaped(message));
   return text;
 }
 
@@ -210,6 +209,7 @@ double last_slope(const std::vector<std::array<double, 2>>& points) {
 }
 
 Chart error_chart(const json& summary) {
+  const std::string of = summary.at("accuracy").at("of");
   Chart chart{"chart-error",
               "",
               "",
@@ -226,24 +226,29 @@ Chart error_chart(const json& summary) {
   const double slope = last_slope(chart.series[0].points);
   chart.title =
       std::isfinite(slope)
-          ? fmt::format("Estimated error of the pressure; slope {:.2f} over the last two meshes",
+          ? fmt::format("Estimated error of the {}; slope {:.2f} over the last two meshes", of,
                         slope)
-          : "Estimated error of the pressure";
+          : "Estimated error of the " + of;
   chart.summary = chart.title;
   return chart;
 }
 
+/// The peak contact pressure on every mesh, without contact the maximum von Mises stress.
 Chart convergence_chart(const json& summary, const UnitSystem units) {
   const OutputUnit stress = output_unit(units, Dimension::stress);
+  const bool has_contact = summary.contains("contact");
+  const std::string title = has_contact ? "Peak contact pressure" : "Maximum von Mises stress";
+  const std::string label = has_contact ? "peak contact pressure" : "maximum von Mises stress";
+  const char* const key = has_contact ? "peak_pressure" : "maximum_von_mises";
   Chart chart{"chart-convergence",
-              "Peak contact pressure, mesh by mesh",
-              "Peak contact pressure against the number of unknowns",
+              title + ", mesh by mesh",
+              title + " against the number of unknowns",
               {"unknowns", true},
-              {fmt::format("peak contact pressure [{}]", stress.name), true},
+              {fmt::format("{} [{}]", label, stress.name), true},
               {{"this program", SeriesStyle::line, {}}}};
   for (const json& level : summary.at("solver").at("levels"))
     chart.series[0].points.push_back(
-        {level.at("dofs").get<double>(), number_of(level.at("peak_pressure")) * stress.factor});
+        {level.at("dofs").get<double>(), number_of(level.at(key)) * stress.factor});
   return chart;
 }
 
@@ -320,6 +325,7 @@ ReportPart verdict_part(const ResultsDirectory& results) {
 }
 
 ReportPart contact_part(const ResultsDirectory& results) {
+  if (!results.document("summary")->contains("contact")) return {};
   const std::vector<Chart> charts = contact_charts(results, results.units());
   if (charts.empty()) return {};
   return {html_section("contact", "Contact", html(charts)), charts};

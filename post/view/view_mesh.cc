@@ -9,10 +9,13 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "fem/discretisation/gather.h"
+#include "fem/discretisation/round_cell.h"
 #include "post/view/hexahedron_cut.h"
 
 namespace geneva::post {
@@ -32,15 +35,21 @@ struct ViewPoint {
   unsigned int body = 0;
 };
 
+/// Adds a share of another point's place and values.
+void add(ViewPoint& sum, const double share, const ViewPoint& other) {
+  const auto add_to = [share](auto& into, const auto& from) {
+    for (std::size_t i = 0; i < into.size(); ++i) into[i] += share * from[i];
+  };
+  add_to(sum.place, other.place);
+  add_to(sum.displacement, other.displacement);
+  add_to(sum.fields, other.fields);
+  sum.body = other.body;
+}
+
 ViewPoint between(const ViewPoint& a, const ViewPoint& b, const double fraction) {
   ViewPoint result;
-  const auto mix = [&](const auto& from, const auto& to, auto& into) {
-    for (std::size_t i = 0; i < into.size(); ++i) into[i] = from[i] + fraction * (to[i] - from[i]);
-  };
-  mix(a.place, b.place, result.place);
-  mix(a.displacement, b.displacement, result.displacement);
-  mix(a.fields, b.fields, result.fields);
-  result.body = a.body;
+  add(result, 1. - fraction, a);
+  add(result, fraction, b);
   return result;
 }
 
@@ -111,6 +120,94 @@ class CornerValues {
   const Results<dim>& results_;
 };
 
+/// Numbers along each direction of a corner of a cell's parts; in the plane the last is 0.
+using PartNumber = std::array<unsigned int, 3>;
+
+/// A cell that is shown in parts, the rounder its surface the more of them: the points of the
+/// parts, values between those of the cell's corners.
+template <int dim>
+class ShownCell {
+ public:
+  using Cell = typename CornerValues<dim>::Cell;
+
+  ShownCell(const Cell& cell, const CornerValues<dim>& values, const double length)
+      : round_(cell), length_(length) {
+    for (const unsigned int corner : cell->vertex_indices())
+      corners_.push_back(values.at(cell, corner));
+  }
+
+  [[nodiscard]] bool is_round() const { return round_.is_round(); }
+
+  /// A corner of the parts, by its number along each direction.
+  [[nodiscard]] ViewPoint at(const PartNumber& number) const {
+    using Geometry = dealii::GeometryInfo<dim>;
+    Point<dim> reference;
+    for (unsigned int i = 0; i < dim; ++i)
+      reference[i] = static_cast<double>(number[i]) / round_.parts()[i];
+    ViewPoint point;
+    for (unsigned int i = 0; i < corners_.size(); ++i)
+      add(point, Geometry::d_linear_shape_function(reference, i), corners_[i]);
+    const Point<dim> place = length_ * round_.place(reference);
+    for (unsigned int i = 0; i < dim; ++i) point.place[i] = place[i];
+    return point;
+  }
+
+  /// Calls with the numbers of every part's first corner.
+  template <typename Call>
+  void for_parts(const Call& call) const {
+    PartNumber ends{1, 1, 1};
+    std::copy(round_.parts().begin(), round_.parts().end(), ends.begin());
+    for (unsigned int k = 0; k < ends[2]; ++k)
+      for (unsigned int j = 0; j < ends[1]; ++j)
+        for (unsigned int i = 0; i < ends[0]; ++i) call(PartNumber{i, j, k});
+  }
+
+  /// Whether a part, by its first corner, bounds the cell at a face.
+  [[nodiscard]] bool is_at(const unsigned int face, const PartNumber& first) const {
+    const unsigned int axis = face / 2;
+    return first[axis] == (face % 2 == 0 ? 0 : round_.parts()[axis] - 1);
+  }
+
+  /// The corners of a part in lexicographic order.
+  [[nodiscard]] static PartNumber part_corner(PartNumber first, const unsigned int corner) {
+    for (unsigned int axis = 0; axis < dim; ++axis) first[axis] += corner >> axis & 1U;
+    return first;
+  }
+
+  /// The corners of parts from one vertex of the cell to the other end of its line.
+  [[nodiscard]] std::vector<PartNumber> along(const unsigned int begin,
+                                              const unsigned int end) const {
+    PartNumber first = of_vertex(begin);
+    std::vector<PartNumber> numbers;
+    for (unsigned int axis = 0; axis < dim; ++axis)
+      if ((begin ^ end) == 1U << axis)
+        for (unsigned int i = 0; i <= round_.parts()[axis]; ++i) {
+          first[axis] = i;
+          numbers.push_back(first);
+        }
+    return numbers;
+  }
+
+  /// The vertex of the cell at a corner of its parts, if it is there.
+  [[nodiscard]] std::optional<unsigned int> vertex(const PartNumber& number) const {
+    for (unsigned int i = 0; i < corners_.size(); ++i)
+      if (of_vertex(i) == number) return i;
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] PartNumber of_vertex(const unsigned int vertex) const {
+    PartNumber number{};
+    for (unsigned int axis = 0; axis < dim; ++axis)
+      number[axis] = (vertex >> axis & 1U) * round_.parts()[axis];
+    return number;
+  }
+
+  fem::RoundCell<dim> round_;
+  double length_;
+  std::vector<ViewPoint> corners_;
+};
+
 /// How many points the ranks before this one have.
 unsigned int points_before(const std::size_t own, const MPI_Comm communicator) {
   const std::vector<std::size_t> counts = fem::gathered_one(communicator, own);
@@ -141,75 +238,113 @@ ViewMesh gathered(ViewMesh part, const MPI_Comm communicator) {
 /// Two triangles of a quadrilateral with corners in lexicographic order.
 constexpr std::array<unsigned int, 6> two_triangles{0, 1, 3, 0, 3, 2};
 
-/// Lines between boundary faces that meet at an angle.
+/// Lines between boundary faces of this rank's cells that meet at an angle.
 class SharpEdges {
  public:
-  /// A line of a face with its outward unit normal; where it is the second face of the line, tells
-  /// whether the two meet at an angle.
-  bool add(const unsigned int line, const Tensor<1, 3>& normal) {
-    constexpr double cosine_of_sharp = 0.9;  // 26 degrees
-    const auto [first, is_new] = normals_.emplace(line, normal);
-    return !is_new && first->second * normal < cosine_of_sharp;
+  explicit SharpEdges(const dealii::DoFHandler<3>& dof_handler) {
+    for (const auto& cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary())
+        for (const auto& face : cell->face_iterators())
+          if (face->at_boundary()) add(face, Tensor<1, 3>(face->center() - cell->center()));
   }
 
+  /// Whether a line is one of them and has not been asked for before.
+  bool take(const unsigned int line) { return lines_.erase(line) > 0; }
+
  private:
+  template <typename Face>
+  void add(const Face& face, const Tensor<1, 3>& outwards) {
+    constexpr double cosine_of_sharp = 0.9;  // 26 degrees
+    Tensor<1, 3> normal = dealii::cross_product_3d(Tensor<1, 3>(face->vertex(3) - face->vertex(0)),
+                                                   Tensor<1, 3>(face->vertex(2) - face->vertex(1)));
+    normal *= (outwards * normal > 0. ? 1. : -1.) / normal.norm();
+    for (unsigned int i = 0; i < 4; ++i) {
+      const auto [first, is_new] = normals_.emplace(face->line_index(i), normal);
+      if (!is_new && first->second * normal < cosine_of_sharp) lines_.insert(first->first);
+    }
+  }
+
   std::map<unsigned int, Tensor<1, 3>> normals_;  // of the first face
+  std::set<unsigned int> lines_;
 };
 
-/// Adds points by their vertices.
+/// Adds the points of cells and of the parts of round ones. Straight cells share those of their
+/// vertices.
 template <int dim>
 class SkinBuilder {
  public:
   using Cell = typename CornerValues<dim>::Cell;
 
   SkinBuilder(const fem::Solution<dim>& solution, const Results<dim>& results)
-      : values_(solution, results) {}
+      : values_(solution, results), length_(solution.scales.length) {}
 
   void add(const Cell& cell) {
-    if constexpr (dim == 2)
-      for (const unsigned int corner : two_triangles)
-        mesh_.triangles.push_back(point(cell, corner));
-    for (const unsigned int face : cell->face_indices())
-      if (cell->face(face)->at_boundary()) add_face(cell, face);
-  }
-  [[nodiscard]] const ViewMesh& mesh() const { return mesh_; }
-
- private:
-  using Geometry = dealii::GeometryInfo<dim>;
-
-  unsigned int point(const Cell& cell, const unsigned int corner) {
-    const auto next = static_cast<unsigned int>(points_.size());
-    const auto [point, is_new] = points_.emplace(cell->vertex_index(corner), next);
-    if (is_new) append(values_.at(cell, corner), mesh_);
-    return point->second;
+    const ShownCell<dim> shown(cell, values_, length_);
+    Points of_cell;
+    shown.for_parts([&](const PartNumber& first) {
+      const auto corner = [&](const unsigned int i) {
+        return point(cell, shown, ShownCell<dim>::part_corner(first, i), of_cell);
+      };
+      if constexpr (dim == 2) add_triangles(corner);
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() && shown.is_at(face, first))
+          add_face([&](const unsigned int i) {
+            return corner(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i));
+          });
+    });
   }
 
-  void add_face(const Cell& cell, const unsigned int face) {
-    const auto corner_point = [&](const unsigned int corner) {
-      return point(cell, Geometry::face_to_cell_vertices(face, corner));
-    };
-    if constexpr (dim == 2) {
-      for (const unsigned int corner : {0U, 1U}) mesh_.outlines.push_back(corner_point(corner));
-    } else {
-      for (const unsigned int corner : two_triangles)
-        mesh_.triangles.push_back(corner_point(corner));
-      const auto& quad = cell->face(face);
-      Tensor<1, 3> normal =
-          dealii::cross_product_3d(Tensor<1, 3>(quad->vertex(3) - quad->vertex(0)),
-                                   Tensor<1, 3>(quad->vertex(2) - quad->vertex(1)));
-      normal *= ((quad->center() - cell->center()) * normal > 0. ? 1. : -1.) / normal.norm();
-      for (unsigned int line = 0; line < 4; ++line)
-        if (edges_.add(quad->line_index(line), normal))
-          for (const unsigned int end : {0U, 1U})
-            mesh_.outlines.push_back(
-                corner_point(dealii::GeometryInfo<2>::face_to_cell_vertices(line, end)));
+  /// The lines of a cell that are sharp edges.
+  void add_edges(const Cell& cell, SharpEdges& edges) {
+    if constexpr (dim == 3) {
+      const ShownCell<dim> shown(cell, values_, length_);
+      Points of_cell;
+      for (const unsigned int line : cell->line_indices()) {
+        if (!edges.take(cell->line_index(line))) continue;
+        const unsigned int begin = dealii::GeometryInfo<3>::line_to_cell_vertices(line, 0);
+        const unsigned int end = dealii::GeometryInfo<3>::line_to_cell_vertices(line, 1);
+        const std::vector<PartNumber> numbers = shown.along(begin, end);
+        for (std::size_t i = 0; i + 1 < numbers.size(); ++i)
+          for (const std::size_t k : {i, i + 1})
+            mesh_.outlines.push_back(point(cell, shown, numbers[k], of_cell));
+      }
     }
   }
 
+  [[nodiscard]] const ViewMesh& mesh() const { return mesh_; }
+
+ private:
+  using Points = std::map<PartNumber, unsigned int>;
+
+  unsigned int point(const Cell& cell, const ShownCell<dim>& shown, const PartNumber& number,
+                     Points& of_cell) {
+    const auto known_or_new = [&](auto& points, const auto& key) {
+      const auto [known, is_new] =
+          points.emplace(key, static_cast<unsigned int>(mesh_.bodies.size()));
+      if (is_new) append(shown.at(number), mesh_);
+      return known->second;
+    };
+    if (shown.is_round()) return known_or_new(of_cell, number);
+    return known_or_new(of_vertices_, cell->vertex_index(*shown.vertex(number)));
+  }
+
+  template <typename Corner>
+  void add_triangles(const Corner& corner) {
+    for (const unsigned int i : two_triangles) mesh_.triangles.push_back(corner(i));
+  }
+
+  template <typename Corner>
+  void add_face(const Corner& corner) {
+    if constexpr (dim == 2)
+      for (const unsigned int i : {0U, 1U}) mesh_.outlines.push_back(corner(i));
+    else
+      add_triangles(corner);
+  }
+
   CornerValues<dim> values_;
+  double length_;
   ViewMesh mesh_;
-  std::map<unsigned int, unsigned int> points_;  // by vertex
-  SharpEdges edges_;
+  std::map<unsigned int, unsigned int> of_vertices_;
 };
 
 /// Visualisation data of this rank's cells.
@@ -217,33 +352,69 @@ template <int dim>
 ViewMesh own_skin(const fem::Solution<dim>& solution, const Results<dim>& results) {
   SkinBuilder<dim> builder(solution, results);
   for (const auto& cell : solution.dof_handler->active_cell_iterators())
-    if (cell->is_locally_owned()) builder.add(cell);
+    if (cell->is_locally_owned() && (dim == 2 || cell->at_boundary())) builder.add(cell);
+  if constexpr (dim == 3) {
+    SharpEdges edges(*solution.dof_handler);
+    for (const auto& cell : solution.dof_handler->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->at_boundary()) builder.add_edges(cell, edges);
+  }
   return builder.mesh();
 }
 
-/// This rank's cells cut by a plane.
+/// Adds the triangles in which a plane cuts a hexahedron.
+/// @param point_on of an edge's ends and the point
+template <typename PointOn>
+void add_cut(const std::array<double, 8>& distances, const PointOn& point_on, ViewMesh& mesh) {
+  for (const auto& triangle : cut_hexahedron(distances))
+    for (const EdgePoint& edge : triangle) mesh.triangles.push_back(point_on(edge));
+}
+
+/// This rank's cells cut by a plane; straight ones share points by their edges.
 ViewMesh own_cut(const fem::Solution<3>& solution, const Results<3>& results,
                  const CutPlane& plane) {
   const CornerValues<3> values(solution, results);
+  const double length = solution.scales.length;
   ViewMesh mesh;
-  std::map<std::pair<unsigned int, unsigned int>, unsigned int> points;  // by edge
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> of_edges;
+  const auto distance = [&](const Point<3>& place) { return (place - plane.point) * plane.normal; };
+  const auto append_between = [&](const ViewPoint& begin, const ViewPoint& end,
+                                  const double fraction) {
+    append(between(begin, end, fraction), mesh);
+    return static_cast<unsigned int>(mesh.bodies.size() - 1);
+  };
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
     std::array<double, 8> distances{};
-    for (unsigned int corner = 0; corner < 8; ++corner)
-      distances[corner] =
-          (solution.scales.length * cell->vertex(corner) - plane.point) * plane.normal;
-    for (const auto& triangle : cut_hexahedron(distances))
-      for (const EdgePoint& edge : triangle) {
+    if (!cell->at_boundary() || !fem::RoundCell<3>(cell).is_round()) {
+      for (unsigned int i = 0; i < 8; ++i) distances[i] = distance(length * cell->vertex(i));
+      const auto on_edge = [&](const EdgePoint& edge) {
         const std::pair<unsigned int, unsigned int> key =
             std::minmax({cell->vertex_index(edge.first), cell->vertex_index(edge.second)});
-        const auto next = static_cast<unsigned int>(points.size());
-        const auto [point, is_new] = points.emplace(key, next);
-        if (is_new)
-          append(between(values.at(cell, edge.first), values.at(cell, edge.second), edge.fraction),
-                 mesh);
-        mesh.triangles.push_back(point->second);
+        const auto known = of_edges.find(key);
+        if (known != of_edges.end()) return known->second;
+        const unsigned int added = append_between(values.at(cell, edge.first),
+                                                  values.at(cell, edge.second), edge.fraction);
+        of_edges.emplace(key, added);
+        return added;
+      };
+      add_cut(distances, on_edge, mesh);
+      continue;
+    }
+    const ShownCell<3> shown(cell, values, length);
+    shown.for_parts([&](const PartNumber& first) {
+      std::array<ViewPoint, 8> corners;
+      for (unsigned int i = 0; i < 8; ++i) {
+        corners[i] = shown.at(ShownCell<3>::part_corner(first, i));
+        distances[i] =
+            distance(Point<3>(corners[i].place[0], corners[i].place[1], corners[i].place[2]));
       }
+      add_cut(
+          distances,
+          [&](const EdgePoint& edge) {
+            return append_between(corners[edge.first], corners[edge.second], edge.fraction);
+          },
+          mesh);
+    });
   }
   return mesh;
 }

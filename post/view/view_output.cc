@@ -7,7 +7,12 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "post/analysis/strength_rows.h"
 #include "post/analysis/surface_body.h"
 #include "post/view/encoded_numbers.h"
 #include "post/view/view_mesh.h"
@@ -211,83 +216,178 @@ json vector(const Tensor<1, 3>& of) {
   return list;
 }
 
-/// The point, moved a thousandth of the contact's extent along the normal to where the contact is
-/// if the plane through it only touches the contact: on a plane of symmetry nothing would be cut.
-Point<3> within(const fem::ContactResult<3>& contact, const Point<3>& point,
-                const Tensor<1, 3>& normal) {
-  double lowest = 0.;
-  double highest = 0.;
-  for (const fem::ContactNode<3>& node : contact.nodes) {
-    const double distance = (in_space<3>(node.position) - point) * normal;
-    lowest = std::min(lowest, distance);
-    highest = std::max(highest, distance);
-  }
-  const double small = 1e-3 * (highest - lowest);
-  const double shift = lowest > -small ? small : highest < small ? -small : 0.;
-  return point + shift * normal;
-}
-
-/// Cuts through the point of maximum pressure.
-std::vector<json> cuts(const fem::Solution<2>& /*unused*/, const Results<2>& /*unused*/,
-                       const fem::ContactResult<2>& /*unused*/,
-                       const ContactAnalysis<2>& /*unused*/, const ViewScale& /*unused*/) {
-  return {};
-}
-std::vector<json> cuts(const fem::Solution<3>& solution, const Results<3>& results,
-                       const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis,
-                       const ViewScale& scale) {
-  std::vector<json> list;
-  const std::array<std::tuple<const char*, const char*, Tensor<1, 3>>, 2> planes{
-      {{"across", "cut across the contact where the pressure is greatest", analysis.frame.along},
-       {"along", "cut along the contact where the pressure is greatest", analysis.frame.across}}};
-  for (const auto& [name, title, normal] : planes) {
-    list.push_back(mesh_section(
-        name, title, cut_mesh(solution, results, {within(contact, scale.origin, normal), normal}),
-        scale));
-    list.back()["normal"] = vector(normal);
-  }
-  return list;
-}
+/// What is looked at first: the contact with the maximum pressure, or without contact the maximum
+/// stress.
+struct Focus {
+  Point<3> place;     ///< [m]
+  double half_width;  ///< a fourth of what a close picture shows to either side [m]; 0: not known
+  Tensor<1, 3> normal;
+  std::vector<Point<3>> within;  ///< what cuts go through: places of the contact, or of the model
+  Tensor<1, 3> along;            ///< normal of the cut across, in 3-D
+  Tensor<1, 3> across;           ///< normal of the cut along, in 3-D
+  std::string title;             ///< "contact" or "maximum stress"
+  std::string maximum;           ///< "where the pressure is greatest"
+};
 
 Tensor<1, 3> normal_of(const ContactAnalysis<2>& analysis) {
   return Point<3>(analysis.centre.normal[0], analysis.centre.normal[1], 0.);
 }
 Tensor<1, 3> normal_of(const ContactAnalysis<3>& analysis) { return analysis.frame.normal; }
 
+void set_axes(Focus& /*unused*/, const ContactAnalysis<2>& /*unused*/) {}
+void set_axes(Focus& focus, const ContactAnalysis<3>& analysis) {
+  focus.along = analysis.frame.along;
+  focus.across = analysis.frame.across;
+}
+
+template <int dim>
+Focus focus_on(const fem::ContactResult<dim>& contact, const ContactAnalysis<dim>& analysis) {
+  Focus focus{place_of_peak(contact, analysis),
+              half_width(contact, analysis),
+              normal_of(analysis),
+              {},
+              {},
+              {},
+              "contact",
+              "where the pressure is greatest"};
+  set_axes(focus, analysis);
+  for (const fem::ContactNode<dim>& node : contact.nodes)
+    focus.within.push_back(in_space<dim>(node.position));
+  return focus;
+}
+
+template <int dim>
+Focus focus_on_maximum_stress(const fem::Solution<dim>& solution) {
+  Focus focus;
+  double maximum = 0.;
+  for (const fem::BodyStrength<dim>& body : solution.strength)
+    if (body.von_mises.value > maximum) {
+      maximum = body.von_mises.value;
+      focus.place = in_space<dim>(body.von_mises.place);
+    }
+  focus.half_width = solution.scales.length / 32.;
+  focus.normal = Point<3>(0., 1., 0.);
+  focus.along = Point<3>(0., 0., 1.);
+  focus.across = Point<3>(1., 0., 0.);
+  for (const auto& vertex : solution.mesh.vertices) {
+    Point<3> place;
+    for (unsigned int i = 0; i < dim; ++i) place[i] = vertex[i];
+    focus.within.push_back(place);
+  }
+  focus.title = "maximum stress";
+  focus.maximum = "where the stress is greatest";
+  return focus;
+}
+
+/// The focus, moved a thousandth of the extent along the normal to where the rest is if the plane
+/// through it only touches that: on a plane of symmetry nothing would be cut.
+Point<3> within(const Focus& focus, const Tensor<1, 3>& normal) {
+  double lowest = 0.;
+  double highest = 0.;
+  for (const Point<3>& place : focus.within) {
+    const double distance = (place - focus.place) * normal;
+    lowest = std::min(lowest, distance);
+    highest = std::max(highest, distance);
+  }
+  const double small = 1e-3 * (highest - lowest);
+  const double shift = lowest > -small ? small : highest < small ? -small : 0.;
+  return focus.place + shift * normal;
+}
+
+/// Cuts through the focus.
+std::vector<json> cuts(const fem::Solution<2>& /*unused*/, const Results<2>& /*unused*/,
+                       const Focus& /*unused*/, const ViewScale& /*unused*/) {
+  return {};
+}
+std::vector<json> cuts(const fem::Solution<3>& solution, const Results<3>& results,
+                       const Focus& focus, const ViewScale& scale) {
+  std::vector<json> list;
+  const std::array<std::pair<const char*, Tensor<1, 3>>, 2> planes{
+      {{"across", focus.along}, {"along", focus.across}}};
+  for (const auto& [name, normal] : planes) {
+    list.push_back(
+        mesh_section(name, fmt::format("cut {} the {} {}", name, focus.title, focus.maximum),
+                     cut_mesh(solution, results, {within(focus, normal), normal}), scale));
+    list.back()["normal"] = vector(normal);
+  }
+  return list;
+}
+
+template <int dim>
+json contact_mesh(const fem::Solution<dim>& solution, const fem::ContactResult<dim>& contact,
+                  const ContactAnalysis<dim>& analysis, const double width, const ViewMesh& visible,
+                  const ViewScale& scale) {
+  const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * width);
+  const PressureMesh pressure = pressure_mesh(contact, width, visible, finder);
+  json mesh = mesh_section("contact", "contact surface", pressure.mesh, scale);
+  mesh["fields"].update(pressure_fields(contact, analysis, pressure, scale.stress));
+  return mesh;
+}
+
+/// The places of the bodies' maximum stresses; those that are the same place are one.
+template <int dim>
+json marks(const fem::Solution<dim>& solution, const ViewScale& scale, const OutputUnit& stress) {
+  json list = json::array();
+  std::vector<Point<3>> places;
+  for (const NamedStress<dim>& named : named_stresses(solution)) {
+    const Point<3> place = in_space<dim>(named.maximum.place);
+    const std::string title =
+        fmt::format("{} of '{}': {:.4g} {}, {}", named.name, named.body,
+                    named.maximum.value * stress.factor, stress.name, named.where);
+    const auto known = std::find_if(places.begin(), places.end(), [&](const Point<3>& other) {
+      return place.distance(other) < 1e-3 * solution.scales.length;
+    });
+    if (known != places.end()) {
+      list.at(static_cast<std::size_t>(known - places.begin())).at("titles").push_back(title);
+      continue;
+    }
+    places.push_back(place);
+    list.push_back({{"place", vector(scale.length * (place - scale.origin))}, {"titles", {title}}});
+  }
+  return list;
+}
+
+/// The contact with the maximum pressure; nothing without contact.
+template <int dim>
+std::optional<std::size_t> contact_in_view(const fem::Solution<dim>& solution) {
+  return fem::has_contact(solution.problem) ? std::optional(leading_contact(solution))
+                                            : std::nullopt;
+}
+
 }  // namespace
 
 template <int dim>
 json view_document(const fem::Solution<dim>& solution, const Results<dim>& results,
                    const UnitSystem units) {
-  const std::size_t leading = leading_contact(solution);
-  const fem::ContactResult<dim>& contact = solution.contacts[leading];
-  const ContactAnalysis<dim>& analysis = results.contacts[leading];
-  if (contact.peak_pressure <= 0.) return nullptr;
+  const std::optional<std::size_t> leading = contact_in_view(solution);
+  if (leading && solution.contacts[*leading].peak_pressure <= 0.) return nullptr;
+  const Focus focus = leading ? focus_on(solution.contacts[*leading], results.contacts[*leading])
+                              : focus_on_maximum_stress(solution);
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
-  const ViewScale scale{length.factor, stress.factor, place_of_peak(contact, analysis)};
+  const ViewScale scale{length.factor, stress.factor, focus.place};
   const ViewMesh visible = visible_mesh(solution, results);
   json meshes = json::array();
   meshes.push_back(mesh_section("model", "whole model", visible, scale));
-  for (json& cut : cuts(solution, results, contact, analysis, scale))
-    meshes.push_back(std::move(cut));
+  for (json& cut : cuts(solution, results, focus, scale)) meshes.push_back(std::move(cut));
   if (dealii::Utilities::MPI::this_mpi_process(solution.dof_handler->get_communicator()) != 0)
     return nullptr;
 
-  const double width = shown_half_width(half_width(contact, analysis), visible, scale.origin);
-  const PointFinder finder(visible, body_of(solution, contact.source), 1e-4 * width);
-  const PressureMesh pressure = pressure_mesh(contact, width, visible, finder);
-  meshes.push_back(mesh_section("contact", "contact surface", pressure.mesh, scale));
-  meshes.back()["fields"].update(pressure_fields(contact, analysis, pressure, scale.stress));
+  const double width = shown_half_width(focus.half_width, visible, scale.origin);
+  if (leading)
+    meshes.push_back(contact_mesh(solution, solution.contacts[*leading], results.contacts[*leading],
+                                  width, visible, scale));
   json bodies = json::array();
   for (const fem::Body<dim>& body : solution.problem.bodies) bodies.push_back(body.name);
   json view = json::object();
   view["dimension"] = dim;
+  view["focus"] = focus.title;
   view["length_unit"] = length.name;
   view["stress_unit"] = stress.name;
   view["origin"] = vector(scale.length * scale.origin);
   view["half_width"] = scale.length * width;
-  view["normal"] = vector(normal_of(analysis));
+  view["normal"] = vector(focus.normal);
+  view["marks"] = marks(solution, scale, stress);
   view["bodies"] = std::move(bodies);
   view["outlines"] = encoded(visible.outlines);
   view["meshes"] = std::move(meshes);

@@ -537,6 +537,11 @@ def coupler_point(linkage, crank_angle):
     return pin + cmath.rect(linkage["point_distance"], coupler_angle + linkage["point_angle"])
 
 
+def turning_disc(density, speed, inner, outer, nu):
+    """Hoop stress at the bore of a thin disc (Timoshenko and Goodier, Theory of Elasticity, 30)."""
+    return (3 + nu) / 4 * density * speed**2 * (outer**2 + (1 - nu) / (3 + nu) * inner**2)
+
+
 def values():
     """Closed-form values by case and key of summary.json, or of the other command's figures."""
     steel = (210e9, 0.3)
@@ -567,6 +572,9 @@ def values():
         "synthesis-quick-return": quick_return(stations=6, wheel_speed=360 * RPM, frame=0.1),
         "synthesis-crank-rocker": crank_rocker(swing=math.radians(30), rocker=0.1, pivot_distance=0.08),
         "synthesis-nine-points": {"path.solutions": KNOWN_LINKAGE},
+        "plate-with-hole": {"strength.bar.tensile": 3.15591 * 50e6},
+        "shaft-fillet": {},
+        "rotating-disc": {"strength.disc.tensile": turning_disc(7850, 200 * math.pi, 0.02, 0.15, 0.3)},
         "flat-patch": {"contact.force": 100e6 * 0.04 * 1e-3, "contact.peak_pressure": 100e6},
         "flat-patch-3d": {"contact.force": 100e6 * 0.04 * 0.03, "contact.peak_pressure": 100e6},
     }

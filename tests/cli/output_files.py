@@ -112,7 +112,7 @@ class Files(FinishedRuns):
         self.assertEqual(pieces, ["solution.0.vtu", "solution.1.vtu"])
         cells = [int(xml.parse(case / "results" / piece).find("UnstructuredGrid/Piece").get("NumberOfCells"))
                  for piece in pieces]
-        self.assertEqual(sum(cells), summary["mesh"]["cells"])
+        self.assertGreater(sum(cells), summary["mesh"]["cells"], "cells at round surfaces are shown in parts")
 
     @for_both
     def test_hdf5_file_is_one_and_the_xdmf_file_refers_to_it(self, _, results):

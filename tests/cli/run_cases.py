@@ -114,7 +114,7 @@ class RunCases(CliTest):
         self.assertEqual(run.code, 0, run.describe())
         figures, table = FILES[command]
         summary = json.loads((case / "results" / figures).read_text())
-        columns = read_csv(case / "results" / table)
+        columns = read_csv(case / "results" / table) if (case / "results" / table).exists() else {}  # without contact
         print(f"\n{name}")
         for check in expected:
             what = check.get("key", check.get("column"))

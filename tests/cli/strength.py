@@ -66,7 +66,8 @@ class Strength(CliTest):
                     self.assert_close(same["error"], one["error"], 1e-3, "error")
 
     def test_they_are_in_the_closing_table_and_in_the_safety_factors(self):
-        summary = self.run_with("yield", {"Mechanism/Wheel material/Yield strength": "300 MPa"})
+        summary = self.run_with("yield", {"Mechanism/Wheel material/Yield strength": "300 MPa",
+                                          "Mechanism/Wheel material/Fatigue strength": "200 MPa"})
         rows = {row["quantity"]: row for row in summary["comparison"]}
         of_mises = look_up(summary, "strength.wheel.von_mises")
         self.assertEqual(number(rows["von Mises stress, wheel"]["computed"]), of_mises["value"])
@@ -74,6 +75,8 @@ class Strength(CliTest):
         factors = {row["quantity"]: row["factor"] for row in summary["safety"]}
         self.assert_close(factors["von Mises stress away from the contact, wheel"], 300e6 / of_mises["value"], 1e-12,
                           "factor")
+        self.assert_close(factors["tensile stress away from the contact (fatigue), wheel"],
+                          200e6 / look_up(summary, "strength.wheel.tensile")["value"], 1e-12, "factor")
 
     def test_off_costs_no_cells(self):
         summaries = {value: self.run_with(value.split()[0], {"Structural accuracy": value}) for value in ("off", "1 %")}

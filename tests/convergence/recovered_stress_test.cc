@@ -183,8 +183,9 @@ Tensor<1, 2> kirsch_displacement(const Point<2>& place) {
                        radial * std::sin(angle) + hoop * std::cos(angle)});
 }
 
-/// Derivatives along the surface have the error h^2 ln h.
-constexpr double order_at_surface = 1.7;
+/// Derivatives along the surface have the error h^2 ln h; on coarse meshes, where the slivers
+/// between faces and the true hole count, it is smaller than that.
+constexpr double order_at_surface = 1.3;
 
 TEST(FreeSurface, OfAHoleHasStressesOfSecondOrder) {
   mesh::MeshData<2> mesh = empty_mesh();
@@ -198,6 +199,25 @@ TEST(FreeSurface, OfAHoleHasStressesOfSecondOrder) {
   study.surface = {"hole"};
   const Orders orders = orders_of(study, 1, 4);
   EXPECT_GT(orders.stress, 1.8);
+  EXPECT_GT(orders.stress_at_surface, order_at_surface);
+}
+
+/// Edges of different lengths along the hole, two to one: without the slivers between them and the
+/// true hole the error would be of the first order.
+TEST(FreeSurface, OfAHoleWithEdgesOfTwoLengthsHasStressesOfNearlySecondOrder) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  std::vector<double> angles{0.};
+  for (unsigned int i = 0; i < 12; ++i) angles.push_back(angles.back() + (i % 3 == 0 ? 1. : 0.5));
+  for (double& angle : angles) angle *= 2. * pi / angles.back();
+  add_ring(mesh, "plate", {{0., 0.}, {1., 1.6, 2.5, 4.}, angles, "hole", "held", "", ""});
+  Study<2> study{
+      mesh,
+      problem_of(mesh, fem::PlaneKind::plane_strain),
+      {kirsch_displacement, kirsch_stress, [](const Point<2>&) { return Tensor<1, 2>(); }}};
+  study.is_held = [](const std::string& surface, unsigned int) { return surface == "held"; };
+  study.surface = {"hole"};
+  const Orders orders = orders_of(study, 1, 4);
+  EXPECT_GT(orders.stress, 1.7);
   EXPECT_GT(orders.stress_at_surface, order_at_surface);
 }
 

@@ -76,8 +76,9 @@
     meshes.contact.triangles = Uint32Array.from(kept);
   }
 
-  // The displacement of the contact, which the deformed shape is drawn relative to.
+  // The displacement of the contact, if there is one, which the deformed shape is drawn relative to.
   function displacementOfContact() {
+    if (!meshes.contact) return [0, 0, 0];
     const { displacements, fields } = meshes.contact;
     const pressure = fields.contact_pressure;
     const mean = [0, 0, 0];
@@ -90,7 +91,7 @@
   }
 
   const still = displacementOfContact();
-  if (view.dimension === 3) raiseMountain();
+  if (view.dimension === 3 && meshes.contact) raiseMountain();
 
   function extentOf(points) {
     let extent = 0;
@@ -99,6 +100,7 @@
   }
   const extent = extentOf(meshes.model.points);
   const zone = 4 * view.half_width;
+  const besideContact = meshes.contact ? Math.max(6 * view.half_width, 0.05 * extent) : 0;
 
   function rangeOf(mesh, field, isZone) {
     const values = mesh.fields[field];
@@ -108,7 +110,7 @@
     let high = -Infinity;
     for (let i = 0; i < values.length; ++i) {
       const distance = Math.hypot(points[3 * i], points[3 * i + 1], view.dimension === 2 || mesh.name === "across" ? points[3 * i + 2] : 0);
-      if (!Number.isFinite(values[i]) || (isZone ? distance > zone : distance < Math.max(6 * view.half_width, 0.05 * extent))) continue;
+      if (!Number.isFinite(values[i]) || (isZone ? distance > zone : distance < besideContact)) continue;
       low = Math.min(low, values[i]);
       high = Math.max(high, values[i]);
     }
@@ -217,6 +219,28 @@
   outlines.geometry.setIndex(new THREE.BufferAttribute(decoded(view.outlines, Uint32Array), 1));
   outlines.frustumCulled = false;
   scene.add(outlines);
+  // The numbered places of the maximum stresses, always in front and of the same size.
+  function markOf({ place }, i) {
+    const canvas = Object.assign(document.createElement("canvas"), { width: 64, height: 64 });
+    const pen = canvas.getContext("2d");
+    pen.beginPath();
+    pen.arc(32, 32, 26, 0, 2 * Math.PI);
+    pen.fillStyle = "rgba(255, 255, 255, 0.85)";
+    pen.fill();
+    pen.lineWidth = 5;
+    pen.strokeStyle = pen.fillStyle = "#1b2126";
+    pen.stroke();
+    pen.font = "bold 34px sans-serif";
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    pen.fillText(String(i + 1), 32, 34);
+    const mark = new THREE.Sprite(new THREE.SpriteMaterial({ map: new THREE.CanvasTexture(canvas), depthTest: false }));
+    mark.position.fromArray(place);
+    mark.renderOrder = 1;
+    return mark;
+  }
+  const marks = view.marks.map(markOf);
+  for (const mark of marks) scene.add(mark);
   const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
   const stage = box.querySelector(".stage");
   stage.appendChild(renderer.domElement);
@@ -253,7 +277,7 @@
     }
     const leading = meshes[isOnContact() ? "contact" : cut() === "none" ? "model" : cut()];
     [uniforms.low.value, uniforms.high.value] = isOnContact() ? rangeOnContact(field) : rangeOf(leading, field, isZone());
-    objects.contact.visible = isOnContact();
+    if (objects.contact) objects.contact.visible = isOnContact();
     label(field);
   }
 
@@ -270,7 +294,7 @@
     const text = (value) => Number(value.toPrecision(4)).toString();
     bar.style.background = `linear-gradient(to right, ${COLOURS.map((c) => "#" + c).join(",")})`;
     const ticks = [0, 0.25, 0.5, 0.75, 1].map((f) => text(low.value + f * (high.value - low.value)));
-    if (!isZone() && field !== "displacement" && !isMountain()) ticks[4] = "≥ " + ticks[4]; // greater at the contact
+    if (meshes.contact && !isZone() && field !== "displacement" && !isMountain()) ticks[4] = "≥ " + ticks[4]; // greater at the contact
     box.querySelector(".ticks").replaceChildren(...ticks.map((t) => Object.assign(document.createElement("span"), { textContent: t })));
     const name = FIELDS.find(([value]) => value === field)[1];
     const note = isMountain() ? `, drawn ${mountain.widening} times as wide as it is` : "";
@@ -293,6 +317,7 @@
     objects.model.material.clippingPlanes = planes;
     outlines.material.clippingPlanes = planes;
     outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
+    for (const mark of marks) mark.visible = outlines.visible;
   }
 
   function deform() {
@@ -366,6 +391,8 @@
   }
 
   function draw() {
+    const size = (22 * (camera.top - camera.bottom)) / (camera.zoom * Math.max(stage.clientHeight, 1));
+    for (const mark of marks) mark.scale.set(size, size, 1);
     renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue("--panel").trim());
     renderer.render(scene, camera);
   }

@@ -231,15 +231,20 @@ TEST(Check, TellsThePartThatItRefuses) {
   EXPECT_EQ(refused_part([](Problem<2>& p) { p.supports[0].surface = "botom"; }),
             ProblemPart::supports);
   EXPECT_EQ(refused_part([](Problem<2>& p) { p.ties[0].surface = "kore"; }), ProblemPart::loads);
-  EXPECT_EQ(refused_part([](Problem<2>& p) { p.pairs.clear(); }), ProblemPart::pairs);
+  EXPECT_EQ(refused_part([](Problem<2>& p) { p.pairs[0].source = "tpo"; }), ProblemPart::pairs);
 }
 
 TEST(Check, RefusesTheSurfaceWithoutAName) {
   expect_check_refuses([](Problem<2>& p) { p.supports[0].surface = ""; }, {"surface ''"});
 }
 
-TEST(Check, RefusesAProblemWithoutContact) {
-  expect_check_refuses([](Problem<2>& p) { p.pairs.clear(); }, {"there is none", "at least one"});
+TEST(Check, WantsASupportOfABodyWithoutContact) {
+  expect_check_refuses(
+      [](Problem<2>& p) {
+        p.pairs.clear();
+        p.ties.clear();
+      },
+      {"body 'cylinder'", "neither a support nor a contact surface"});
 }
 
 TEST(Check, RefusesASurfaceThatTouchesItself) {
@@ -305,7 +310,11 @@ void expect_solver_refuses(const Change& change, std::initializer_list<std::stri
 }
 
 TEST(SolveContact, RefusesWhatCheckRefuses) {
-  expect_solver_refuses([](Problem<2>& p) { p.pairs.clear(); }, {"there is none", "at least one"});
+  expect_solver_refuses(
+      [](Problem<2>& p) {
+        p.pairs[0] = {"top", "top"};
+      },
+      {"'top'", "cannot touch itself"});
 }
 
 TEST(SolveContact, RefusesABodyThatCanMoveAlongX) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fem/elasticity/surface_stress.h"
+#include "fem/stress_error.h"
 #include "mesh/extrusion.h"
 #include "tests/support/structured_mesh.h"
 #include "tests/unit/fem/hand_made.h"
@@ -145,8 +146,14 @@ TEST(SingularPlaces, AreNoneAtPlanesOfSymmetry) {
   mesh::MeshData<2> mesh = empty_mesh();
   add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"slides", "", "", ""});
   Problem<2> problem;
+  problem.bodies.push_back({"block", steel, {}});
   problem.supports = {{"slides", {std::nullopt, 0.}}};
   EXPECT_TRUE(singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {})).empty());
+  problem.bodies[0].force.uniform = {1., 0.};
+  EXPECT_TRUE(singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {})).empty());
+  problem.bodies[0].force.uniform = {0., 1.};
+  EXPECT_EQ(singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {})).size(), 2U)
+      << "what is pulled along the normal is not mirrored";
 }
 
 /// Two blocks of one body that make an L.
@@ -168,6 +175,66 @@ TEST(SingularPlaces, AreNoneAroundAHole) {
   add_ring(plane, "ring", {{0., 0.}, {1., 2.}, equal_steps(0., 2. * pi, 6), "hole", "rim", "", ""});
   const mesh::MeshData<3> mesh = extruded(plane, {{{0., 0.5, 1.}, "lower", "upper"}});
   EXPECT_TRUE(singular_places(mesh, boundary_tractions(mesh, Problem<3>{}, {1., 1.}, {})).empty());
+}
+
+/// A mesh on which the only body has the given stress at a place.
+LevelRecord record_with(const double stress, const dealii::Point<3>& place,
+                        const bool is_round = false) {
+  LevelRecord record{};
+  record.strength.push_back({{stress, 0., place, is_round}, {stress, 0., place, is_round}});
+  return record;
+}
+
+mesh::MeshData<2> unit_block() {
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"", "", "", ""});
+  return mesh;
+}
+
+TEST(GrownPlaces, AreCornersWhereAStressKeepsGrowing) {
+  std::vector<LevelRecord> history;
+  for (const double stress : {1., 1.4, 2., 2.8})
+    history.push_back(record_with(stress, {0.501, 0., 0.}));
+  EXPECT_TRUE(grown_places(unit_block(), {history.begin(), history.end() - 1}).empty());
+  const auto places = grown_places(unit_block(), history);
+  ASSERT_EQ(places.size(), 1U) << "once, though both stresses grow";
+  EXPECT_EQ(places.front().begin, (Components<2>{0.5, 0.}));
+  EXPECT_EQ(places.front().why, Singularity::growth);
+  EXPECT_NEAR(places.front().radius, 0.5, 1e-15);
+  EXPECT_TRUE(is_beside(places, Point<2>(0.6, 0.2)));
+  EXPECT_FALSE(is_beside(places, Point<2>(0.5, 0.51)));
+}
+
+TEST(GrownPlaces, AreNoneWhereItSettlesOrTheSurfaceIsRoundOrNoCornerIsNear) {
+  const auto found = [](const std::vector<double>& stresses, const double x, const bool is_round) {
+    std::vector<LevelRecord> history;
+    for (const double stress : stresses)
+      history.push_back(record_with(stress, {x, 0., 0.}, is_round));
+    return grown_places(unit_block(), history).size();
+  };
+  EXPECT_EQ(found({1., 1.4, 2., 2.8}, 0.5, false), 1U);
+  EXPECT_EQ(found({1., 1.4, 1.8, 2.}, 0.5, false), 0U) << "0.4, 0.29, 0.11 more";
+  EXPECT_EQ(found({1., 1.4, 2., 2.8}, 0.5, true), 0U);
+  EXPECT_EQ(found({1., 1.4, 2., 2.8}, 0.7, false), 0U);
+}
+
+TEST(OpenByCell, FallsWithTheDistanceFromItsOwnSizeOn) {
+  // v h V/(6 pi r^3), and V = h^2
+  EXPECT_NEAR((open_by_cell<2>(3., 0.04, 0.2, 0.)), 3. / (6. * pi), 1e-15);
+  EXPECT_NEAR((open_by_cell<2>(3., 0.04, 0.2, 0.4)), 3. / (6. * pi) / 8., 1e-15);
+  EXPECT_NEAR((open_by_cell<3>(3., 0.008, 0.2, 0.4)), 3. / (16. * pi) / 16., 1e-15);
+}
+
+TEST(ShareOfOpen, IsTheGreatestThatEarlierMeshesHaveShown) {
+  const auto record = [](const double value, const double open) {
+    return StressRecord{value, open, {}, false};
+  };
+  EXPECT_EQ(share_of_open({}, 1., 0.1), 1.) << "nothing is known";
+  EXPECT_EQ(share_of_open({record(0.9, 0.11)}, 1., 0.1), 1.) << "hardly more was open";
+  EXPECT_NEAR(share_of_open({record(0.96, 0.2)}, 1., 0.1), 0.4, 1e-12);
+  EXPECT_NEAR(share_of_open({record(0.95, 0.2), record(0.999, 0.12)}, 1., 0.1), 0.5, 1e-12);
+  EXPECT_EQ(share_of_open({record(0.999, 0.2)}, 1., 0.1), 0.25);
+  EXPECT_EQ(share_of_open({record(0.1, 0.2)}, 1., 0.1), 2.);
 }
 
 }  // namespace

@@ -314,13 +314,10 @@ TEST(GeometryCase, ThicknessIsWantedJustInPlaneModels) {
             "DIR/case.prm, line 3: 'Thickness' = '-1 mm': the value must be greater than 0");
 }
 
-TEST(GeometryCase, MissingBodiesOrPairsAreRefused) {
+TEST(GeometryCase, MissingBodiesAreRefused) {
   EXPECT_EQ(refusal_with_geometry("set Model = geometry\n"),
             "DIR/case.prm: 'Bodies' is missing in the subsection 'Geometry': it takes names "
             "separated by commas");
-  EXPECT_EQ(refusal_with_geometry("set Model = geometry\nsubsection Geometry\nset Bodies = a\nend"),
-            "DIR/case.prm: 'Contact pairs' is missing in the subsection 'Geometry': it takes a "
-            "list of 'source -> target', separated by commas");
 }
 
 TEST(GeometryCase, EmptyAndDoubleNamesAreRefused) {

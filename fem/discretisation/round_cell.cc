@@ -1,0 +1,126 @@
+#include "fem/discretisation/round_cell.h"
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria_accessor.h>
+#include <deal.II/grid/tria_iterator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace geneva::fem {
+
+namespace {
+
+using dealii::Point;
+
+/// Reference directions of a cell along which its face lies.
+template <int dim>
+std::array<unsigned int, static_cast<std::size_t>(dim - 1)> directions_in(const unsigned int face) {
+  if constexpr (dim == 2)
+    return {1 - face / 2};
+  else
+    return {face / 2 == 0   ? 1U
+            : face / 2 == 1 ? 2U
+                            : 0U,
+            face / 2 == 0   ? 2U
+            : face / 2 == 1 ? 0U
+                            : 1U};
+}
+
+/// Chords that a curve between two points takes.
+template <int dim>
+unsigned int chords(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
+                    const Point<dim>& end) {
+  constexpr double turn = 2.5 * 3.14159265358979 / 180.;
+  const Point<dim> middle = middle_of_curve(manifold, begin, end);
+  const Point<dim> of_chord = begin + 0.5 * (end - begin);
+  const double length = begin.distance(end);
+  // of which the part along the chord is grading, not curvature
+  const dealii::Tensor<1, dim> along = (end - begin) / length;
+  const dealii::Tensor<1, dim> offset = middle - of_chord;
+  const double sagitta = (offset - (offset * along) * along).norm();
+  const double angle = 4. * std::atan(2. * sagitta / length);
+  return std::max(1U, static_cast<unsigned int>(std::ceil(angle / turn - 1e-6)));
+}
+
+/// Bilinear weights of a face's vertices.
+template <int dim>
+std::array<double, dealii::GeometryInfo<dim>::vertices_per_face> weights(
+    const Point<dim - 1>& reference) {
+  std::array<double, dealii::GeometryInfo<dim>::vertices_per_face> result;
+  for (unsigned int i = 0; i < result.size(); ++i)
+    result[i] = dealii::GeometryInfo<dim - 1>::d_linear_shape_function(reference, i);
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface, const Point<dim>& begin,
+                           const Point<dim>& end) {
+  const std::array<Point<dim>, 2> ends{begin, end};
+  const std::array<double, 2> shares{0.5, 0.5};
+  return surface.get_new_point(dealii::ArrayView<const Point<dim>>(ends.data(), ends.size()),
+                               dealii::ArrayView<const double>(shares.data(), shares.size()));
+}
+
+template <int dim>
+RoundCell<dim>::RoundCell(const Cell& cell) : cell_(cell) {
+  parts_.fill(1);
+  if (!cell->at_boundary()) return;
+  for (const unsigned int face : cell->face_indices()) {
+    if (!fem::is_round(cell->face(face))) continue;
+    faces_.push_back(face);
+    const auto directions = directions_in<dim>(face);
+    const auto& manifold = cell->face(face)->get_manifold();
+    const auto vertex = [&](const unsigned int i) {
+      return cell->vertex(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i));
+    };
+    const auto add = [&](const std::size_t direction, const unsigned int begin,
+                         const unsigned int end) {
+      unsigned int& parts = parts_[directions[direction]];
+      parts = std::max(parts, chords<dim>(manifold, vertex(begin), vertex(end)));
+    };
+    add(0, 0, 1);
+    if constexpr (dim == 3) {
+      add(0, 2, 3);
+      add(1, 0, 2);
+      add(1, 1, 3);
+    }
+  }
+}
+
+template <int dim>
+Point<dim> RoundCell<dim>::place(const Point<dim>& reference) const {
+  using Geometry = dealii::GeometryInfo<dim>;
+  Point<dim> result;
+  for (const unsigned int vertex : cell_->vertex_indices())
+    result += Geometry::d_linear_shape_function(reference, vertex) * cell_->vertex(vertex);
+  for (const unsigned int face : faces_) {
+    const auto directions = directions_in<dim>(face);
+    Point<dim - 1> on_face;
+    for (unsigned int i = 0; i + 1 < dim; ++i) on_face[i] = reference[directions[i]];
+    const auto shares = weights<dim>(on_face);
+    std::array<Point<dim>, Geometry::vertices_per_face> corners;
+    Point<dim> flat;
+    for (unsigned int i = 0; i < corners.size(); ++i) {
+      corners[i] = cell_->vertex(Geometry::face_to_cell_vertices(face, i));
+      flat += shares[i] * corners[i];
+    }
+    const Point<dim> round = cell_->face(face)->get_manifold().get_new_point(
+        dealii::ArrayView<const Point<dim>>(corners.data(), corners.size()),
+        dealii::ArrayView<const double>(shares.data(), shares.size()));
+    const double across = reference[face / 2];
+    result += (face % 2 == 0 ? 1. - across : across) * (round - flat);
+  }
+  return result;
+}
+
+template Point<2> middle_of_curve(const dealii::Manifold<2>&, const Point<2>&, const Point<2>&);
+template Point<3> middle_of_curve(const dealii::Manifold<3>&, const Point<3>&, const Point<3>&);
+template class RoundCell<2>;
+template class RoundCell<3>;
+
+}  // namespace geneva::fem

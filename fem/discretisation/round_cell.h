@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+#include <deal.II/grid/manifold.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <vector>
+
+namespace geneva::fem {
+
+/// Whether a face at the boundary, or in 3-D one of its lines, stands for a round curve or surface.
+template <typename Face>
+bool is_round(const Face& face) {
+  constexpr dealii::types::manifold_id straight = 0;
+  const dealii::types::manifold_id manifold = face->manifold_id();
+  return face->at_boundary() && manifold != dealii::numbers::flat_manifold_id &&
+         manifold != straight;
+}
+
+/// The middle of the curve between two points of a round surface. Not every manifold knows
+/// Manifold::get_intermediate_point().
+template <int dim>
+dealii::Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface,
+                                   const dealii::Point<dim>& begin, const dealii::Point<dim>& end);
+
+/// A cell whose faces at round surfaces are those surfaces: its reference points are moved by what
+/// lies between the surface and the face, the less the farther from the face they are (Gordon and
+/// Hall 1973). For what is shown; the cells that are solved have straight edges.
+template <int dim>
+class RoundCell {
+ public:
+  using Cell = typename dealii::Triangulation<dim>::cell_iterator;
+
+  explicit RoundCell(const Cell& cell);
+
+  /// Whether any face is round; else there is one part in every direction.
+  [[nodiscard]] bool is_round() const { return !faces_.empty(); }
+
+  /// Into how many parts along each reference direction the cell is divided, so that chords of its
+  /// round edges turn by 2.5 degrees at most.
+  [[nodiscard]] const std::array<unsigned int, static_cast<std::size_t>(dim)>& parts() const {
+    return parts_;
+  }
+
+  /// Place of a reference point, in the units of the triangulation.
+  [[nodiscard]] dealii::Point<dim> place(const dealii::Point<dim>& reference) const;
+
+ private:
+  Cell cell_;
+  std::vector<unsigned int> faces_;  ///< the round ones
+  std::array<unsigned int, static_cast<std::size_t>(dim)> parts_;
+};
+
+}  // namespace geneva::fem

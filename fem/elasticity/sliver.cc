@@ -1,0 +1,181 @@
+#include "fem/elasticity/sliver.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/grid/manifold.h>
+
+#include <array>
+#include <utility>
+
+#include "fem/discretisation/round_cell.h"
+#include "fem/elasticity/surface_stress.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using dealii::Point;
+using dealii::Tensor;
+
+template <int dim>
+using RoundFaceCell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+template <int dim>
+const Point<dim>& corner(const RoundFaceCell<dim>& cell, const unsigned int face,
+                         const unsigned int vertex) {
+  return cell->vertex(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, vertex));
+}
+
+/// How far the middle of the true curve between two corners of a face lies outside of the chord.
+template <int dim>
+double sagitta(const RoundFaceCell<dim>& cell, const unsigned int face, const unsigned int begin,
+               const unsigned int end, const Tensor<1, dim>& normal) {
+  const Point<dim>& from = corner<dim>(cell, face, begin);
+  const Point<dim>& to = corner<dim>(cell, face, end);
+  const Point<dim> middle = middle_of_curve(cell->face(face)->get_manifold(), from, to);
+  return (middle - from - 0.5 * (to - from)) * normal;
+}
+
+/// Thickness of the sliver over a reference point of the face.
+double thickness(const RoundFaceCell<2>& cell, const unsigned int face, const Point<1>& xi,
+                 const Tensor<1, 2>& normal) {
+  return 4. * xi[0] * (1. - xi[0]) * sagitta<2>(cell, face, 0, 1, normal);
+}
+
+double thickness(const RoundFaceCell<3>& cell, const unsigned int face, const Point<2>& xi,
+                 const Tensor<1, 3>& normal) {
+  const auto between = [](const double begin, const double end, const double at) {
+    return (1. - at) * begin + at * end;
+  };
+  const auto along = [&](const unsigned int begin, const unsigned int end) {
+    return sagitta<3>(cell, face, begin, end, normal);
+  };
+  return 4. * xi[0] * (1. - xi[0]) * between(along(0, 1), along(2, 3), xi[1]) +
+         4. * xi[1] * (1. - xi[1]) * between(along(0, 2), along(1, 3), xi[0]);
+}
+
+Tensor<1, 2> across(const std::array<Tensor<1, 2>, 1>& tangents) {
+  return dealii::cross_product_2d(tangents[0]);
+}
+Tensor<1, 3> across(const std::array<Tensor<1, 3>, 2>& tangents) {
+  return dealii::cross_product_3d(tangents[0], tangents[1]);
+}
+
+/// Unit vectors reciprocal to the tangents, in the face.
+std::array<Tensor<1, 2>, 1> reciprocal(const std::array<Tensor<1, 2>, 1>& tangents,
+                                       const Tensor<1, 2>& /*normal*/) {
+  return {tangents[0] / tangents[0].norm_square()};
+}
+std::array<Tensor<1, 3>, 2> reciprocal(const std::array<Tensor<1, 3>, 2>& tangents,
+                                       const Tensor<1, 3>& normal) {
+  const Tensor<1, 3> first = dealii::cross_product_3d(tangents[1], normal);
+  const Tensor<1, 3> second = dealii::cross_product_3d(normal, tangents[0]);
+  return {first / (first * tangents[0]), second / (second * tangents[1])};
+}
+
+}  // namespace
+
+template <int dim>
+Slivers<dim>::Slivers(const Problem<dim>& problem)
+    : problem_(problem), laws_(material_laws(problem)) {}
+
+template <int dim>
+std::vector<typename Slivers<dim>::FacePoint> Slivers<dim>::points(const Cell& cell,
+                                                                   const unsigned int face) const {
+  constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_face;
+  using Reference = dealii::GeometryInfo<dim - 1>;
+  const dealii::QGauss<dim - 1> quadrature(2);
+  std::vector<FacePoint> result;
+  for (unsigned int q = 0; q < quadrature.size(); ++q) {
+    const Point<dim - 1>& xi = quadrature.point(q);
+    Point<dim> place;
+    std::array<Tensor<1, dim>, static_cast<std::size_t>(dim - 1)> tangents;
+    for (unsigned int vertex = 0; vertex < n_vertices; ++vertex) {
+      const Point<dim>& end = corner<dim>(cell, face, vertex);
+      place += Reference::d_linear_shape_function(xi, vertex) * end;
+      const auto gradient = Reference::d_linear_shape_function_gradient(xi, vertex);
+      for (unsigned int k = 0; k + 1 < dim; ++k) tangents[k] += gradient[k] * end;
+    }
+    FacePoint point;
+    point.normal = across(tangents);
+    const double area = point.normal.norm();
+    point.normal /=
+        (point.normal * (cell->face(face)->center() - cell->center()) > 0. ? 1. : -1.) * area;
+    const auto axes = reciprocal(tangents, point.normal);
+    const bool has_hoop = dim == 2 && problem_.plane == PlaneKind::axisymmetric && place[0] > 0.;
+    for (unsigned int vertex = 0; vertex < n_vertices; ++vertex) {
+      const auto slope = Reference::d_linear_shape_function_gradient(xi, vertex);
+      Tensor<1, dim> gradient;
+      for (unsigned int k = 0; k + 1 < dim; ++k) gradient += slope[k] * axes[k];
+      point.gradients.push_back(gradient);
+      point.hoop.push_back(has_hoop ? Reference::d_linear_shape_function(xi, vertex) / place[0]
+                                    : 0.);
+    }
+    point.volume = quadrature.weight(q) * area * thickness(cell, face, xi, point.normal) *
+                   out_of_plane_measure(problem_, place);
+    result.push_back(std::move(point));
+  }
+  return result;
+}
+
+template <int dim>
+StressVector<dim> Slivers<dim>::stress(const unsigned int body, const FacePoint& point,
+                                       const unsigned int vertex,
+                                       const unsigned int component) const {
+  Tensor<2, dim> gradient;
+  gradient[component] = point.gradients[vertex];
+  return surface_stress(*laws_[body], gradient, component == 0 ? point.hoop[vertex] : 0.,
+                        point.normal, Tensor<1, dim>());
+}
+
+namespace {
+
+/// Work of a stress under a displacement of a vertex along an axis, per volume.
+template <int dim>
+double work(const StressVector<dim>& stress, const Tensor<1, dim>& gradient, const double hoop,
+            const unsigned int component) {
+  const double out_of_plane = dim == 2 && component == 0 ? stress[2] * hoop : 0.;
+  return traction_of(stress, gradient)[component] + out_of_plane;
+}
+
+}  // namespace
+
+template <int dim>
+void Slivers<dim>::add_stiffness(const Cell& cell, dealii::FullMatrix<double>& stiffness) const {
+  using Geometry = dealii::GeometryInfo<dim>;
+  for (const unsigned int face : cell->face_indices()) {
+    if (!is_round(cell->face(face))) continue;
+    const auto dof = [&](const unsigned int vertex, const unsigned int component) {
+      return dim * Geometry::face_to_cell_vertices(face, vertex) + component;
+    };
+    for (const FacePoint& point : points(cell, face))
+      for (unsigned int b = 0; b < Geometry::vertices_per_face; ++b)
+        for (unsigned int j = 0; j < dim; ++j) {
+          const StressVector<dim> by_b = point.volume * stress(cell->material_id(), point, b, j);
+          for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a)
+            for (unsigned int i = 0; i < dim; ++i)
+              stiffness(dof(a, i), dof(b, j)) +=
+                  work<dim>(by_b, point.gradients[a], point.hoop[a], i);
+        }
+  }
+}
+
+template <int dim>
+void Slivers<dim>::add_load(const Cell& cell, const unsigned int face, const double pressure,
+                            const Tensor<1, dim>& shear, dealii::Vector<double>& load) const {
+  using Geometry = dealii::GeometryInfo<dim>;
+  for (const FacePoint& point : points(cell, face)) {
+    const StressVector<dim> by_traction =
+        point.volume * surface_stress(*laws_[cell->material_id()], Tensor<2, dim>(), 0.,
+                                      point.normal, shear - pressure * point.normal);
+    for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        load[dim * Geometry::face_to_cell_vertices(face, a) + i] -=
+            work<dim>(by_traction, point.gradients[a], point.hoop[a], i);
+  }
+}
+
+template class Slivers<2>;
+template class Slivers<3>;
+
+}  // namespace geneva::fem

@@ -1,0 +1,160 @@
+#include "fem/stress_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/stress_variation.h"
+
+namespace geneva::fem {
+
+template <int dim>
+double open_by_cell(const double variation, const double measure, const double size,
+                    const double distance) {
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double factor = dim == 2 ? 1. / (6. * pi) : 1. / (16. * pi);
+  return factor * variation * size * measure / std::pow(std::max(distance, size), dim + 1);
+}
+
+namespace {
+
+template <int dim>
+using OpenCell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+/// What a cell leaves open, relative to a maximum of its body.
+struct OpenByCell {
+  double of_maximum;  ///< of the maximum where it is
+  double of_own;      ///< of the stress in the cell, if that may be the maximum; else 0
+};
+
+template <int dim>
+OpenByCell open_by(const NodalStress<dim>& stress, const std::vector<SingularPlace<dim>>& singular,
+                   const OpenCell<dim>& cell, const StressMaximum<dim>& maximum,
+                   const double length) {
+  // In the units of the triangulation the model's extent is 1. Farther away a figure's own field is
+  // that of the body as a whole and falls no more.
+  constexpr double share_of_extent = 0.1;
+  const double varying = variation(stress, cell);
+  const double size = std::pow(cell->measure(), 1. / dim);
+  const auto at_distance = [&](const double distance) {
+    return open_by_cell<dim>(varying, cell->measure(), size, distance) / maximum.value;
+  };
+  dealii::Point<dim> place;
+  for (unsigned int i = 0; i < dim; ++i) place[i] = maximum.place[i] / length;
+  constexpr double nearly = 0.95;  // lest rounding and noise choose one of many equal places
+  const bool may_be_maximum = maximum_von_mises(stress, cell) + varying >= nearly * maximum.value &&
+                              !is_beside(singular, dealii::Point<dim>(length * cell->center()));
+  const double distance = std::min(place.distance(cell->center()), share_of_extent);
+  return {at_distance(distance), may_be_maximum ? at_distance(0.) : 0.};
+}
+
+/// The greater of what a cell leaves open of its body's two maxima.
+template <int dim>
+double open_by(const Solution<dim>& solution, const NodalStress<dim>& stress,
+               const std::vector<SingularPlace<dim>>& singular, const OpenCell<dim>& cell) {
+  const BodyStrength<dim>& body = solution.strength[cell->material_id()];
+  double result = 0.;
+  for (const StressMaximum<dim>* const maximum : {&body.von_mises, &body.tensile})
+    if (maximum->value > 0.) {
+      const OpenByCell open = open_by(stress, singular, cell, *maximum, solution.scales.length);
+      result = std::max({result, open.of_maximum, open.of_own});
+    }
+  return result;
+}
+
+/// The value above which numbers of all ranks make a share of their sum.
+double bulk_threshold(const std::vector<double>& numbers, const double share,
+                      const MPI_Comm communicator) {
+  const auto sum_above = [&](const double threshold) {
+    double sum = 0.;
+    for (const double number : numbers)
+      if (number > threshold) sum += number;
+    return dealii::Utilities::MPI::sum(sum, communicator);
+  };
+  double low = 0.;
+  double high = dealii::Utilities::MPI::max(
+      numbers.empty() ? 0. : *std::max_element(numbers.begin(), numbers.end()), communicator);
+  const double wanted = share * sum_above(0.);
+  for (int i = 0; i < 20; ++i) {
+    const double middle = 0.5 * (low + high);
+    (sum_above(middle) >= wanted ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+template <int dim>
+double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                     const std::vector<SingularPlace<dim>>& singular, const unsigned int body,
+                     const StressMaximum<dim>& maximum) {
+  if (maximum.value == 0.) return 0.;
+  double sum = 0.;
+  double of_own = 0.;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || cell->material_id() != body) continue;
+    const OpenByCell open = open_by(stress, singular, cell, maximum, solution.scales.length);
+    sum += open.of_maximum;
+    of_own = std::max(of_own, open.of_own);
+  }
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  return dealii::Utilities::MPI::sum(sum, communicator) +
+         dealii::Utilities::MPI::max(of_own, communicator);
+}
+
+template <int dim>
+unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                       const std::vector<SingularPlace<dim>>& singular,
+                       const std::vector<bool>& of_body) {
+  constexpr double bulk = 0.5;
+  constexpr int deepest = dim == 2 ? 28 : 17;  // what p4est can do
+  std::vector<double> open;
+  std::vector<OpenCell<dim>> cells;
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (!cell->is_locally_owned() || !of_body[cell->material_id()] || cell->level() >= deepest)
+      continue;
+    cells.push_back(cell);
+    open.push_back(open_by(solution, stress, singular, cell));
+  }
+  const MPI_Comm communicator = solution.dof_handler->get_communicator();
+  const double threshold = bulk_threshold(open, bulk, communicator);
+  unsigned int flagged = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (open[i] > threshold) {
+      cells[i]->set_refine_flag();
+      ++flagged;
+    }
+  return dealii::Utilities::MPI::sum(flagged, communicator);
+}
+
+double share_of_open(const std::vector<StressRecord>& before, const double value,
+                     const double open) {
+  constexpr double clearly_more = 1.15;
+  constexpr int most_meshes = 3;
+  constexpr double least = 0.25;
+  constexpr double most = 2.;
+  double share = 0.;
+  int meshes = 0;
+  for (auto earlier = before.rbegin(); earlier != before.rend() && meshes < most_meshes;
+       ++earlier) {
+    if (earlier->value == 0. || earlier->open < clearly_more * open) continue;
+    share = std::max(share, std::abs(1. - earlier->value / value) / (earlier->open - open));
+    ++meshes;
+  }
+  return meshes == 0 ? 1. : std::clamp(share, least, most);
+}
+
+template double open_by_cell<2>(double, double, double, double);
+template double open_by_cell<3>(double, double, double, double);
+
+#define INSTANTIATE(dim)                                                              \
+  template double open_by_cells(const Solution<dim>&, const NodalStress<dim>&,        \
+                                const std::vector<SingularPlace<dim>>&, unsigned int, \
+                                const StressMaximum<dim>&);                           \
+  template unsigned int flag_open(const Solution<dim>&, const NodalStress<dim>&,      \
+                                  const std::vector<SingularPlace<dim>>&,             \
+                                  const std::vector<bool>&);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
+
+}  // namespace geneva::fem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <vector>
+
+#include "fem/adaptivity/level_record.h"
+#include "fem/singular_places.h"
+#include "fem/solution.h"
+#include "fem/stress_recovery.h"
+
+namespace geneva::fem {
+
+/// What a cell may leave open of a stress at a place [Pa].
+///
+/// The error of a figure is the sum over the cells of the integral of (sigma - sigma_h) : (eps* -
+/// eps*_h), eps* being the strain of the figure's own dual problem (Becker and Rannacher, Acta
+/// Numerica 10, 2001, 3). That of a stress at a place is the field of a pair of forces there: on a
+/// half-plane 2/(pi r^2), on a half-space 1/(2 pi r^3), over the modulus. A cell follows about half
+/// of what varies linearly in it, and leaves amplitudes of v/2 and h/4 times the slope of eps*; the
+/// mean of the product of two linear functions is a third of their amplitudes'. So a cell of the
+/// size h leaves at most about
+///
+///   c v h V / r^(dim + 1),  c = 1/(6 pi) in the plane, 1/(16 pi) in 3-D,
+///
+/// where r is not less than h.
+/// @param variation v, from its mean, of the stress over the cell [Pa]
+/// @param measure V of the cell: area or volume
+/// @param size h
+/// @param distance r of its middle from the place; all lengths in one unit
+template <int dim>
+double open_by_cell(double variation, double measure, double size, double distance);
+
+/// What all cells of a body leave open of its maximum, and one cell whose own stress may be that,
+/// relative to it; beside singular places, where no maximum is looked for, no stress may be. Beyond
+/// a tenth of the model's extent r counts no more: there a figure's own field is that of the body
+/// as a whole, and falls no farther.
+template <int dim>
+double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                     const std::vector<SingularPlace<dim>>& singular, unsigned int body,
+                     const StressMaximum<dim>& maximum);
+
+/// Without contact: flags the cells that leave most open of their bodies' maxima, half of all
+/// together.
+/// @param of_body whether a body's cells are wanted finer
+/// @return number of flagged cells on all ranks
+template <int dim>
+unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                       const std::vector<SingularPlace<dim>>& singular,
+                       const std::vector<bool>& of_body);
+
+/// Which share of what the cells leave open, none of their errors cancelling, is an error: by how
+/// much the value has changed over what has been closed since earlier meshes, at most over three
+/// of them; between a quarter and twice; all if no earlier mesh had clearly more open.
+/// @param before on the meshes before, the newest last
+/// @param value on this mesh [Pa], > 0
+/// @param open on this mesh, relative
+double share_of_open(const std::vector<StressRecord>& before, double value, double open);
+
+}  // namespace geneva::fem
