@@ -15,20 +15,7 @@ namespace geneva {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// The stress is told from 0.3 to 3 times the best diameter, in a hundred steps of equal ratio.
-constexpr double curve_start = 0.3;
-constexpr double curve_end = 3.;
-constexpr int curve_steps = 100;
-
-loads::Elastic elastic(const model::CaseMaterial& material) {
-  return {material.youngs_modulus, material.poissons_ratio};
-}
-
-/// The mechanism as the design looks at it: at the maximum wheel acceleration, with the shaft's
-/// inertia where it is to be added.
-model::MechanismCase designed_mechanism(const model::Case& given) {
+model::MechanismCase designed_mechanism(const Case& given) {
   if (!given.mechanism)
     model::refuse_model(given, "there is no wheel to design", "geneva design", "mechanism");
   model::MechanismCase mechanism = *given.mechanism;
@@ -44,6 +31,17 @@ model::MechanismCase designed_mechanism(const model::Case& given) {
   if (mechanism.design.adds_shaft_inertia)
     mechanism.load.load_inertia += loads::shaft_inertia(*mechanism.design.shaft);
   return mechanism;
+}
+
+namespace {
+
+/// The stress is told from 0.3 to 3 times the best diameter, in a hundred steps of equal ratio.
+constexpr double curve_start = 0.3;
+constexpr double curve_end = 3.;
+constexpr int curve_steps = 100;
+
+loads::Elastic elastic(const model::CaseMaterial& material) {
+  return {material.youngs_modulus, material.poissons_ratio};
 }
 
 loads::DesignInput design_input(const model::MechanismCase& mechanism) {

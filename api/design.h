@@ -21,6 +21,11 @@ struct Design {
 /// @throws InputError if the case is no mechanism or has no best wheel
 Design design(const Case& given);
 
+/// The mechanism as the design looks at it: at the maximum wheel acceleration, with the shaft's
+/// inertia where it is to be added.
+/// @throws InputError where design() does
+model::MechanismCase designed_mechanism(const Case& given);
+
 /// Designs side by side as `geneva design` prints them, in the units of the first.
 std::string table(const std::vector<Design>& designs);
 

@@ -47,6 +47,11 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
                    "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
                    "which the line load along the pin of one case in 3-D is most even, and solve "
                    "that pin; writes crown.json, crown.csv and the report");
+  bool has_strength = false;
+  design->add_flag("--strength", has_strength,
+                   "Also solve the wheel of one case by finite elements for several diameters: its "
+                   "maximum stresses away from the contact, such as at the bottom of the slot, "
+                   "beside the contact stress");
   bool is_unconfirmed = false;
   design->add_flag("--no-run", is_unconfirmed, "With --crown: do not solve the pin found");
   auto* synthesize = app.add_subcommand(
@@ -67,6 +72,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
     app.parse(argc, argv);
     if (is_crown && case_directories.size() > 1)
       throw CLI::ValidationError("--crown", "one CASE_DIR is wanted");
+    if (has_strength && case_directories.size() > 1)
+      throw CLI::ValidationError("--strength", "one CASE_DIR is wanted");
+    if (has_strength && is_crown)
+      throw CLI::ValidationError("--strength", "it designs the wheel, --crown the pin: give one");
     if (is_unconfirmed && !is_crown)
       throw CLI::ValidationError("--no-run", "this has an effect with --crown only");
   } catch (const CLI::ParseError& error) {
@@ -83,7 +92,9 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
     return Request{Request::Command::report, {results.begin(), results.end()}, output, steps};
   if (synthesize->parsed())
     return Request{Request::Command::synthesize, {case_directory}, output, steps};
-  return Request{is_crown ? Request::Command::crown : Request::Command::design,
+  return Request{is_crown       ? Request::Command::crown
+                 : has_strength ? Request::Command::design_with_strength
+                                : Request::Command::design,
                  {case_directories.begin(), case_directories.end()},
                  output,
                  steps,

@@ -8,7 +8,17 @@ namespace geneva::app {
 
 /// What the command line asks for.
 struct Request {
-  enum class Command { run, estimate, kinematics, design, crown, synthesize, report, parameters };
+  enum class Command {
+    run,
+    estimate,
+    kinematics,
+    design,
+    design_with_strength,
+    crown,
+    synthesize,
+    report,
+    parameters
+  };
   Command command;
   std::vector<std::filesystem::path> cases;  ///< one; for design one or more; of results for
                                              ///< report; for parameters none

@@ -4,6 +4,7 @@
 #include "api/session.h"
 #include "app/command_line.h"
 #include "app/crown.h"
+#include "app/design_strength.h"
 #include "app/early_mesher.h"
 #include "app/ending.h"
 #include "app/exit_code.h"
@@ -21,6 +22,8 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
   const auto& [command, cases, output, steps, goes_on, is_confirmed] = request;
   if (command == Command::crown)
     return confirmed_crown_of_case(MPI_COMM_WORLD, cases.front(), output, mesher);
+  if (command == Command::design_with_strength)
+    return design_with_strength(MPI_COMM_WORLD, cases.front(), output, mesher);
   return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
 }
 

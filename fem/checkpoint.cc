@@ -51,6 +51,10 @@ void read(const json& given, dealii::Point<dim>& point) {
   if (!given.is_array() || given.size() != dim) refuse_record("a place is none");
   for (unsigned int i = 0; i < dim; ++i) read(given[i], point[i]);
 }
+void read(const json& given, std::array<double, 3>& place) {
+  if (!given.is_array() || given.size() != place.size()) refuse_record("a place is none");
+  for (std::size_t i = 0; i < place.size(); ++i) read(given[i], place[i]);
+}
 void read(const json& given, StrengthRecord& record);
 void read(const json& given, LevelRecord& record);
 template <typename Value>
@@ -69,6 +73,7 @@ json written(const dealii::Point<dim>& point) {
   for (unsigned int i = 0; i < dim; ++i) coordinates.push_back(point[i]);
   return coordinates;
 }
+json written(const std::array<double, 3>& place) { return place; }
 json written(const StrengthRecord& record);
 json written(const LevelRecord& record);
 template <typename Value>

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <deal.II/base/point.h>
-
+#include <array>
 #include <vector>
 
 namespace geneva::fem {
@@ -15,10 +14,10 @@ enum class Refined {
 
 /// A maximum stress on a mesh.
 struct StressRecord {
-  double value;            ///< [Pa]; 0 if there is no place for it
-  double open;             ///< relative, see StressMaximum
-  dealii::Point<3> place;  ///< [m]; z is 0 in the plane
-  bool is_round;           ///< whether the surface is round there
+  double value;                 ///< [Pa]; 0 if there is no place for it
+  double open;                  ///< relative, see StressMaximum
+  std::array<double, 3> place;  ///< [m]; z is 0 in the plane
+  bool is_round;                ///< whether the surface is round there
 };
 
 /// Those of a body away from the contacts.

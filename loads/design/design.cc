@@ -16,22 +16,6 @@ namespace geneva::loads {
 
 namespace {
 
-/// The same wheel with another diameter.
-GenevaDimensionsInput resized(const GenevaDimensionsInput& input, const GivenLengths rule,
-                              const double diameter) {
-  GenevaDimensionsInput result = input;
-  result.wheel_diameter = diameter;
-  result.crank_radius.reset();
-  result.centre_distance.reset();
-  if (rule == GivenLengths::stay) return result;
-  const double scale = diameter / complete_dimensions(input).wheel_diameter;
-  for (std::optional<double>* length :
-       {&result.pin_diameter, &result.thickness, &result.slot_clearance, &result.slot_width,
-        &result.slot_depth, &result.locking_radius, &result.bore_radius, &result.pin_core_radius})
-    if (*length) **length *= scale;
-  return result;
-}
-
 DesignedWheel loaded(const DesignInput& input, DesignedWheel wheel) {
   const double arm = johnson_row(input.dimensions.stations).k * wheel.diameter;
   wheel.force = pin_force(wheel.inertia, input.load, design_acceleration(input), arm);
@@ -102,6 +86,21 @@ double searched_diameter(const DesignInput& input, const double guess) {
 }
 
 }  // namespace
+
+GenevaDimensionsInput resized(const GenevaDimensionsInput& input, const GivenLengths rule,
+                              const double diameter) {
+  GenevaDimensionsInput result = input;
+  result.wheel_diameter = diameter;
+  result.crank_radius.reset();
+  result.centre_distance.reset();
+  if (rule == GivenLengths::stay) return result;
+  const double scale = diameter / complete_dimensions(input).wheel_diameter;
+  for (std::optional<double>* length :
+       {&result.pin_diameter, &result.thickness, &result.slot_clearance, &result.slot_width,
+        &result.slot_depth, &result.locking_radius, &result.bore_radius, &result.pin_core_radius})
+    if (*length) **length *= scale;
+  return result;
+}
 
 double design_acceleration(const DesignInput& input) {
   require_positive("driver speed", input.driver_speed, "rad/s");

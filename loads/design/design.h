@@ -37,6 +37,12 @@ struct DesignedWheel {
   double peak_pressure;  ///< s_max [Pa] (Eq. 2 and 3)
 };
 
+/// The same wheel with another diameter.
+/// @param rule what given lengths do
+/// @param diameter D > 0 [m]
+GenevaDimensionsInput resized(const GenevaDimensionsInput& input, GivenLengths rule,
+                              double diameter);
+
 /// The wheel's maximum acceleration a_max [rad/s^2], at -beta.
 /// @throws base::InputError unless the driver's speed is positive
 double design_acceleration(const DesignInput& input);

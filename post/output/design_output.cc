@@ -85,6 +85,19 @@ json table_section() {
   return table;
 }
 
+json strength_section(const std::vector<WheelStrength>& strength) {
+  json rows = json::array();
+  for (const WheelStrength& wheel : strength)
+    rows.push_back({{"diameter", quantity(wheel.diameter, "m")},
+                    {"peak_pressure", quantity(wheel.peak_pressure, "Pa")},
+                    {"von_mises", quantity(wheel.von_mises, "Pa")},
+                    {"von_mises_error", wheel.von_mises_error},
+                    {"tensile", quantity(wheel.tensile, "Pa")},
+                    {"tensile_error", wheel.tensile_error},
+                    {"where", wheel.where}});
+  return rows;
+}
+
 }  // namespace
 
 json design_summary(const DesignReport& report) {
@@ -98,9 +111,29 @@ json design_summary(const DesignReport& report) {
   result["wheel"] = wheel_section(report.own, "");
   if (report.pressure_ratio) result["wheel"]["peak_pressure_ratio"] = *report.pressure_ratio;
   if (report.shaft) result["shaft"] = shaft_section(*report.shaft);
+  if (!report.strength.empty()) result["strength"] = strength_section(report.strength);
   result["table"] = table_section();
   result["versions"] = versions_section(report.geneva_version);
   return result;
+}
+
+std::string strength_table(const DesignReport& report, const UnitSystem units) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  std::string text =
+      fmt::format("{:>14}{:>24}{:>30}{:>30}\n", fmt::format("diameter [{}]", length.name),
+                  fmt::format("contact pressure [{}]", stress.name),
+                  fmt::format("von Mises stress [{}]", stress.name),
+                  fmt::format("tensile stress [{}]", stress.name));
+  const auto with_error = [&](const double value, const double error) {
+    return fmt::format("{:.5g} +- {:.2g} %", value * stress.factor, 100. * error);
+  };
+  for (const WheelStrength& wheel : report.strength)
+    text += fmt::format("{:>14.5g}{:>24.5g}{:>30}{:>30}\n", wheel.diameter * length.factor,
+                        wheel.peak_pressure * stress.factor,
+                        with_error(wheel.von_mises, wheel.von_mises_error),
+                        with_error(wheel.tensile, wheel.tensile_error));
+  return text;
 }
 
 std::string design_csv(const DesignReport& report, const UnitSystem units) {

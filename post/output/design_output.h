@@ -21,6 +21,17 @@ struct ShaftReport {
   std::optional<double> amplitude_radius;  ///< [m]
 };
 
+/// The wheel of one diameter, solved by finite elements; SI units.
+struct WheelStrength {
+  double diameter;         ///< [m]
+  double peak_pressure;    ///< of the contact [Pa]
+  double von_mises;        ///< maximum of the wheel away from the contact [Pa]
+  double von_mises_error;  ///< relative
+  double tensile;          ///< maximum of the wheel away from the contact [Pa]
+  double tensile_error;    ///< relative
+  std::string where;       ///< the tensile stress, in words
+};
+
 /// Johnson's design of wheel and shaft for one case, SI units.
 struct DesignReport {
   base::CaseHeader about;
@@ -37,6 +48,7 @@ struct DesignReport {
   std::optional<double> pressure_ratio;         ///< own peak pressure over that of johnson
   std::optional<ShaftReport> shaft;
   std::vector<loads::DesignPoint> curve;
+  std::vector<WheelStrength> strength;  ///< by ascending diameter; empty unless asked for
 };
 
 /// What design.json says, SI units throughout.
@@ -45,6 +57,9 @@ nlohmann::json design_summary(const DesignReport& report);
 /// What design.csv says: inertia, pin force and stress against the diameter, the units in the
 /// headings; empty fields where there is no such wheel.
 std::string design_csv(const DesignReport& report, base::UnitSystem units);
+
+/// Stresses of the wheel away from the contact against its diameter, the unit in the headings.
+std::string strength_table(const DesignReport& report, base::UnitSystem units);
 
 /// Table of one or more designs side by side, the units in the rows' names.
 std::string design_table(const std::vector<DesignReport>& reports, base::UnitSystem units);

@@ -13,6 +13,7 @@ namespace geneva::post {
 using base::Dimension;
 using base::dimension_named;
 using base::output_unit;
+using base::OutputUnit;
 using base::UnitSystem;
 
 using nlohmann::json;
@@ -150,6 +151,27 @@ Chart stress_chart(const ResultsDirectory& results, const UnitSystem units) {
   return chart;
 }
 
+/// Stresses of the wheel away from the contact against its diameter.
+Chart strength_chart(const json& design, const UnitSystem units) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const std::string title = "Maximum stresses of the wheel away from the contact";
+  Chart chart{"chart-strength",
+              title + " against its diameter",
+              title + " against its diameter",
+              {fmt::format("wheel diameter [{}]", length.name)},
+              {fmt::format("stress [{}]", stress.name)},
+              {{"von Mises", SeriesStyle::line, {}}, {"tensile", SeriesStyle::dashed, {}}}};
+  for (const json& wheel : design.at("strength")) {
+    const double diameter = in_units(wheel.at("diameter"), Dimension::length, units);
+    chart.series[0].points.push_back(
+        {diameter, in_units(wheel.at("von_mises"), Dimension::stress, units)});
+    chart.series[1].points.push_back(
+        {diameter, in_units(wheel.at("tensile"), Dimension::stress, units)});
+  }
+  return chart;
+}
+
 std::string shaft_table(const json& design, const UnitSystem units) {
   if (!design.contains("shaft")) return "";
   const json& shaft = design.at("shaft");
@@ -186,7 +208,8 @@ ReportPart kinematics_part(const ResultsDirectory& results) {
 
 ReportPart design_part(const ResultsDirectory& results) {
   const json& design = *results.document("design");
-  const std::vector<Chart> charts{stress_chart(results, results.units())};
+  std::vector<Chart> charts{stress_chart(results, results.units())};
+  if (design.contains("strength")) charts.push_back(strength_chart(design, results.units()));
   return {html_section("design", "Choice of the wheel",
                        wheels_table(design, results.units()) + html(charts) +
                            shaft_table(design, results.units())),

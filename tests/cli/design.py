@@ -177,5 +177,75 @@ class DesignRefusals(Refusals):
         self.assertIn("in the way", run.err)
 
 
+class WithStrength(CliTest):
+    """`geneva design --strength`: the wheel away from the contact against its diameter."""
+
+    CASE = """set Model = mechanism
+set Output units = SI
+subsection Mechanism
+  set Stations = 6
+  set Wheel diameter = 100 mm
+  set Pin diameter = 14 mm
+  set Wheel thickness = 14 mm
+  set Driver speed = 300 rpm
+  set Friction moment = 20 N.m
+  set Load inertia = 1e-3 kg.m^2
+end
+"""
+
+    def write(self, name, scale=1.):
+        case = self.directory / name
+        case.mkdir()
+        text = self.CASE
+        for parameter, length in (("Wheel diameter", 100), ("Pin diameter", 14), ("Wheel thickness", 14)):
+            text = set_parameter(text, f"Mechanism/{parameter}", f"{length * scale!r} mm")
+        (case / "case.prm").write_text(text)
+        return case
+
+    def test_it_is_that_of_a_run_with_the_wheel_of_that_diameter(self):
+        case = self.write("wheel")
+        run = self.geneva("design", "--strength", case)
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertIn("the wheel away from the contact", run.out)
+        rows = read_design(case / "results")["strength"]
+        diameters = [number(row["diameter"]) for row in rows]
+        self.assertEqual(diameters, sorted(diameters))
+        self.assertGreaterEqual(len(rows), 7)
+        for row in rows:
+            self.assertLess(max(row["von_mises_error"], row["tensile_error"]), 0.05)
+        row = rows[len(rows) // 2]
+        alone = self.write("alone", number(row["diameter"]) / 0.1)
+        (alone / "case.prm").write_text("set Accuracy = 2 %\n" + (alone / "case.prm").read_text())
+        wheel = self.run_case(alone)["strength"]["wheel"]
+        for name in ("von_mises", "tensile"):
+            self.assert_close(number(row[name]), wheel[name]["value"], 1e-6, name)
+            self.assert_close(row[f"{name}_error"], wheel[name]["error"], 1e-3, f"{name}_error")
+        self.assertEqual(row["where"], wheel["tensile"]["where"])
+        page = (case / "results" / "report.html").read_text()
+        self.assertIn("Maximum stresses of the wheel away from the contact against its diameter", page)
+
+    def test_the_pin_force_over_thickness_and_diameter_decides(self):
+        # At the best diameter 0.6 of the force is the wheel's own inertia, J_G a ~ D^5, 0.4 load and friction: of D0
+        # F/(t D) ~ (0.6 (D/D0)^5 + 0.4)/(D/D0)^3. The wheel's inertia, which pulls on its arms, too, changes that little.
+        case = self.write("similar")
+        run = self.geneva("design", "--strength", case)
+        self.assertEqual(run.code, 0, run.describe())
+        design = read_design(case / "results")
+        best = number(design["optimum_diameter"])
+        expected = [(0.6 * size**5 + 0.4) / size**3 for size in (number(row["diameter"]) / best for row in design["strength"])]
+        shares = [number(row["tensile"]) / value for row, value in zip(design["strength"], expected)]
+        for share in shares:
+            self.assert_close(share, shares[0], 0.12, "tensile stress over F/(t D)")
+
+    def test_one_case_and_no_crown_is_wanted(self):
+        one, other = self.write("one"), self.write("other")
+        for words, arguments in ((("--strength", "one CASE_DIR"), ("--strength", one, other)),
+                                 (("--strength", "give one"), ("--strength", "--crown", one))):
+            run = self.geneva("design", *arguments)
+            self.assertEqual(run.code, 1, run.describe())
+            for word in words:
+                self.assertIn(word, run.err + run.out)
+
+
 if __name__ == "__main__":
     geneva_cli.main()

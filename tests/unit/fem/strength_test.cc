@@ -178,7 +178,7 @@ TEST(SingularPlaces, AreNoneAroundAHole) {
 }
 
 /// A mesh on which the only body has the given stress at a place.
-LevelRecord record_with(const double stress, const dealii::Point<3>& place,
+LevelRecord record_with(const double stress, const std::array<double, 3>& place,
                         const bool is_round = false) {
   LevelRecord record{};
   record.strength.push_back({{stress, 0., place, is_round}, {stress, 0., place, is_round}});

@@ -1,0 +1,88 @@
+#include "api/design_strength.h"
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "api/analysis.h"
+#include "api/analysis_state.h"
+#include "base/errors.h"
+#include "post/analysis/strength_rows.h"
+
+namespace geneva {
+
+namespace {
+
+constexpr double first_diameter = 0.6;  // times the best one
+constexpr double last_diameter = 1.8;
+constexpr int steps = 8;
+
+/// The case with a wheel of another diameter, as far as its arms count.
+Case resized_case(const Case& given, const double diameter) {
+  constexpr double contact_accuracy = 0.02;
+  constexpr double structural_accuracy = 0.02;
+  Case result = given;
+  model::MechanismCase mechanism = designed_mechanism(given);
+  mechanism.dimensions =
+      loads::resized(mechanism.dimensions, mechanism.design.given_lengths, diameter);
+  mechanism.is_local = false;
+  mechanism.space.reset();
+  mechanism.inertia_kind = model::MechanismCase::InertiaKind::from_geometry;
+  result.mechanism = mechanism;
+  result.dimension = 2;
+  result.settings.accuracy = contact_accuracy;
+  result.settings.structural_accuracy =
+      given.settings.structural_accuracy.value_or(structural_accuracy);
+  return result;
+}
+
+post::WheelStrength strength_of(const Analysis& analysis, const double diameter) {
+  const auto& solved = std::get<api::AnalysedModel<2>>(analysis.state->analysed);
+  post::WheelStrength result{};
+  result.diameter = diameter;
+  result.peak_pressure = analysis.contacts.front().peak_pressure;
+  for (const post::NamedStress<2>& stress : post::named_stresses(solved.solution)) {
+    if (stress.body != "wheel") continue;
+    if (stress.name == "tensile stress") {
+      result.tensile = stress.maximum.value;
+      result.tensile_error = stress.maximum.total_error();
+      result.where = stress.where;
+    } else {
+      result.von_mises = stress.maximum.value;
+      result.von_mises_error = stress.maximum.total_error();
+    }
+  }
+  return result;
+}
+
+/// Nothing where no such wheel can be drawn.
+std::optional<post::WheelStrength> strength_at(const Case& given, const double diameter,
+                                               const MPI_Comm communicator,
+                                               mesh::Mesher* const mesher) {
+  try {
+    AnalysisOptions options;
+    options.mesher = mesher;
+    return strength_of(analyse(resized_case(given, diameter), communicator, options), diameter);
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void add_strength(Design& design, const MPI_Comm communicator, mesh::Mesher* const mesher,
+                  const std::function<void(int, int)>& tell) {
+  const double best = design.report.johnson.value_or(design.report.drawn.wheel).diameter;
+  for (int step = 0; step <= steps; ++step) {
+    const double diameter =
+        best * first_diameter *
+        std::pow(last_diameter / first_diameter, static_cast<double>(step) / steps);
+    if (const auto found = strength_at(design.given, diameter, communicator, mesher))
+      design.report.strength.push_back(*found);
+    if (tell) tell(step + 1, steps + 1);
+  }
+  if (!design.report.strength.empty()) return;
+  analyse(resized_case(design.given, best), communicator);  // says why there is none
+}
+
+}  // namespace geneva

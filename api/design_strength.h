@@ -1,0 +1,26 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <functional>
+#include <string>
+
+#include "api/design.h"
+
+namespace geneva {
+
+namespace mesh {
+class Mesher;
+}
+
+/// Solves the wheel by finite elements for diameters from 0.6 to 1.8 times the best one, and adds
+/// their maximum stresses away from the contact to the design: the wheel that is best for the
+/// contact may not be best for its arms. Diameters for which no wheel can be drawn are left out.
+/// All ranks call it.
+/// @param mesher already started, on rank 0; nothing: it is started when it is needed
+/// @param tell of every wheel that is done: how many are, and of how many; may be empty
+/// @throws InputError on all ranks if no wheel can be drawn or solved
+void add_strength(Design& design, MPI_Comm communicator, mesh::Mesher* mesher = nullptr,
+                  const std::function<void(int, int)>& tell = {});
+
+}  // namespace geneva
