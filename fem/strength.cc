@@ -98,6 +98,25 @@ void move_to_top(StressMaximum<2>& maximum, const std::vector<Beside>& neighbour
   for (unsigned int i = 0; i < 2; ++i) maximum.place[i] += way[i] * length;
 }
 
+/// Tells the surface on which a node lies, a round one if there are several: of any cell, since the
+/// node's own may touch the boundary with that node alone.
+template <int dim>
+void set_surface(StressMaximum<dim>& maximum, const NodalStress<dim>& stress,
+                 const Candidate<dim>& node) {
+  const unsigned int vertex = node.cell->vertex_index(node.vertex);
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (cell->is_artificial() || !cell->at_boundary() ||
+        cell->material_id() != node.cell->material_id())
+      continue;
+    for (const auto& face : cell->face_iterators())
+      for (const unsigned int i : face->vertex_indices()) {
+        if (!face->at_boundary() || maximum.is_round || face->vertex_index(i) != vertex) continue;
+        maximum.surface = static_cast<int>(face->boundary_id());
+        maximum.is_round = is_round(face);
+      }
+  }
+}
+
 template <int dim>
 StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>& stress,
                            const Candidate<dim>& node, const Measure measure) {
@@ -105,16 +124,7 @@ StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>
   maximum.value = node.value;
   for (unsigned int i = 0; i < dim; ++i)
     maximum.place[i] = node.cell->vertex(node.vertex)[i] * solution.scales.length;
-  for (const unsigned int face : node.cell->face_indices()) {
-    const auto boundary = node.cell->face(face);
-    for (const unsigned int i : boundary->vertex_indices()) {
-      if (!boundary->at_boundary() || maximum.is_round ||
-          dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i) != node.vertex)
-        continue;
-      maximum.surface = static_cast<int>(boundary->boundary_id());
-      maximum.is_round = is_round(boundary);
-    }
-  }
+  set_surface(maximum, stress, node);
   maximum.error =
       measured<dim>(stress.doubt, node.cell, node.vertex, Measure::von_mises) / node.value;
   if constexpr (dim == 2)

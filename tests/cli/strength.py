@@ -78,6 +78,13 @@ class Strength(CliTest):
         self.assert_close(factors["tensile stress away from the contact (fatigue), wheel"],
                           200e6 / look_up(summary, "strength.wheel.tensile")["value"], 1e-12, "factor")
 
+    def test_the_place_is_named_also_where_the_first_cell_touches_it_with_one_node_alone(self):
+        wheel = self.run_with("three", {"Mechanism/Stations": "3", "Mechanism/Wheel diameter": "120 mm",
+                                        "Mechanism/Pin diameter": "19.2 mm", "Mechanism/Wheel thickness": "19.2 mm",
+                                        "Mechanism/Driver angle": "at maximum wheel acceleration"})
+        for found in self.stresses(wheel):
+            self.assertEqual(found["where"], "bottom of the engaged slot")
+
     def test_off_costs_no_cells(self):
         summaries = {value: self.run_with(value.split()[0], {"Structural accuracy": value}) for value in ("off", "1 %")}
         self.assertLess(summaries["off"]["mesh"]["dofs"], summaries["1 %"]["mesh"]["dofs"])
