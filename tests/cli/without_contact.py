@@ -53,6 +53,17 @@ Mesh.MeshSizeMax = (b - a) / 3;
 Physical Surface("bar") = {{1}};
 Physical Curve("end") = {{1, 3}}; Physical Curve("middle") = {{2}}; Physical Curve("left") = {{5}};
 """
+# A quarter of a flat bar with opposite notches. Under bending it is held along y where nothing pulls that way.
+NOTCHED = """r = {r}; h = {h}; L = {length}; e = h / 40;
+Point(1) = {{0, 0, 0}}; Point(2) = {{L, 0, 0}}; Point(3) = {{L, h, 0}}; Point(4) = {{r, h, 0}}; Point(5) = {{0, h - r, 0}};
+Point(6) = {{0, h, 0}}; Point(7) = {{0, e, 0}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Circle(4) = {{4, 6, 5}}; Line(5) = {{5, 7}}; Line(6) = {{7, 1}};
+Curve Loop(1) = {{1, 2, 3, 4, 5, 6}}; Plane Surface(1) = {{1}};
+Mesh.MeshSizeMax = h / 3;
+Physical Surface("bar") = {{1}};
+Physical Curve("below") = {{1}}; Physical Curve("end") = {{2}}; Physical Curve("notch") = {{4}};
+Physical Curve("left") = {{5}}; Physical Curve("middle") = {{6}};
+"""
 BEAM = """L = {length}; h = {h};
 Point(1) = {{0, 0, 0}}; Point(2) = {{L, 0, 0}}; Point(3) = {{L, h, 0}}; Point(4) = {{0, h, 0}};
 Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
@@ -135,6 +146,21 @@ Physical Surface("ring") = {1}; Physical Curve("below") = {1};
         for half_width, length, factor in ((20, 50, 4.34888), (50, 100, 3.15591)):
             case = self.write(f"bar-{half_width}", BAR.format(r=10, h=half_width, length=length), PULLED)
             self.assert_within_its_error(self.run_case(case), factor * 100e6, exact_to=2e-4)
+
+    def test_opposite_notches_have_peterson_s_factors(self):
+        # Fits to his charts (Roark's Formulas, h/r = 1), good to a half and one per cent; x = 2 r/H = 0.5. The half bar
+        # under even tension bends by sigma H^2/4 times its thickness.
+        x, tension = 0.5, 100e6
+        factors = {"tension": 3.065 - 3.370 * x + 0.647 * x**2 + 0.658 * x**3,
+                   "bending": 3.065 - 6.637 * x + 8.229 * x**2 - 3.636 * x**3}
+        nominal = {"tension": tension / (1 - x), "bending": 1.5 * tension / (1 - x)**2}
+        supports = {"tension": "left: x, middle: x, below: y", "bending": "left: x, middle: x y, below: x"}
+        for name, factor in factors.items():
+            section = PULLED.replace("left: x, below: y", supports[name])
+            case = self.write(name, NOTCHED.format(r=10, h=20, length=60), section)
+            summary = self.run_case(case)
+            self.assert_within_its_error(summary, factor * nominal[name], exact_to=0.005 if name == "tension" else 0.01)
+            self.assertEqual(self.stress(summary)["where"], "notch")
 
     def test_a_curved_bar_has_golovin_s_stress(self):
         a, b = 20., 40.
