@@ -91,6 +91,15 @@ std::vector<std::string> strength_notices(const model::Case& given,
   return notices;
 }
 
+/// That values of a material's name are typical ones, and where they are from.
+std::vector<std::string> material_notices(const model::Case& given) {
+  std::vector<std::string> notices;
+  for (const auto& [body, material] : given.materials)
+    notices.push_back(fmt::format("'{}' of the {} stands for typical values ({})", material.name,
+                                  body, material.source));
+  return notices;
+}
+
 /// What the user should know of a pin in the round bottom of its slot, whose pressure does not only
 /// turn the wheel.
 template <int dim>
@@ -177,6 +186,7 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
   for (const post::ContactAnalysis<dim>& contact : results.contacts)
     if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection);
   for (const std::string& notice : strength_notices(given, solution)) notices.push_back(notice);
+  for (const std::string& notice : material_notices(given)) notices.push_back(notice);
   if (!given.mechanism) return notices;
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
   for (const std::string& notice : length_notices(solution, results, given.units))

@@ -1,7 +1,8 @@
 #include "api/design_strength.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <optional>
 #include <variant>
 
 #include "api/analysis.h"
@@ -55,16 +56,18 @@ post::WheelStrength strength_of(const Analysis& analysis, const double diameter)
   return result;
 }
 
-/// Nothing where no such wheel can be drawn.
-std::optional<post::WheelStrength> strength_at(const Case& given, const double diameter,
-                                               const MPI_Comm communicator,
-                                               mesh::Mesher* const mesher) {
+/// Adds the stresses of a wheel of that diameter, or a notice on why there is none.
+void add_wheel(Design& design, const double diameter, const MPI_Comm communicator,
+               mesh::Mesher* const mesher) {
   try {
     AnalysisOptions options;
     options.mesher = mesher;
-    return strength_of(analyse(resized_case(given, diameter), communicator, options), diameter);
-  } catch (const base::InputError&) {
-    return std::nullopt;
+    design.report.strength.push_back(strength_of(
+        analyse(resized_case(design.given, diameter), communicator, options), diameter));
+  } catch (const base::InputError& error) {
+    const base::OutputUnit unit = base::output_unit(design.given.units, base::Dimension::length);
+    design.notices.push_back(fmt::format("no wheel of diameter {:.5g} {}: {}",
+                                         diameter * unit.factor, unit.name, error.what()));
   }
 }
 
@@ -77,8 +80,7 @@ void add_strength(Design& design, const MPI_Comm communicator, mesh::Mesher* con
     const double diameter =
         best * first_diameter *
         std::pow(last_diameter / first_diameter, static_cast<double>(step) / steps);
-    if (const auto found = strength_at(design.given, diameter, communicator, mesher))
-      design.report.strength.push_back(*found);
+    add_wheel(design, diameter, communicator, mesher);
     if (tell) tell(step + 1, steps + 1);
   }
   if (!design.report.strength.empty()) return;

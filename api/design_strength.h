@@ -15,7 +15,8 @@ class Mesher;
 
 /// Solves the wheel by finite elements for diameters from 0.6 to 1.8 times the best one, and adds
 /// their maximum stresses away from the contact to the design: the wheel that is best for the
-/// contact may not be best for its arms. Diameters for which no wheel can be drawn are left out.
+/// contact may not be best for its arms. Diameters for which no wheel can be drawn or solved are
+/// left out, and a notice says why.
 /// All ranks call it.
 /// @param mesher already started, on rank 0; nothing: it is started when it is needed
 /// @param tell of every wheel that is done: how many are, and of how many; may be empty

@@ -30,6 +30,18 @@ std::optional<double> bore_torque(const model::Model<dim>& model,
   return std::nullopt;
 }
 
+std::optional<loads::BeamBending> pin_beam_bending(const model::MechanismCase& mechanism,
+                                                   const model::MechanismState& state) {
+  const auto beam = model::pin_beam(mechanism, state.sizes);
+  if (!beam) return std::nullopt;
+  return loads::beam_bending(*beam, state.load.force);
+}
+
+/// On either wall.
+loads::PlacedPeak greatest_force(const loads::Characteristics& cycle) {
+  return cycle.braking_force.value > cycle.force.value ? cycle.braking_force : cycle.force;
+}
+
 }  // namespace
 
 template <int dim>
@@ -48,10 +60,13 @@ std::optional<post::MechanismReport> mechanism_report(
       state.expected_bore_torque,
       model.held_surface,
       bore_torque(model, mechanism, solution),
+      pin_beam_bending(mechanism, state),
       std::nullopt,
       parts(mechanism, dim),
       state.train.roller,
       loads::bore_pressure(contact, state.train, state.load.force),
+      state.train.slot_friction,
+      greatest_force(cycle),
       cycle.pressure,
       state.train.roller ? cycle.bore_pressure_times_speed : cycle.pressure_times_slip};
   if constexpr (dim == 3) report.pin = pin_report(mechanism, state, solution, results.cells);

@@ -30,15 +30,16 @@ std::optional<post::PinBending> bending_of_pin(const model::MechanismCase& mecha
                                                const model::MechanismState& state,
                                                const fem::Solution<3>& solution,
                                                const std::vector<post::CellStress<3>>& cells) {
-  const model::PinCase& pin = *mechanism.space;
-  if (pin.hold == model::PinCase::Hold::core) return std::nullopt;
+  using Hold = model::PinHolding::Hold;
+  const Hold hold = mechanism.pin_holding.hold;
+  if (hold == Hold::core) return std::nullopt;
   const loads::PinClearance clearance = model::pin_clearance(mechanism, state);
   const auto face = std::find_if(
       solution.mesh.faces.begin(), solution.mesh.faces.end(), [&](const mesh::Face<3>& candidate) {
         return solution.mesh.surfaces[candidate.surface] == "pin" && candidate.circle >= 0;
       });
   const mesh::Circle& circle = solution.mesh.circles[static_cast<std::size_t>(face->circle)];
-  const bool held_twice = pin.hold == model::PinCase::Hold::both_ends;
+  const bool held_twice = hold == Hold::both_ends;
   return post::pin_bending(solution,
                            {"pin",
                             circle.centre[0],
@@ -47,8 +48,8 @@ std::optional<post::PinBending> bending_of_pin(const model::MechanismCase& mecha
                             held_twice ? 0. : clearance.lower_end,
                             0.,
                             clearance.upper_end,
-                            model::pin_lengths(pin, state.sizes).root_gap,
-                            model::pin_holder(pin),
+                            model::pin_lengths(mechanism, state.sizes).root_gap,
+                            model::pin_holder(mechanism),
                             held_twice,
                             model::is_half_model(mechanism),
                             {0., 1., 0.}},
@@ -65,8 +66,6 @@ post::PinReport pin_report(const model::MechanismCase& mechanism,
     report.crown_radius = crown->radius;
   if (const auto* profile = std::get_if<loads::LogarithmicProfile>(&clearance.profile))
     report.amplitude = profile->amplitude;
-  if (const auto beam = model::pin_beam(mechanism, state.sizes))
-    report.beam = loads::beam_bending(*beam, state.load.force);
   if (const auto known = model::pin_line_contact(mechanism, state))
     report.line = {known->pin, known->contact, loads::peak_doubt(known->pin, known->contact)};
   if (const auto bending = bending_of_pin(mechanism, state, solution, cells))

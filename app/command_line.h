@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -17,15 +18,30 @@ struct Request {
     crown,
     synthesize,
     report,
-    parameters
+    sweep,
+    init,
+    materials,
+    parameters,
+    help,
+    version,
+    manual,
+    completion
   };
-  Command command;
+  Command command = Command::run;
   std::vector<std::filesystem::path> cases;  ///< one; for design one or more; of results for
-                                             ///< report; for parameters none
+                                             ///< report; of the new case for init; otherwise none
   std::filesystem::path output;              ///< empty: results in the case's directory
   int steps = 720;                           ///< of the kinematic curves
   bool is_continued = false;                 ///< of run: from the checkpoint
   bool is_confirmed = true;                  ///< of crown: by finite elements
+  std::string topic;                    ///< of help and manual a command, of completion a shell,
+                                        ///< of materials one of them; may be empty
+  std::string type = "external";        ///< of init
+  int stations = 6;                     ///< of init
+  std::string units = "mm-N";           ///< of init
+  std::vector<std::string> variations;  ///< of sweep: "Mechanism/Pin diameter = 8 mm; 10 mm"
+  std::string method = "run";           ///< of sweep: the command for each combination
+  unsigned int jobs = 0;                ///< of sweep: runs at a time; 0: as many as cores
 };
 
 /// Reads the command line; prints help, version or what is wrong with it.

@@ -23,12 +23,9 @@ void print_heading(const Case& given) {
   std::cout << model::name_of(given) << (given.title.empty() ? "" : ": " + given.title) << '\n';
 }
 
-/// Says what was written where.
 void tell(const Written& written, const std::string& files, const fs::path& directory) {
-  warn_of_missing_packages(written);
-  if (const std::string notice = removal_notice(written); !notice.empty())
-    std::cout << notice << '\n';
-  std::cout << files << " in " << shown_path(directory) << '\n';
+  tell_written(written, files, directory,
+               [](const std::string& line) { std::cout << line << '\n'; });
 }
 
 /// Where the files of each design go.
@@ -58,6 +55,13 @@ std::string shown_path(const fs::path& path) {
 
 fs::path results_of(const fs::path& case_directory, const fs::path& output) {
   return output.empty() ? case_directory / "results" : output;
+}
+
+void tell_written(const Written& written, const std::string& files, const fs::path& directory,
+                  const std::function<void(const std::string&)>& line) {
+  warn_of_missing_packages(written);
+  if (const std::string notice = removal_notice(written); !notice.empty()) line(notice);
+  line(files + " in " + shown_path(directory));
 }
 
 std::string removal_notice(const Written& written) {

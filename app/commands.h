@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,12 @@ std::string shown_path(const std::filesystem::path& path);
 /// Where the results of a case go that the command line gives no directory for.
 std::filesystem::path results_of(const std::filesystem::path& case_directory,
                                  const std::filesystem::path& output);
+
+/// Says what was written where, and what was removed; warns of what the report lacks.
+/// @param line called for each line of it
+void tell_written(const Written& written, const std::string& files,
+                  const std::filesystem::path& directory,
+                  const std::function<void(const std::string&)>& line);
 
 /// A sentence on what was removed; empty if nothing was.
 std::string removal_notice(const Written& written);

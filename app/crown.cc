@@ -34,9 +34,8 @@ int confirmed_crown_of_case(const MPI_Comm communicator,
   model::together(communicator, [&] {
     if (is_first) written = write(crown, directory);
   });
-  warn_of_missing_packages(written);
-  if (const std::string notice = removal_notice(written); !notice.empty()) progress.line(notice);
-  progress.line("crown.json, crown.csv and report.html in " + shown_path(directory));
+  tell_written(written, "crown.json, crown.csv and report.html", directory,
+               [&](const std::string& line) { progress.line(line); });
   if (is_accurate) return 0;
   progress.line("not converged: the accuracy wanted was not reached");
   return not_converged;

@@ -22,19 +22,24 @@ int design_with_strength(const MPI_Comm communicator, const std::filesystem::pat
   ProgressDisplay progress(is_first, given.units);
   Design found = design(given);
   progress.line(table({found}));
-  for (const std::string& notice : found.notices) progress.line("note: " + notice);
+  const auto tell_notices = [&](const std::size_t from) {
+    for (std::size_t i = from; i < found.notices.size(); ++i)
+      progress.line("note: " + found.notices[i]);
+  };
+  tell_notices(0);
+  const std::size_t told = found.notices.size();
   add_strength(found, communicator, mesher, [&](const int done, const int of) {
     progress.line(fmt::format("wheel {} of {} solved", done, of));
   });
   progress.line("\nthe wheel away from the contact, as drawn:\n" +
                 post::strength_table(found.report, given.units));
+  tell_notices(told);
   Written written;
   model::together(communicator, [&] {
     if (is_first) written = write(found, directory);
   });
-  warn_of_missing_packages(written);
-  if (const std::string notice = removal_notice(written); !notice.empty()) progress.line(notice);
-  progress.line("design.json, design.csv and report.html in " + shown_path(directory));
+  tell_written(written, "design.json, design.csv and report.html", directory,
+               [&](const std::string& line) { progress.line(line); });
   return 0;
 }
 

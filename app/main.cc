@@ -5,8 +5,11 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/init.h"
 #include "app/interruption.h"
 #include "app/launch.h"
+#include "app/materials.h"
+#include "app/sweep.h"
 #include "model/input/case_file.h"
 
 namespace {
@@ -14,16 +17,36 @@ namespace {
 using namespace geneva::app;
 using Command = Request::Command;
 
+/// Of init: a type of two words as one.
+std::string type_of(const std::string& word) { return word == "long-dwell" ? "long dwell" : word; }
+
 int obey(const Request& request) {
-  const auto& [command, cases, output, steps, goes_on, is_confirmed] = request;
-  if (command == Command::estimate) return estimate_case(cases.front(), output);
-  if (command == Command::kinematics) return kinematics_of_case(cases.front(), output, steps);
-  if (command == Command::synthesize) return synthesize_case(cases.front(), output);
-  if (command == Command::crown) return crown_of_case(cases.front(), output);
-  if (command == Command::report) return report_on(cases, output);
-  if (command == Command::design) return design_cases(cases, output);
-  std::cout << geneva::model::parameter_file();
-  return 0;
+  const std::filesystem::path& directory = request.cases.front();
+  switch (request.command) {
+    case Command::estimate:
+      return estimate_case(directory, request.output);
+    case Command::kinematics:
+      return kinematics_of_case(directory, request.output, request.steps);
+    case Command::synthesize:
+      return synthesize_case(directory, request.output);
+    case Command::crown:
+      return crown_of_case(directory, request.output);
+    case Command::report:
+      return report_on(request.cases, request.output);
+    case Command::design:
+      return design_cases(request.cases, request.output);
+    case Command::sweep:
+      return sweep_case(directory,
+                        {request.variations, request.method, request.jobs, request.output});
+    case Command::init:
+      return init_case(directory, {type_of(request.type), request.stations,
+                                   geneva::base::unit_system_named(request.units)});
+    case Command::materials:
+      return show_materials(request.topic, directory);
+    default:
+      std::cout << geneva::model::parameter_file();
+      return 0;
+  }
 }
 
 }  // namespace

@@ -35,16 +35,41 @@ void ProgressDisplay::line(const std::string& text) { write(text, "", stdout); }
 
 void ProgressDisplay::warning(const std::string& text) { write(text, "geneva: ", stderr); }
 
-void ProgressDisplay::step(const fem::StepReport& report) {
-  if (!is_speaking_ || !is_terminal_) return;
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string status = fmt::format(
-      "level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}  {:.1f} s", report.level,
-      report.dofs, report.step, report.linear_iterations, last_level_, seconds);
-  std::fputs(("\r\033[K" + status).c_str(), stdout);
+double ProgressDisplay::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void ProgressDisplay::show_status(const std::string& text) {
+  std::fputs(("\r\033[K" + text).c_str(), stdout);
   std::fflush(stdout);
   has_status_ = true;
+}
+
+void ProgressDisplay::phase(const std::string& what, const std::optional<double> seconds) {
+  constexpr double worth_a_line = 4.;
+  if (!is_speaking_) return;
+  const std::string text =
+      seconds && *seconds >= 1. ? fmt::format("{}, about {:.0f} s", what, *seconds) : what;
+  if (is_terminal_)
+    show_status(text);
+  else if (seconds && *seconds >= worth_a_line)
+    line(text);
+}
+
+void ProgressDisplay::step(const fem::StepReport& report) {
+  if (!is_speaking_) return;
+  if (report.step == 0) {
+    const auto expected = cost_ ? std::optional(*cost_ * report.dofs) : std::nullopt;
+    expected_end_ = expected ? elapsed() + *expected : 0.;
+    phase(fmt::format("solving a mesh of {} unknowns", report.dofs), expected);
+    return;
+  }
+  if (!is_terminal_) return;
+  const double left = expected_end_ - elapsed();
+  show_status(
+      fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}{}", report.level,
+                  report.dofs, report.step, report.linear_iterations, last_level_,
+                  left >= 1. ? fmt::format("  about {:.0f} s left of this mesh", left) : ""));
 }
 
 namespace {
@@ -68,6 +93,8 @@ Refined refined_of(const fem::LevelRecord& record) {
 
 void ProgressDisplay::level(const fem::LevelRecord& record) {
   const Refined refined = refined_of(record);
+  cost_ = (elapsed() - last_end_) / record.dofs;
+  last_end_ = elapsed();
   if (levels_ == 0)
     line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>25}{:>12}{:>9}", "level", "unknowns", "active",
                      "steps", "CG", fmt::format("{} [{}]", refined.name, stress_.name),

@@ -19,12 +19,12 @@ using namespace geneva::app;
 using Command = Request::Command;
 
 int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
-  const auto& [command, cases, output, steps, goes_on, is_confirmed] = request;
-  if (command == Command::crown)
-    return confirmed_crown_of_case(MPI_COMM_WORLD, cases.front(), output, mesher);
-  if (command == Command::design_with_strength)
-    return design_with_strength(MPI_COMM_WORLD, cases.front(), output, mesher);
-  return run_case(MPI_COMM_WORLD, cases.front(), {output, goes_on}, mesher);
+  const std::filesystem::path& directory = request.cases.front();
+  if (request.command == Command::crown)
+    return confirmed_crown_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
+  if (request.command == Command::design_with_strength)
+    return design_with_strength(MPI_COMM_WORLD, directory, request.output, mesher);
+  return run_case(MPI_COMM_WORLD, directory, {request.output, request.is_continued}, mesher);
 }
 
 }  // namespace

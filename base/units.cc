@@ -39,9 +39,9 @@ struct DimensionFacts {
 /// By UnitSystem.
 constexpr std::array<std::string_view, 3> unit_system_names{"SI", "mm-N", "in-lbf"};
 
-const std::array<DimensionFacts, 18>& all_facts() {
+const std::array<DimensionFacts, 19>& all_facts() {
   // in the order of the enumeration
-  static const std::array<DimensionFacts, 18> table{{
+  static const std::array<DimensionFacts, 19> table{{
       {"plain number",
        "a plain number or a percentage",
        "'0.3' or '30 %'",
@@ -119,6 +119,11 @@ const std::array<DimensionFacts, 18>& all_facts() {
        "'1.5 MPa.m/s' or '1000 psi.in/s'",
        {0, 1, -3, 0},
        {"Pa m/s", "MPa mm/s", "psi in/s"}},
+      {"wear coefficient",
+       "a wear coefficient with its unit",
+       "'1e-15 m^2/N' or '1e-6 mm^3/(N.m)'",
+       {1, -1, 2, 0},
+       {"m^2/N", "mm^2/N", "in^2/lbf"}},
       {"memory",
        "an amount of memory with its unit",
        "'16 GB' or '500 MB'",
@@ -297,13 +302,30 @@ std::string hint(const Powers& found, const Powers& wanted) {
   return "";
 }
 
+/// The product that a user may have meant who left out its point: 'N.m' for 'Nm'.
+std::string product_hint(const std::string& unit, const Dimension dimension) {
+  constexpr std::size_t longest = 12;
+  if (unit.size() > longest) return "";
+  for (std::size_t place = 1; place < unit.size(); ++place) {
+    if (!is_letter(unit[place - 1]) || !is_letter(unit[place])) continue;
+    const std::string product = unit.substr(0, place) + "." + unit.substr(place);
+    const auto meaning = unit_database().meaning(product);
+    if (meaning && meaning->is_scale && meaning->powers == facts(dimension).powers)
+      return fmt::format(" (did you mean {}?)", in_quotes(product));
+  }
+  return "";
+}
+
 double scale_of(const std::string& unit, Dimension dimension, const std::string& text) {
   if (unit.empty()) refuse(text, dimension, "");
   constexpr std::size_t longest = 100;
   const auto meaning = unit.size() > longest || has_factor(unit) || unit.find('\0') < unit.size()
                            ? std::nullopt
                            : unit_database().meaning(unit);
-  if (!meaning) refuse(text, dimension, fmt::format("{} is no unit known here", in_quotes(unit)));
+  if (!meaning)
+    refuse(
+        text, dimension,
+        fmt::format("{} is no unit known here{}", in_quotes(unit), product_hint(unit, dimension)));
   const Powers& powers = facts(dimension).powers;
   if (!meaning->is_scale || meaning->powers != powers)
     refuse(text, dimension,
@@ -360,7 +382,9 @@ std::string name_of(const UnitSystem system) {
 UnitSystem unit_system_named(const std::string& name) {
   const auto found = std::find(unit_system_names.begin(), unit_system_names.end(), name);
   if (found == unit_system_names.end())
-    throw InputError(in_quotes(name) + " is the name of no system of units");
+    throw InputError(
+        fmt::format("{} is the name of no system of units; one of 'SI', 'mm-N', 'in-lbf' is wanted",
+                    in_quotes(name)));
   return static_cast<UnitSystem>(found - unit_system_names.begin());
 }
 

@@ -23,7 +23,8 @@ enum class Dimension {
   time,
   speed,
   pressure_times_speed,
-  memory  ///< [byte]
+  wear_coefficient,  ///< worn volume over force and sliding distance
+  memory             ///< [byte]
 };
 
 /// Name of the dimension, for messages: "length".

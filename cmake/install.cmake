@@ -68,6 +68,12 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/generated/genevaConfigVer
 install(FILES ${PROJECT_BINARY_DIR}/generated/genevaConfig.cmake ${PROJECT_BINARY_DIR}/generated/genevaConfigVersion.cmake
   DESTINATION ${package_folder})
 
+install(DIRECTORY ${PROJECT_BINARY_DIR}/documents/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
+install(FILES ${PROJECT_BINARY_DIR}/documents/geneva.bash RENAME geneva
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${PROJECT_BINARY_DIR}/documents/_geneva DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${PROJECT_BINARY_DIR}/documents/geneva.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES model/input/materials.prm DESTINATION ${CMAKE_INSTALL_DATADIR}/geneva)
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/geneva
   PATTERN results EXCLUDE PATTERN ".results*" EXCLUDE)
 install(DIRECTORY doc DESTINATION ${CMAKE_INSTALL_DOCDIR})

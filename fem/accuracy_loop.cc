@@ -77,12 +77,13 @@ bool AccuracyLoop<dim>::solve() {
 
 template <int dim>
 bool AccuracyLoop<dim>::advance() {
-  auto result = equilibrium_->advance(
-      state_, {}, settings_, [&](const unsigned int step, const unsigned int iterations) {
-        if (progress_.step)
-          progress_.step({static_cast<unsigned int>(solution_.history.size()),
-                          solution_.dof_handler->n_dofs(), step, iterations});
-      });
+  const auto tell = [&](const unsigned int step, const unsigned int iterations) {
+    if (progress_.step)
+      progress_.step({static_cast<unsigned int>(solution_.history.size()),
+                      solution_.dof_handler->n_dofs(), step, iterations});
+  };
+  tell(0, 0);
+  auto result = equilibrium_->advance(state_, {}, settings_, tell);
   if (auto* const found = std::get_if<LevelState>(&result)) {
     found_.emplace(std::move(*found));
     return true;

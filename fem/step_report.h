@@ -2,8 +2,8 @@
 
 namespace geneva::fem {
 
-/// Told after every active-set step, on every rank: refinement level, unknowns, step and its linear
-/// iterations.
+/// Told on every rank where a mesh begins, as step 0, and after every active-set step: refinement
+/// level, unknowns, step and its linear iterations.
 struct StepReport {
   unsigned int level;
   unsigned int dofs;

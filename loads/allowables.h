@@ -12,6 +12,7 @@ struct Allowables {
   std::optional<double> pressure_times_slip;        ///< contact pressure times slip speed [Pa m/s]
   std::map<std::string, double> yield_strengths;    ///< [Pa] by body
   std::map<std::string, double> fatigue_strengths;  ///< under pulsating tension [Pa] by body
+  std::map<std::string, double> flank_pressures;    ///< of contact, of the body's material [Pa]
 };
 
 }  // namespace geneva::loads

@@ -59,7 +59,7 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
     for (const char* const surface : {"wheel middle", "pin middle"})
       if (is_half) problem.supports.push_back({surface, {std::nullopt, std::nullopt, 0.}});
   fem::RigidTie<dim> tie{
-      mechanism.space ? pin_holder(*mechanism.space) : "pin core", {}, share * state.load.force};
+      mechanism.space ? pin_holder(mechanism) : "pin core", {}, share * state.load.force};
   tie.direction[1] = 1.;
   problem.ties.push_back(tie);
   problem.pairs.push_back(dim == 3 && is_on_soft_wheel(mechanism)
@@ -81,8 +81,8 @@ mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const Mechani
   if constexpr (dim == 2) {
     return plane;
   } else {
-    const PinCase& pin = *mechanism.space;
-    if (pin.hold != PinCase::Hold::core) plane = mesh::with_filled_hole(plane, "pin core");
+    if (mechanism.pin_holding.hold != PinHolding::Hold::core)
+      plane = mesh::with_filled_hole(plane, "pin core");
     return mesh::extruded(plane,
                           extrusions(plane.bodies, mechanism, state, geometry.sizing.at_contact),
                           grading(mechanism, state));

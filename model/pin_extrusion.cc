@@ -14,7 +14,7 @@ namespace geneva::model {
 
 namespace {
 
-using PinHolding = PinCase::Hold;
+using Hold = PinHolding::Hold;
 using PinShape = PinCase::Profile;
 
 /// Cells in a line contact are this much longer than wide: the pressure changes slowly along the
@@ -94,27 +94,26 @@ double climb(const MechanismCase& mechanism, const MechanismState& state) {
 std::vector<mesh::Extrusion> extrusions(const std::vector<std::string>& bodies,
                                         const MechanismCase& mechanism, const MechanismState& state,
                                         const double cell) {
-  const PinCase& pin = *mechanism.space;
   const MechanismSizes& sizes = state.sizes;
-  const PinLengths lengths = pin_lengths(pin, sizes);
+  const PinLengths lengths = pin_lengths(mechanism, sizes);
+  const Hold hold = mechanism.pin_holding.hold;
   const double half = sizes.thickness / 2.;
   const double height = aspect_ratio(mechanism, state) * cell;
   const double bent = std::min(height, longest_bent_cells * sizes.pin_diameter);
   const Grading layers = grading(mechanism, state);
-  const bool held_twice = pin.hold == PinHolding::both_ends;
+  const bool held_twice = hold == Hold::both_ends;
   const bool is_half = is_half_model(mechanism);
   mesh::Extrusion wheel{{is_half ? 0. : -half}, is_half ? "wheel middle" : "faces", "faces"};
   add_layers(wheel.planes, half, height, layers);
   mesh::Extrusion rod{{-half - (held_twice ? lengths.root_gap : lengths.overhang)},
                       held_twice ? "pin root" : "pin tip",
-                      pin.hold == PinHolding::core ? "pin tip" : "pin root"};
+                      hold == Hold::core ? "pin tip" : "pin root"};
   if (is_half)
     rod = {{0.}, "pin middle", "pin root"};
   else
     add_layers(rod.planes, -half, bent, layers);
   add_layers(rod.planes, half, height, layers);
-  add_layers(rod.planes,
-             half + (pin.hold == PinHolding::core ? lengths.overhang : lengths.root_gap), bent,
+  add_layers(rod.planes, half + (hold == Hold::core ? lengths.overhang : lengths.root_gap), bent,
              layers);
   std::vector<mesh::Extrusion> result;
   for (const std::string& body : bodies) result.push_back(body == "wheel" ? wheel : rod);

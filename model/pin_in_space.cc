@@ -14,7 +14,7 @@ namespace geneva::model {
 
 namespace {
 
-using Hold = PinCase::Hold;
+using Hold = PinHolding::Hold;
 using Profile = PinCase::Profile;
 
 /// Free lengths beside the wheel over the pin diameter, unless the case gives them.
@@ -41,9 +41,9 @@ loads::PinProfile profile_of(const MechanismCase& mechanism, const MechanismStat
   return loads::logarithmic_profile(load, length, modulus, hertz.half_width);
 }
 
-loads::PinHold hold_of(const PinCase& pin) {
-  if (pin.hold == Hold::both_ends) return loads::PinHold::both_ends;
-  return pin.hold == Hold::core ? loads::PinHold::core : loads::PinHold::one_end;
+loads::PinHold hold_of(const Hold hold) {
+  if (hold == Hold::both_ends) return loads::PinHold::both_ends;
+  return hold == Hold::core ? loads::PinHold::core : loads::PinHold::one_end;
 }
 
 /// Line contacts are those of a straight wall.
@@ -74,32 +74,35 @@ double contact_modulus(const MechanismCase& mechanism) {
   return loads::contact_modulus(elastic(mechanism.pin), elastic(mechanism.wheel));
 }
 
-PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes) {
+PinLengths pin_lengths(const MechanismCase& mechanism, const MechanismSizes& sizes) {
+  const PinHolding& holding = mechanism.pin_holding;
+  const std::optional<PinCase>& pin = mechanism.space;
   const double usual = default_free_length * sizes.pin_diameter;
-  const double gap = pin.root_gap.value_or(pin.hold == Hold::core ? 0. : usual);
-  if (pin.hold == Hold::both_ends) return {gap, 0.};
-  const double free_ends = pin.hold == Hold::core ? 2. : 1.;
-  if (pin.length) return {gap, (*pin.length - gap - sizes.thickness) / free_ends};
-  return {gap, pin.overhang.value_or(usual)};
+  const double gap = holding.root_gap.value_or(holding.hold == Hold::core ? 0. : usual);
+  if (holding.hold == Hold::both_ends) return {gap, 0.};
+  const double free_ends = holding.hold == Hold::core ? 2. : 1.;
+  if (pin && pin->length) return {gap, (*pin->length - gap - sizes.thickness) / free_ends};
+  return {gap, pin ? pin->overhang.value_or(usual) : usual};
 }
 
 bool is_half_model(const MechanismCase& mechanism) {
-  return mechanism.space && mechanism.space->hold == Hold::both_ends &&
+  return mechanism.space && mechanism.pin_holding.hold == Hold::both_ends &&
          mechanism.space->tilt == 0. && mechanism.space->profile != Profile::table;
 }
 
 loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state) {
   const PinCase& pin = *mechanism.space;
-  const PinLengths lengths = pin_lengths(pin, state.sizes);
+  const PinLengths lengths = pin_lengths(mechanism, state.sizes);
   const double half = state.sizes.thickness / 2.;
   loads::PinClearance clearance;
   clearance.profile = profile_of(mechanism, state);
   clearance.tilt = pin.tilt;
   clearance.wall_half = half;
   clearance.wall_edge = pin.slot_edge;
-  const bool held_twice = pin.hold == Hold::both_ends;
+  const Hold hold = mechanism.pin_holding.hold;
+  const bool held_twice = hold == Hold::both_ends;
   clearance.lower_end = -half - (held_twice ? lengths.root_gap : lengths.overhang);
-  clearance.upper_is_free = pin.hold == Hold::core;
+  clearance.upper_is_free = hold == Hold::core;
   clearance.upper_end = half + (clearance.upper_is_free ? lengths.overhang : lengths.root_gap);
   clearance.pin_chamfer = held_twice ? 0. : pin.end_chamfer;
   loads::check(clearance.profile, std::max(-clearance.lower_end, clearance.upper_end));
@@ -108,14 +111,15 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
 
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
                                        const MechanismSizes& sizes) {
-  const PinCase& pin = *mechanism.space;
-  if (pin.hold == Hold::core) return std::nullopt;
-  const PinLengths lengths = pin_lengths(pin, sizes);
-  return loads::PinBeam{sizes.pin_diameter,
+  const Hold hold = mechanism.pin_holding.hold;
+  if (hold == Hold::core) return std::nullopt;
+  const PinLengths lengths = pin_lengths(mechanism, sizes);
+  const bool is_stud = !mechanism.space && mechanism.roller;
+  return loads::PinBeam{is_stud ? mechanism.roller->diameter : sizes.pin_diameter,
                         sizes.thickness,
                         lengths.root_gap,
                         lengths.overhang,
-                        pin.hold == Hold::both_ends,
+                        hold == Hold::both_ends,
                         mechanism.pin.youngs_modulus,
                         mechanism.pin.poissons_ratio};
 }
@@ -133,9 +137,9 @@ loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& st
           radius,
           radius,
           pin_clearance(mechanism, state),
-          hold_of(*mechanism.space),
+          hold_of(mechanism.pin_holding.hold),
           wheel_twist(mechanism, state),
-          mechanism.space->hold == Hold::core
+          mechanism.pin_holding.hold == Hold::core
               ? block_dimensions(mechanism, state.sizes).pin_core_radius
               : 0.};
 }
@@ -152,8 +156,8 @@ std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
   }
 }
 
-std::string pin_holder(const PinCase& pin) {
-  return pin.hold == Hold::core ? "pin core" : "pin root";
+std::string pin_holder(const MechanismCase& mechanism) {
+  return mechanism.pin_holding.hold == Hold::core ? "pin core" : "pin root";
 }
 
 }  // namespace geneva::model

@@ -17,7 +17,7 @@ struct PinLengths {
   double overhang;  ///< [m]; negative if the pin ends within the slot; 0 if held at both ends
 };
 
-PinLengths pin_lengths(const PinCase& pin, const MechanismSizes& sizes);
+PinLengths pin_lengths(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
 /// Whether one half of pin and wheel is solved, z > 0: the pin is held at both ends and nothing
 /// tells them apart.
@@ -30,7 +30,7 @@ double contact_modulus(const MechanismCase& mechanism);
 /// @throws base::InputError where the loads room does
 loads::PinClearance pin_clearance(const MechanismCase& mechanism, const MechanismState& state);
 
-/// The pin as a beam; none if its core is held.
+/// The pin as a beam, in the plane a roller's stud instead; none if its core is held.
 std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism, const MechanismSizes& sizes);
 
 /// The pin as line contacts that half-spaces and a beam couple, with the wheel's twist.
@@ -49,6 +49,6 @@ std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
                                              const MechanismState& state);
 
 /// Name of the surface that holds the pin: "pin root" or "pin core".
-std::string pin_holder(const PinCase& pin);
+std::string pin_holder(const MechanismCase& mechanism);
 
 }  // namespace geneva::model

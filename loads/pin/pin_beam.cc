@@ -35,7 +35,7 @@ BeamBending cantilever(const Stiffness& stiffness, const double w, const double 
       ((std::pow(middle, 3) - std::pow(a, 3)) / 6. + middle * (b * b - middle * middle) / 2. -
        middle * middle * (b - middle) / 2.) /
       stiffness.bending;
-  return {bending + shear, slope, w / 2. * difference(2), 0.};
+  return {bending + shear, slope, w / 2. * difference(2), 0., w * (b - a), 0.};
 }
 
 /// Both ends clamped at the distance L, loaded by w over c around the middle: simply supported
@@ -47,7 +47,7 @@ BeamBending clamped(const Stiffness& stiffness, const double w, const double L, 
       force * (8. * L * L * L - 4. * L * c * c + c * c * c) / (384. * stiffness.bending) -
       moment * L * L / (8. * stiffness.bending);
   const double shear = force * (2. * L - c) / (8. * stiffness.shear);
-  return {bending + shear, 0., moment, 0.};
+  return {bending + shear, 0., moment, 0., force / 2., 0.};
 }
 
 }  // namespace
@@ -73,6 +73,7 @@ BeamBending beam_bending(const PinBeam& pin, const double force) {
                             ? clamped(stiffness, w, end + pin.root_gap, pin.thickness)
                             : cantilever(stiffness, w, pin.root_gap, end, end + pin.overhang);
   bending.root_stress = 32. * bending.root_moment / (pi * std::pow(pin.diameter, 3));
+  bending.root_shear = 16. * bending.root_force / (3. * pi * pin.diameter * pin.diameter);
   return bending;
 }
 

@@ -24,6 +24,8 @@ struct BeamBending {
   double slope;           ///< of the cross-sections in the middle of the wheel [rad]; held twice: 0
   double root_moment;     ///< [N m]
   double root_stress;     ///< maximum bending stress at the root, 32 M/(pi d^3) [Pa]
+  double root_force;      ///< Q across the pin at its root, held twice at each one [N]
+  double root_shear;      ///< maximum shear stress there, 16 Q/(3 pi d^2) [Pa]
 };
 
 /// @param force F > 0 [N]

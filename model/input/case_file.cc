@@ -35,7 +35,8 @@ fs::path checked_directory(const fs::path& directory) {
     throw base::InputError(
         fmt::format("{}: this is not a directory; name the directory that holds case.prm", name));
   if (!fs::exists(directory / "case.prm", error))
-    throw base::InputError(fmt::format("{}: there is no file case.prm in this directory", name));
+    throw base::InputError(fmt::format(
+        "{}: there is no file case.prm in this directory; 'geneva init' writes one", name));
   return directory.has_filename() ? directory : directory.parent_path();
 }
 
@@ -158,6 +159,9 @@ std::map<std::string, SectionPath> materials_of(const Case& given) {
 /// Files of the case directory that the case names.
 std::vector<fs::path> named_files(const CaseValues& values, const Case& given) {
   std::vector<fs::path> files;
+  std::error_code error;
+  if (!given.materials.empty() && fs::exists(given.directory / "materials.prm", error))
+    files.push_back(given.directory / "materials.prm");
   const auto add = [&](const SectionPath& section, const char* parameter) {
     const std::string name = CaseSection(values, section).text(parameter);
     if (!name.empty()) files.push_back(given.directory / name);
@@ -189,6 +193,7 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   loads::Allowables result{section.optional_value("Contact pressure"),
                            section.optional_value("Pressure times slip speed"),
                            {},
+                           {},
                            {}};
   if (result.pressure_times_slip && !given.mechanism)
     section.refuse("Pressure times slip speed",
@@ -199,18 +204,28 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   for (const auto& [body, path] : materials_of(given))
     if (const auto fatigue = CaseSection(values, path).optional_value("Fatigue strength"))
       result.fatigue_strengths[body] = *fatigue;
+  for (const auto& [body, material] : given.materials)
+    if (material.contact_pressure && has_contact(given))
+      result.flank_pressures[body] = *material.contact_pressure;
   return result;
 }
 
 }  // namespace
 
 Case read_case(const fs::path& directory) {
+  const fs::path checked = checked_directory(directory);
+  return case_of(read_parameter_text(checked / "case.prm"), checked);
+}
+
+Case case_of(const ParameterText& text, const fs::path& directory) {
   Case result{};
-  result.directory = checked_directory(directory);
-  const ParameterText text = read_parameter_text(result.directory / "case.prm");
+  result.directory = directory;
   const std::string model = model_of(text);
   check_sections(text, model);
-  const CaseValues values(parameters_of(text, model, result.directory), text);
+  std::vector<Parameter> parameters = parameters_of(text, model, result.directory);
+  const std::map<SectionPath, KnownMaterial> materials =
+      take_materials(parameters, text, result.directory);
+  const CaseValues values(parameters, text);
 
   const CaseSection general(values, {});
   result.title = base::without_controls(general.text("Title"));
@@ -229,6 +244,9 @@ Case read_case(const fs::path& directory) {
       result.geometry = read_geometry_case(values, result.directory, result.dimension);
     result.settings = read_settings(general, result);
     refuse_limits_of_contact(values, result);
+    for (const auto& [body, section] : materials_of(result))
+      if (const auto named = materials.find(section); named != materials.end())
+        result.materials[body] = named->second;
     result.allowed = read_allowables(values, result);
   }
   result.completed = values.completed();

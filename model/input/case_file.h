@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
 #include "loads/wheel/geneva_dimensions.h"
+#include "model/input/materials.h"
 #include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
@@ -54,13 +56,18 @@ struct DesignCase {
   std::optional<double> amplitude_radius;  ///< [m]
 };
 
-/// The pin along its length, of a mechanism in 3-D.
-struct PinCase {
+/// Where the crank holds the pin.
+struct PinHolding {
   enum class Hold { one_end, both_ends, core };
-  enum class Profile { cylindrical, crown, logarithmic, table };
 
   Hold hold;
   std::optional<double> root_gap;  ///< [m]
+};
+
+/// The pin along its length, of a mechanism in 3-D.
+struct PinCase {
+  enum class Profile { cylindrical, crown, logarithmic, table };
+
   std::optional<double> overhang;  ///< [m]
   std::optional<double> length;    ///< [m]
   double end_chamfer;              ///< [m]
@@ -99,6 +106,7 @@ struct MechanismCase {
   std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
   CaseMaterial wheel;
+  PinHolding pin_holding;
   std::optional<PinCase> space;     ///< none with Dimension = 2
   std::optional<double> pin_force;  ///< [N] in place of the motion's; not of the case file
   DesignCase design;
@@ -139,6 +147,7 @@ struct Case {
   std::optional<MechanismCase> mechanism;
   std::optional<GeometryCase> geometry;
   std::optional<SynthesisCase> synthesis;
+  std::map<std::string, KnownMaterial> materials;  ///< by body, where the case names one
   loads::Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
@@ -150,6 +159,10 @@ struct Case {
 /// Reads case.prm of a case directory.
 /// @throws base::InputError naming file, parameter, the value found and what is allowed
 Case read_case(const std::filesystem::path& directory);
+
+/// The case of that text, whose other files are in the directory.
+/// @throws base::InputError as above
+Case case_of(const ParameterText& text, const std::filesystem::path& directory);
 
 /// Name of the case: that of its directory, also where the user says ".".
 std::string name_of(const Case& given);

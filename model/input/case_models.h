@@ -15,17 +15,22 @@ namespace geneva::model {
 /// motion table is missing, outside of the case directory or no table
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
 
-/// Reads the subsection Pin of Mechanism.
+/// Reads where the crank holds the pin.
+/// @throws base::InputError for a root gap without a root
+PinHolding read_pin_holding(const CaseValues& values);
+
+/// Reads the rest of the subsection Pin of Mechanism.
 /// @throws base::InputError if values contradict each other, or the profile's file is missing,
 /// outside of the case directory or no table
-PinCase read_pin(const CaseValues& values, const std::filesystem::path& directory);
+PinCase read_pin(const CaseValues& values, PinHolding::Hold hold,
+                 const std::filesystem::path& directory);
 
 /// Refuses a pin that does not fit: one that ends within the slot, or touches its other wall.
 /// @param slot_width [m]; none for a block, which has no other wall
 void check_pin(const CaseValues& values, const MechanismCase& given, const MechanismSizes& sizes,
                std::optional<double> slot_width);
 
-/// Refuses values of the subsection Pin in a plane model.
+/// Refuses values of the subsection Pin that a plane model does not know.
 void check_no_pin(const CaseValues& values);
 
 /// Reads the subsection Design of Mechanism.

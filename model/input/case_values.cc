@@ -47,6 +47,7 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
 }
 
 [[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
+  if (line == 0) throw base::InputError(fmt::format("{} and --set: {}", text.file, reason));
   throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
 }
 
@@ -74,6 +75,17 @@ std::string section_phrase(const SectionPath& section) {
                          : "in the subsection " + base::in_quotes(section.back());
 }
 
+/// Of a subsection that can name a material.
+std::string material_hint(const std::vector<Parameter>& parameters, const Assignment& found) {
+  SectionPath section = found.section;
+  section.push_back(found.name);
+  const bool has_material =
+      std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
+        return parameter.section == section && parameter.name == names::material;
+      });
+  return has_material ? fmt::format(" such as 'set Material = {}'", found.value) : "";
+}
+
 [[noreturn]] void refuse_unknown_name(const std::vector<Parameter>& parameters,
                                       const ParameterText& text, const Assignment& found) {
   std::string reason = fmt::format("there is no parameter {} {}", base::in_quotes(found.name),
@@ -83,6 +95,13 @@ std::string section_phrase(const SectionPath& section) {
     if (parameter.section == found.section) here.push_back(parameter.name);
   if (const auto nearest = nearest_word(found.name, here))
     refuse_line(text, found.line, reason + "; did you mean " + base::in_quotes(*nearest) + "?");
+  const std::vector<std::string> sections = sections_in(parameters, found.section);
+  if (std::find(sections.begin(), sections.end(), found.name) != sections.end())
+    refuse_line(
+        text, found.line,
+        fmt::format("{} is a subsection: write 'subsection {}', below it 'set NAME = VALUE' "
+                    "lines{}, and 'end'",
+                    base::in_quotes(found.name), found.name, material_hint(parameters, found)));
   for (const Parameter& parameter : parameters)
     if (parameter.name == found.name)
       refuse_line(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));

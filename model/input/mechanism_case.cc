@@ -319,8 +319,9 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
+  result.pin_holding = read_pin_holding(values);
   if (CaseSection(values, {}).text("Dimension") == "3")
-    result.space = read_pin(values, directory);
+    result.space = read_pin(values, result.pin_holding.hold, directory);
   else
     check_no_pin(values);
   result.design = read_design(values);

@@ -13,20 +13,26 @@ char lower_case(char letter) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
 }
 
-/// Levenshtein's distance: insertions, deletions and replacements that turn one word into the
-/// other.
+/// Insertions, deletions, replacements and exchanges of neighbours that turn one word into the
+/// other (optimal string alignment).
 std::size_t edit_distance(const std::string& first, const std::string& second) {
-  std::vector<std::size_t> above(second.size() + 1);
-  std::iota(above.begin(), above.end(), std::size_t{0});
-  for (const char letter : first) {
-    std::vector<std::size_t> row{above.front() + 1};
+  const auto is_same = [&](const std::size_t i, const std::size_t j) {
+    return lower_case(first[i]) == lower_case(second[j]);
+  };
+  std::vector<std::vector<std::size_t>> rows(first.size() + 1,
+                                             std::vector<std::size_t>(second.size() + 1));
+  std::iota(rows[0].begin(), rows[0].end(), std::size_t{0});
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    rows[i + 1][0] = i + 1;
     for (std::size_t j = 0; j < second.size(); ++j) {
-      const std::size_t change = lower_case(letter) == lower_case(second[j]) ? 0 : 1;
-      row.push_back(std::min({above[j] + change, above[j + 1] + 1, row.back() + 1}));
+      const std::size_t change = is_same(i, j) ? 0 : 1;
+      std::size_t& least = rows[i + 1][j + 1];
+      least = std::min({rows[i][j] + change, rows[i][j + 1] + 1, rows[i + 1][j] + 1});
+      if (i > 0 && j > 0 && is_same(i, j - 1) && is_same(i - 1, j))
+        least = std::min(least, rows[i - 1][j - 1] + 1);
     }
-    above = std::move(row);
   }
-  return above.back();
+  return rows.back().back();
 }
 
 }  // namespace

@@ -196,8 +196,12 @@ ParameterText read_parameter_text(const std::filesystem::path& file) {
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   if (content.compare(0, byte_order_mark.size(), byte_order_mark) == 0)
     content.erase(0, byte_order_mark.size());
-  check_characters(content, file.string());
-  return Scanner(file.string()).scan(content);
+  return parameter_text(file.string(), content);
+}
+
+ParameterText parameter_text(const std::string& file, const std::string& content) {
+  check_characters(content, file);
+  return Scanner(file).scan(content);
 }
 
 }  // namespace geneva::model

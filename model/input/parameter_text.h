@@ -14,7 +14,7 @@ struct Assignment {
   SectionPath section;
   std::string name;
   std::string value;  ///< trimmed; the lines of a continued one joined
-  int line;           ///< its first, from 1
+  int line;           ///< its first, from 1; 0: set on the command line
 };
 
 /// A line "subsection name".
@@ -40,5 +40,9 @@ struct ParameterText {
 /// MB, not UTF-8 text, a line cannot be understood, subsections are not closed, or a name is set
 /// twice
 ParameterText read_parameter_text(const std::filesystem::path& file);
+
+/// The same of a text.
+/// @param file what messages call it
+ParameterText parameter_text(const std::string& file, const std::string& content);
 
 }  // namespace geneva::model

@@ -15,7 +15,8 @@ void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
   for (Parameter& parameter : more) parameters.push_back(std::move(parameter));
 }
 
-std::vector<Parameter> material_parameters(const SectionPath& section) {
+/// Of a case or of the collection.
+std::vector<Parameter> elastic_parameters(const SectionPath& section) {
   const Range poissons_ratio{-1., 0.4999, false, true, "greater than -1 and at most 0.4999"};
   return {
       {section, "Young's modulus", "207 GPa", positive(Dimension::stress),
@@ -31,6 +32,16 @@ std::vector<Parameter> material_parameters(const SectionPath& section) {
        "Maximum tensile stress that the material bears any number of times, from nought to maximum "
        "(pulsating), with the surface and size of the part; if given, the safety factor of the "
        "maximum tensile stress away from the contact is reported."}};
+}
+
+/// Of a case: by name, by value, or both.
+std::vector<Parameter> material_parameters(const SectionPath& section) {
+  std::vector<Parameter> parameters{
+      {section, names::material, "", TextRule{"a name of 'geneva materials', or nothing"},
+       "Material whose typical values stand for those that are not given here: elastic constants, "
+       "density, yield and fatigue strength, and the contact pressure that it allows."}};
+  append(parameters, elastic_parameters(section));
+  return parameters;
 }
 
 /// A length that follows from a rule unless it is given.
@@ -182,12 +193,13 @@ std::vector<Parameter> pin_parameters() {
        ChoiceRule{{names::one_end, names::both_ends, names::core}},
        "'one end': the pin is a cantilever. 'both ends': it is held on both sides of the wheel; "
        "one half is solved, unless a tilt or a table tells the ends apart. "
-       "'core': its core is rigid over the whole length, as in a plane model." +
-           space},
+       "'core': its core is rigid over the whole length. With Dimension = 2 the core is rigid in "
+       "any case: the parameter says at which root force, moment and stresses of a beam are told."},
       {section, "Root gap", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
        "Free length from the wheel to where the pin is held. Default: a quarter of the pin "
-       "diameter; 0 with Held at = core."},
+       "diameter; 0 with Held at = core. With Dimension = 2 for the root's force, moment and "
+       "stresses only."},
       {section, "Overhang", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
        "Length beyond the wheel at every free end. Default: a quarter of the pin diameter. Either "
@@ -581,6 +593,20 @@ std::vector<Parameter> mechanism_parameters() {
   append(parameters, material_parameters({names::mechanism, names::pin_material}));
   append(parameters, material_parameters({names::mechanism, names::wheel_material}));
   append(parameters, design_parameters());
+  return parameters;
+}
+
+std::vector<Parameter> known_material_parameters(const std::string& name) {
+  const SectionPath section{name};
+  std::vector<Parameter> parameters = elastic_parameters(section);
+  append(parameters,
+         {{section, "Contact pressure", "", positive(Dimension::stress, {""}),
+           "Peak contact pressure that the material bears for long, as far as it is known."},
+          {section, "Wear coefficient", "",
+           QuantityRule{Dimension::wear_coefficient, greater_than_zero(), {""}, 2, 2},
+           "Worn volume over force and sliding distance, from lubricated to dry."},
+          {section, "Source", "", TextRule{"where the values are from"},
+           "Where the values are from.", true}});
   return parameters;
 }
 

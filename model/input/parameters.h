@@ -27,6 +27,7 @@ inline constexpr const char* published = "Published";
 inline constexpr const char* allowable = "Allowable";
 inline constexpr const char* pin_material = "Pin material";
 inline constexpr const char* wheel_material = "Wheel material";
+inline constexpr const char* material = "Material";
 inline constexpr const char* design = "Design";
 inline constexpr const char* shaft = "Shaft";
 inline constexpr const char* fixed = "fixed";
@@ -89,6 +90,9 @@ std::vector<Parameter> mechanism_parameters();
 std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
                                            const std::vector<std::string>& loads,
                                            const std::string& default_file);
+
+/// Elastic constants, density and strengths of a material of the collection, and what it allows.
+std::vector<Parameter> known_material_parameters(const std::string& name);
 
 /// What a case with Model = synthesis has besides.
 std::vector<Parameter> synthesis_parameters();

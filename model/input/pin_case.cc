@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "model/input/case_models.h"
@@ -12,7 +14,7 @@ namespace geneva::model {
 
 namespace {
 
-using Hold = PinCase::Hold;
+using Hold = PinHolding::Hold;
 using Profile = PinCase::Profile;
 
 Hold read_hold(const CaseSection& section) {
@@ -86,19 +88,24 @@ loads::EdgeBreak read_edge(const CaseSection& section) {
 
 }  // namespace
 
-PinCase read_pin(const CaseValues& values, const std::filesystem::path& directory) {
+PinHolding read_pin_holding(const CaseValues& values) {
+  const CaseSection section(values, {names::mechanism, names::pin});
+  const PinHolding holding{read_hold(section), section.optional_value("Root gap")};
+  if (holding.hold == Hold::core && holding.root_gap)
+    section.refuse("Root gap", "this has no effect with Held at = core: the pin has no root");
+  return holding;
+}
+
+PinCase read_pin(const CaseValues& values, const Hold hold,
+                 const std::filesystem::path& directory) {
   const CaseSection section(values, {names::mechanism, names::pin});
   PinCase pin{};
-  pin.hold = read_hold(section);
-  pin.root_gap = section.optional_value("Root gap");
   pin.overhang = section.optional_value("Overhang");
   pin.length = section.optional_value("Length");
   if (pin.length && pin.overhang)
     section.refuse("Length", "the overhang gives it already: give one of the two");
-  if (pin.hold == Hold::core && pin.root_gap)
-    section.refuse("Root gap", "this has no effect with Held at = core: the pin has no root");
   for (const char* name : {"Overhang", "Length", "End chamfer"})
-    if (pin.hold == Hold::both_ends && section.is_changed(name))
+    if (hold == Hold::both_ends && section.is_changed(name))
       section.refuse(name, "this has no effect with Held at = both ends: the pin has no free end");
   pin.end_chamfer = section.value("End chamfer");
   pin.profile = read_profile(section);
@@ -116,10 +123,11 @@ PinCase read_pin(const CaseValues& values, const std::filesystem::path& director
 }
 
 void check_no_pin(const CaseValues& values) {
+  static const std::set<std::string> plane_parameters{"Held at", "Root gap"};
   const CaseSection section(values, {names::mechanism, names::pin});
   for (const Parameter& parameter : mechanism_parameters())
     if (parameter.section == SectionPath{names::mechanism, names::pin} &&
-        section.is_changed(parameter.name))
+        plane_parameters.count(parameter.name) == 0 && section.is_changed(parameter.name))
       section.refuse(parameter.name, "this has an effect with Dimension = 3 only");
 }
 
@@ -127,7 +135,7 @@ void check_pin(const CaseValues& values, const MechanismCase& given, const Mecha
                const std::optional<double> slot_width) {
   const CaseSection section(values, {names::mechanism, names::pin});
   const PinCase& pin = *given.space;
-  const PinLengths lengths = pin_lengths(pin, sizes);
+  const PinLengths lengths = pin_lengths(given, sizes);
   const auto mm = [](const double length) { return 1e3 * length; };
   if (pin.length && lengths.overhang < 0.)
     section.refuse("Length",

@@ -193,13 +193,26 @@ std::vector<ComparisonRow> line_rows(const fem::Solution<dim>& solution,
                  line->contact.peak_pressure, solution.error_estimate)};
 }
 
-std::vector<ComparisonRow> pin_rows(const PinReport& pin, const Figures& errors) {
-  if (!pin.beam) return {};
-  const double deflection = pin.line ? pin.line->contact.deflection : pin.beam->tip_deflection;
-  const double slope = pin.line ? pin.line->contact.slope : pin.beam->slope;
-  const double root_stress = pin.line ? pin.line->contact.root_stress : pin.beam->root_stress;
+/// Of a pin of which only its section is modelled.
+std::vector<ComparisonRow> root_rows(const loads::BeamBending& beam) {
+  const auto row = [](const char* const quantity, const double value) {
+    return ComparisonRow{quantity, Dimension::stress, std::nullopt, std::nullopt, true,
+                         value,    std::nullopt};
+  };
+  return {row("bending stress, pin root", beam.root_stress),
+          row("shear stress, pin root", beam.root_shear)};
+}
+
+std::vector<ComparisonRow> pin_rows(const MechanismReport& mechanism, const Figures& errors) {
+  if (!mechanism.beam) return {};
+  const loads::BeamBending& beam = *mechanism.beam;
+  if (!mechanism.pin) return root_rows(beam);
+  const PinReport& pin = *mechanism.pin;
+  const double deflection = pin.line ? pin.line->contact.deflection : beam.tip_deflection;
+  const double slope = pin.line ? pin.line->contact.slope : beam.slope;
+  const double root_stress = pin.line ? pin.line->contact.root_stress : beam.root_stress;
   const bool is_beam = !pin.line || loads::is_beam(pin.line->pin);
-  const bool has_slope = pin.beam->slope > 0.;  // none by symmetry if it is held twice
+  const bool has_slope = beam.slope > 0.;  // none by symmetry if it is held twice
   return {row_of("pin deflection", Dimension::length, pin.bending.tip_deflection, deflection,
                  value_of(errors, Figure::tip_deflection)),
           row_of("pin slope in the slot", Dimension::slope, pin.bending.slope,
@@ -279,10 +292,8 @@ std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
   for (ComparisonRow& row : rows)
     if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
   if (mechanism) append(rows, even_load_rows(solution, contact, analysis));
-  if (has_pin) {
-    append(rows, line_rows(solution, contact, line));
-    append(rows, pin_rows(*mechanism->pin, report.errors.mechanism));
-  }
+  if (has_pin) append(rows, line_rows(solution, contact, line));
+  if (mechanism) append(rows, pin_rows(*mechanism, report.errors.mechanism));
   return rows;
 }
 

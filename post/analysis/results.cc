@@ -56,35 +56,6 @@ Equilibrium equilibrium(const fem::Solution<dim>& solution, const double scale) 
   return {residual / scale, axisymmetric ? 0. : norm(moment) / (scale * arm)};
 }
 
-double square_difference(const fem::PlaneStress& a, const fem::PlaneStress& b) {
-  return dealii::scalar_product(a.in_plane - b.in_plane, a.in_plane - b.in_plane);
-}
-
-/// Sides of the contact are told apart by the sign of the distance along the target's normal.
-std::optional<FieldDifference> field_difference(const fem::Solution<2>& solution,
-                                                const ClosedForm& form,
-                                                const std::vector<CellStress<2>>& cells) {
-  if (!form.line) return std::nullopt;
-  std::array<double, 4> sums{0., 0., 0., 0.};
-  for (const CellStress<2>& cell : cells) {
-    const double b = form.half_width();
-    if (std::abs(form.along(cell.centre)) >= 2. * b || form.depth(cell.centre) >= 3. * b) continue;
-    const auto exact =
-        mcewen_stress(form, solution.problem.plane,
-                      solution.problem.bodies[cell.body].material.poissons_ratio, cell.centre);
-    if (!exact) continue;
-    const std::size_t side = (cell.centre - form.centre) * form.normal > 0. ? 0 : 2;
-    sums[side] += cell.measure * square_difference(cell.stress, *exact);
-    sums[side + 1] += cell.measure;
-  }
-  for (double& sum : sums)
-    sum = dealii::Utilities::MPI::sum(sum, solution.dof_handler->get_communicator());
-  const auto root_mean_square = [&](const std::size_t side) {
-    return sums[side + 1] > 0. ? std::sqrt(sums[side] / sums[side + 1]) / form.peak_pressure() : 0.;
-  };
-  return FieldDifference{root_mean_square(0), root_mean_square(2)};
-}
-
 /// Where the maximum shear of a contact is looked for, and how it is measured.
 struct ShearZone {
   Point<2> centre;
@@ -127,15 +98,13 @@ void set_shear(const fem::Solution<2>& solution, const fem::ContactResult<2>& co
 
 /// What is drawn and compared beside the figures.
 void add_fields(ContactAnalysis<2>& analysis, const fem::Solution<2>& solution,
-                const fem::ContactResult<2>& contact, const std::vector<CellStress<2>>& cells,
-                const NodalStress<2>& nodal) {
-  if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, cells);
+                const fem::ContactResult<2>& contact, const NodalStress<2>& nodal) {
+  if (analysis.hertz) analysis.difference = field_difference(solution, *analysis.hertz, nodal);
   analysis.depth_line = depth_line(solution, contact, analysis.centre, analysis.hertz, nodal);
 }
 
 void add_fields(ContactAnalysis<3>& /*unused*/, const fem::Solution<3>& /*unused*/,
-                const fem::ContactResult<3>& /*unused*/,
-                const std::vector<CellStress<3>>& /*unused*/, const NodalStress<3>& /*unused*/) {}
+                const fem::ContactResult<3>& /*unused*/, const NodalStress<3>& /*unused*/) {}
 
 }  // namespace
 
@@ -225,7 +194,7 @@ Results<dim> analyse(const fem::Solution<dim>& solution) {
   results.nodal = nodal_stress(solution);
   for (const fem::ContactResult<dim>& contact : solution.contacts) {
     results.contacts.push_back(contact_analysis(solution, contact, results.cells));
-    add_fields(results.contacts.back(), solution, contact, results.cells, results.nodal);
+    add_fields(results.contacts.back(), solution, contact, results.nodal);
   }
   for (unsigned int body = 0; body < solution.problem.bodies.size(); ++body)
     results.max_von_mises.push_back(peak_von_mises(solution, results.nodal, body));

@@ -9,6 +9,7 @@
 #include "post/analysis/closed_form_in_space.h"
 #include "post/analysis/contact_sections.h"
 #include "post/analysis/depth_line.h"
+#include "post/analysis/field_difference.h"
 #include "post/analysis/stress.h"
 
 namespace geneva::post {
@@ -19,13 +20,6 @@ namespace geneva::post {
 struct Equilibrium {
   double force_residual;
   double moment_residual;  ///< 0 in an axisymmetric model
-};
-
-/// Root-mean-square difference from McEwen's stress over |x| < 2 b, z < 3 b, relative to p0
-/// (Frobenius norm of the in-plane tensor).
-struct FieldDifference {
-  double source_body;
-  double target_body;
 };
 
 /// One contact pair beside its closed form.

@@ -16,7 +16,6 @@
 
 namespace geneva::post {
 
-/// The pin of a mechanism in 3-D.
 /// The pin as line contacts that half-spaces and a beam couple.
 struct PinLineReport {
   loads::PinLine pin;
@@ -24,13 +23,13 @@ struct PinLineReport {
   loads::PeakDoubt doubt;  ///< of the contact's peak
 };
 
+/// The pin of a mechanism in 3-D.
 struct PinReport {
   PinBending bending;
-  std::optional<loads::BeamBending> beam;  ///< none if the pin is held at its core
-  std::optional<PinLineReport> line;       ///< none if line contacts know no answer
-  std::string profile;                     ///< as the case names it
-  double amplitude;                        ///< of a logarithmic profile [m]; 0: other ones
-  double crown_radius;                     ///< [m]; 0: other ones
+  std::optional<PinLineReport> line;  ///< none if line contacts know no answer
+  std::string profile;                ///< as the case names it
+  double amplitude;                   ///< of a logarithmic profile [m]; 0: other ones
+  double crown_radius;                ///< [m]; 0: other ones
 };
 
 /// What the mechanism asks of the contact, SI units.
@@ -39,12 +38,15 @@ struct MechanismReport {
   std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none unless a wheel is drawn
   double inertia_used;                          ///< [kg m^2]
   double expected_bore_torque;                  ///< J_L a + M_f + M_e [N m]
-  std::string held_surface;           ///< of the wheel: "bore" or "rim"; of a block: "back"
-  std::optional<double> bore_torque;  ///< from the computed reactions [N m]; none with a block
-  std::optional<PinReport> pin;       ///< in 3-D
-  double parts;                       ///< of which the model is one: 2 of a half model
+  std::string held_surface;                ///< of the wheel: "bore" or "rim"; of a block: "back"
+  std::optional<double> bore_torque;       ///< from the computed reactions [N m]; none with a block
+  std::optional<loads::BeamBending> beam;  ///< of the pin; none if it is held at its core
+  std::optional<PinReport> pin;            ///< in 3-D
+  double parts;                            ///< of which the model is one: 2 of a half model
   std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
   double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin
+  double slot_friction;  ///< coefficient, of a pin fixed to its carrier
+  loads::PlacedPeak cycle_force;     ///< maximum pin force of the cycle [N]
   loads::PlacedPeak cycle_pressure;  ///< maximum Hertz pressure of the cycle [Pa]
   loads::PlacedPeak cycle_wear;  ///< maximum pressure times sliding speed of the cycle: Hertz's on
                                  ///< the wall, or a roller's mean pressure in its bore [Pa m/s]

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "loads/contact_limits.h"
 
 namespace geneva::post {
 
@@ -25,6 +28,72 @@ std::optional<double> SafetyRow::driver_angle() const {
   return is_worse_elsewhere() ? cycle->driver_angle : analysed_angle;
 }
 
+namespace {
+
+/// Of a pin of which only its section is modelled: of the greatest stress at its root, by beam
+/// theory. Bending is greatest where shear is zero, and the other way round.
+std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
+                                  const loads::Allowables& allowed) {
+  const auto yield = allowed.yield_strengths.find("pin");
+  if (!mechanism.beam || mechanism.pin || yield == allowed.yield_strengths.end())
+    return std::nullopt;
+  const loads::BeamBending& beam = *mechanism.beam;
+  const double stress = std::max(beam.root_stress, std::sqrt(3.) * beam.root_shear);
+  const loads::PlacedPeak& force = mechanism.cycle_force;
+  return SafetyRow{"von Mises stress at the pin's root (beam theory)",
+                   Dimension::stress,
+                   stress,
+                   yield->second,
+                   mechanism.load.driver_angle,
+                   CycleValue{stress * force.value / mechanism.load.force, force.driver_angle},
+                   "below it the pin does not yield where the crank holds it"};
+}
+
+/// Whether the leading contact is a line or a circle, by Hertz; nothing of others.
+std::optional<bool> is_line_contact(const ContactAnalysis<2>& analysis) {
+  if (!analysis.hertz) return std::nullopt;
+  return analysis.hertz->line.has_value();
+}
+std::optional<bool> is_line_contact(const ContactAnalysis<3>& analysis) {
+  if (!analysis.hertz || !analysis.hertz->line) return std::nullopt;
+  return true;
+}
+
+/// Limits of the peak contact pressure that follow from the materials of the bodies in contact.
+template <int dim>
+std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
+                                     const ContactAnalysis<dim>& analysis, const RunReport& report,
+                                     const SafetyRow& pressure) {
+  std::vector<SafetyRow> rows;
+  const auto add = [&](const std::string& name, const double allowed, const std::string& meaning) {
+    rows.push_back(pressure);
+    rows.back().quantity = name;
+    rows.back().allowed = allowed;
+    rows.back().meaning = meaning;
+  };
+  const double friction = report.mechanism ? report.mechanism->slot_friction : 0.;
+  const std::optional<bool> is_line = is_line_contact(analysis);
+  for (const fem::Body<dim>& body : solution.problem.bodies) {
+    const auto yield = report.allowed.yield_strengths.find(body.name);
+    if (is_line && yield != report.allowed.yield_strengths.end()) {
+      const double nu = body.material.poissons_ratio;
+      const loads::ContactLimits limits =
+          *is_line ? loads::line_contact_limits(nu, friction) : loads::point_contact_limits(nu);
+      add("contact, first yield, " + body.name, limits.first_yield * yield->second,
+          "below it no point of the material yields");
+      add("contact, shakedown, " + body.name, limits.shakedown * yield->second,
+          "below it the material yields at first and is elastic again under any number of passes");
+    }
+    if (const auto flank = report.allowed.flank_pressures.find(body.name);
+        flank != report.allowed.flank_pressures.end())
+      add("contact, as gear flanks, " + body.name, flank->second,
+          "below it the flanks of gears of this material bear any number of passes without pits");
+  }
+  return rows;
+}
+
+}  // namespace
+
 template <int dim>
 std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<dim>& results,
                               const RunReport& report) {
@@ -32,8 +101,8 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
     return is_bounded(solution) ? std::optional(value) : std::nullopt;
   };
   const bool has_contact = fem::has_contact(solution.problem);
-  const double pressure =
-      has_contact ? solution.contacts[leading_contact(solution)].peak_pressure : 0.;
+  const std::size_t leading = has_contact ? leading_contact(solution) : 0;
+  const double pressure = has_contact ? solution.contacts[leading].peak_pressure : 0.;
   const loads::Allowables& allowed = report.allowed;
   const auto& mechanism = report.mechanism;
   const std::optional<double> analysed =
@@ -41,11 +110,20 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   const auto of_cycle = [](const loads::PlacedPeak& peak) {
     return CycleValue{peak.value, peak.driver_angle};
   };
+  const SafetyRow of_pressure{
+      "peak contact pressure",
+      Dimension::stress,
+      if_bounded(pressure),
+      allowed.contact_pressure.value_or(0.),
+      analysed,
+      mechanism ? std::optional(of_cycle(mechanism->cycle_pressure)) : std::nullopt,
+      ""};
   std::vector<SafetyRow> rows;
-  if (allowed.contact_pressure)
-    rows.push_back({"peak contact pressure", Dimension::stress, if_bounded(pressure),
-                    *allowed.contact_pressure, analysed,
-                    mechanism ? std::optional(of_cycle(mechanism->cycle_pressure)) : std::nullopt});
+  if (allowed.contact_pressure) rows.push_back(of_pressure);
+  if (has_contact)
+    for (const SafetyRow& row :
+         material_rows(solution, results.contacts[leading], report, of_pressure))
+      rows.push_back(row);
   if (allowed.pressure_times_slip && mechanism) {
     const loads::PinLoad& load = mechanism->load;
     rows.push_back({mechanism->roller ? "mean bore pressure times sliding speed"
@@ -53,7 +131,7 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
                     Dimension::pressure_times_speed,
                     mechanism->roller ? std::optional(mechanism->bore_pressure * load.bore_speed)
                                       : if_bounded(pressure * std::abs(load.slip_speed)),
-                    *allowed.pressure_times_slip, analysed, of_cycle(mechanism->cycle_wear)});
+                    *allowed.pressure_times_slip, analysed, of_cycle(mechanism->cycle_wear), ""});
   }
   for (std::size_t i = 0; i < results.max_von_mises.size(); ++i) {
     const std::string& body = solution.problem.bodies[i].name;
@@ -61,7 +139,7 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
     const std::string where = has_contact ? " away from the contact" : "";
     const auto add = [&](const std::string& quantity, const std::optional<double> computed,
                          const double limit) {
-      rows.push_back({quantity, Dimension::stress, computed, limit, analysed, std::nullopt});
+      rows.push_back({quantity, Dimension::stress, computed, limit, analysed, std::nullopt, ""});
     };
     if (const auto yield = allowed.yield_strengths.find(body);
         yield != allowed.yield_strengths.end()) {
@@ -76,6 +154,8 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
       add("tensile stress" + where + " (fatigue), " + body, strength.tensile.value,
           fatigue->second);
   }
+  if (const auto root = mechanism ? root_row(*mechanism, allowed) : std::nullopt)
+    rows.push_back(*root);
   return rows;
 }
 
@@ -92,7 +172,9 @@ std::string safety_lines(const std::vector<SafetyRow>& rows, const UnitSystem un
     text += fmt::format("{}: {:.5g} of {:.5g} {} allowed, safety factor {:.3g}", row.quantity,
                         row.allowed / *row.factor() * unit.factor, row.allowed * unit.factor,
                         unit.name, *row.factor());
-    if (row.cycle)
+    if (row.cycle && row.driver_angle() == row.analysed_angle)
+      text += fmt::format(" at {:.5g} {}", *row.driver_angle() * angle.factor, angle.name);
+    else if (row.cycle)
       text += fmt::format(" at {:.5g} {} (as analysed at {:.5g} {}: {:.5g}, {:.3g})",
                           *row.driver_angle() * angle.factor, angle.name,
                           *row.analysed_angle * angle.factor, angle.name,

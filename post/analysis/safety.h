@@ -24,6 +24,7 @@ struct SafetyRow {
   double allowed;
   std::optional<double> analysed_angle;  ///< of the driver [rad]; none without a mechanism
   std::optional<CycleValue> cycle;       ///< none where only the analysis knows the figure
+  std::string meaning;                   ///< of the limit, as a sentence; may be empty
 
   /// Allowed over computed: 1 at the limit.
   [[nodiscard]] std::optional<double> computed_factor() const;
@@ -38,9 +39,9 @@ struct SafetyRow {
 };
 
 /// A row for everything that the case allows: contact pressure and pressure times slip speed, over
-/// the cycle and as analysed; von Mises stress of the bodies against their yield strengths. A
-/// roller does not slide on the wall: its row is the mean pressure in its bore times the speed
-/// there.
+/// the cycle and as analysed; von Mises stress of the bodies, in the plane also at the pin's root,
+/// against their yield strengths. A roller does not slide on the wall: its row is the mean pressure
+/// in its bore times the speed there.
 template <int dim>
 std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<dim>& results,
                               const RunReport& report);

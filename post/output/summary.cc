@@ -176,17 +176,25 @@ json line_section(const PinLineReport& line) {
   return section;
 }
 
-/// Only of a pin that is a beam: nothing bends one that is held at its core.
-json pin_section(const PinReport& pin, const Figures& errors) {
+/// Where the crank holds the pin, by beam theory.
+json root_section(const loads::BeamBending& beam) {
+  return {{"root_force", quantity(beam.root_force, "N")},
+          {"root_moment", quantity(beam.root_moment, "N m")},
+          {"root_stress_beam_theory", quantity(beam.root_stress, "Pa")},
+          {"root_shear_stress_beam_theory", quantity(beam.root_shear, "Pa")}};
+}
+
+/// Of a pin in 3-D that is a beam: nothing bends one that is held at its core.
+json pin_section(const PinReport& pin, const loads::BeamBending& beam, const Figures& errors) {
   json section{{"tip_deflection", quantity(pin.bending.tip_deflection, "m")},
                {"tip_deflection_error", error_value(errors, Figure::tip_deflection)},
                {"slope", quantity(pin.bending.slope, "rad")},
                {"slope_error", error_value(errors, Figure::slope)},
                {"root_stress", quantity(pin.bending.root_stress, "Pa")},
                {"root_stress_error", error_value(errors, Figure::root_stress)}};
-  section["root_stress_beam_theory"] = quantity(pin.beam->root_stress, "Pa");
-  section["tip_deflection_beam_theory"] = quantity(pin.beam->tip_deflection, "m");
-  section["slope_beam_theory"] = quantity(pin.beam->slope, "rad");
+  section.update(root_section(beam));
+  section["tip_deflection_beam_theory"] = quantity(beam.tip_deflection, "m");
+  section["slope_beam_theory"] = quantity(beam.slope, "rad");
   if (pin.line) section["half_space_and_beam"] = line_section(*pin.line);
   return section;
 }
@@ -360,7 +368,8 @@ json safety_section(const fem::Solution<dim>& solution, const Results<dim>& resu
                     {"cycle_angle", row.cycle ? quantity(row.cycle->driver_angle, "rad") : json()},
                     {"allowed", quantity(row.allowed, row.dimension)},
                     {"factor", number_if(row.factor())},
-                    {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)}});
+                    {"driver_angle", quantity_if(row.driver_angle(), Dimension::angle)},
+                    {"meaning", row.meaning}});
   }
   return rows;
 }
@@ -442,6 +451,13 @@ void add_contacts(json& result, const fem::Solution<dim>& solution, const Result
                                           results.contacts[leading].hertz->even);
 }
 
+void add_pin(json& result, const MechanismReport& mechanism, const Figures& errors) {
+  if (mechanism.beam)
+    result["pin"] = mechanism.pin ? pin_section(*mechanism.pin, *mechanism.beam, errors)
+                                  : root_section(*mechanism.beam);
+  if (mechanism.pin) result["crown"] = crown_section(*mechanism.pin);
+}
+
 }  // namespace
 
 template <int dim>
@@ -464,12 +480,8 @@ json summary(const fem::Solution<dim>& solution, const Results<dim>& results,
       {"levels", solution.history.size()}, {"cells", finest.cells}, {"dofs", finest.dofs}};
   result["contact_pairs"] = json::array();
   if (fem::has_contact(solution.problem)) add_contacts(result, solution, results, report);
-  if (report.mechanism && report.mechanism->pin) {
-    if (report.mechanism->pin->beam)
-      result["pin"] = pin_section(*report.mechanism->pin, report.errors.mechanism);
-    result["crown"] = crown_section(*report.mechanism->pin);
-  }
   if (report.mechanism) {
+    add_pin(result, *report.mechanism, report.errors.mechanism);
     result["load"] = load_section(*report.mechanism);
     result["wheel"] = wheel_section(solution, results, *report.mechanism);
   }

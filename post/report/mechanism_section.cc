@@ -32,7 +32,7 @@ std::string lengths_table(const json& mechanism, const UnitSystem units) {
 
 constexpr const char* controls = R"(<div id="mechanism-controls" class="controls">
 <label>Position in the cycle <input type="range" name="step" min="0" max="{}" value="{}"></label>
-<button type="button" name="run" aria-pressed="false">Run</button>
+<button type="button" name="run" aria-pressed="false">Play</button>
 </div>
 )";
 

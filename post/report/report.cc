@@ -16,6 +16,8 @@
 #include "post/report/picture.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
+#include "post/report/sweep_section.h"
+#include "post/report/verdict_section.h"
 
 namespace geneva::post {
 
@@ -83,6 +85,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
+  if (results.document("sweep") != nullptr) append(sweep_part(results));
   return page;
 }
 

@@ -16,6 +16,7 @@ struct ResultsDirectory {
   std::filesystem::path path;
   std::map<std::string, nlohmann::json> documents;  ///< "summary", "view", ... that exist
   std::map<std::string, CsvTable> tables;           ///< "contact", "sections", ... that exist
+  std::string case_text;                            ///< case.prm of a run, completed; may be empty
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
   [[nodiscard]] const CsvTable* table(const std::string& name) const;

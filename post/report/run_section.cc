@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "post/report/html.h"
 #include "post/report/shown_values.h"
@@ -19,100 +20,6 @@ using base::UnitSystem;
 using nlohmann::json;
 
 namespace {
-
-std::string percent(const double ratio) {
-  const double value = 100. * ratio;
-  return std::abs(value) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", value);
-}
-
-std::string difference(const json& row) {
-  const json& computed = row.at("computed");
-  const json& form = row.at("closed_form");
-  if (computed.is_null() || form.is_null() || number_of(form) == 0.) return "–";
-  return percent(number_of(computed) / number_of(form) - 1.);
-}
-
-std::string verdict_table(const json& summary, const UnitSystem units) {
-  HtmlTable table{"This program beside closed forms and published values",
-                  {"quantity", "this program", "± error", "closed form", "published", "difference"},
-                  {}};
-  for (const json& row : summary.at("comparison")) {
-    const Dimension dimension = dimension_named(row.at("dimension"));
-    const auto cell = [&](const char* key) { return shown(row.at(key), dimension, units); };
-    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
-                          row.at("bounded") == true ? cell("computed") : "not bounded",
-                          shown_error(row.at("error")), cell("closed_form"), cell("published"),
-                          difference(row)});
-  }
-  return table.html();
-}
-
-/// Whether the result is as accurate as wanted, in a sentence.
-std::string verdict_sentence(const json& summary) {
-  const json& solver = summary.at("solver");
-  const double error = summary.at("accuracy").at("error_estimate");
-  const std::string of = summary.at("accuracy").at("of");
-  const std::string estimate =
-      error < 1. ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
-                 : fmt::format("The error of the {} is not known", of);
-  std::string text = fmt::format("<p class=\"verdict\">{}; {:.2g} % was asked for.</p>\n", estimate,
-                                 100. * summary.at("accuracy").at("wanted").get<double>());
-  const std::string message = solver.at("message");
-  if (!message.empty())
-    text += fmt::format(
-        "<p class=\"warning\"><strong>{}</strong> {}</p>\n",
-        solver.at("converged").get<bool>() ? "Warning:" : "Not converged:", escaped(message));
-  return text;
-}
-
-std::string notices(const json& summary) {
-  std::string text;
-  for (const json& notice : summary.at("notices"))
-    text += fmt::format("<p class=\"warning\"><strong>Note:</strong> {}</p>\n",
-                        escaped(notice.get<std::string>()));
-  return text;
-}
-
-std::string checks_table(const json& summary) {
-  HtmlTable table{"What must be small in a sound result",
-                  {"check", "value", "limit", "verdict", "meaning"},
-                  {}};
-  for (const json& check : summary.at("checks")) {
-    const bool is_passed = check.at("passed");
-    table.rows.push_back({escaped(check.at("name")),
-                          check.at("value").is_null()
-                              ? "not known"
-                              : fmt::format("{:.2g}", check.at("value").get<double>()),
-                          fmt::format("{:.2g}", check.at("limit").get<double>()),
-                          is_passed ? "<span class=\"pass\">✓ passed</span>"
-                                    : "<span class=\"fail\">✗ failed</span>",
-                          escaped(check.at("meaning"))});
-  }
-  return table.html();
-}
-
-/// How near the limits are; empty if the case gives none.
-std::string safety_table(const json& summary, const UnitSystem units) {
-  if (summary.at("safety").empty()) return "";
-  HtmlTable table{"How near to the limits that the case gives",
-                  {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
-                   labelled("at a driver angle of", Dimension::angle, units), "verdict"},
-                  {}};
-  for (const json& row : summary.at("safety")) {
-    const Dimension dimension = dimension_named(row.at("dimension"));
-    const bool is_known = !row.at("factor").is_null();
-    const double factor = number_of(row.at("factor"));
-    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
-                          is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
-                          shown(row.at("cycle"), dimension, units),
-                          shown(row.at("allowed"), dimension, units),
-                          is_known ? significant(factor, 3) : "–",
-                          shown(row.at("driver_angle"), Dimension::angle, units),
-                          is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
-                                                   : "<span class=\"fail\">✗ exceeded</span>"});
-  }
-  return table.html();
-}
 
 ChartSeries series(const std::string& name, const SeriesStyle style, const std::vector<double>& x,
                    const std::vector<double>& y) {
@@ -313,16 +220,6 @@ std::string effort_table(const json& summary) {
 }
 
 }  // namespace
-
-ReportPart verdict_part(const ResultsDirectory& results) {
-  const json& summary = *results.document("summary");
-  return {html_section("verdict", "Verdict",
-                       verdict_sentence(summary) + notices(summary) +
-                           verdict_table(summary, results.units()) +
-                           safety_table(summary, results.units())) +
-              html_section("checks", "Is it right?", checks_table(summary)),
-          {}};
-}
 
 ReportPart contact_part(const ResultsDirectory& results) {
   if (!results.document("summary")->contains("contact")) return {};

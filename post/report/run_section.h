@@ -5,10 +5,6 @@
 
 namespace geneva::post {
 
-/// What `geneva run` computed: the verdict beside closed forms and published values, warnings and
-/// checks.
-ReportPart verdict_part(const ResultsDirectory& results);
-
 /// Pressure and stress below the contact; in 3-D line load and pressure along the pin.
 ReportPart contact_part(const ResultsDirectory& results);
 

@@ -565,7 +565,14 @@ end
         self.assertIn("peak contact pressure: 73303 of 80000 psi allowed, safety factor 1.09 at -9.9336 deg "
                       f"(as analysed at -11.464 deg: {peak_in_psi(summary)}, 1.1)", run.out)
         rows = {row["quantity"]: row for row in summary["safety"]}
-        self.assertEqual(len(rows), 3)
+        self.assertEqual(set(rows), {"peak contact pressure", "peak contact pressure times slip speed",
+                                     "contact, first yield, pin", "contact, shakedown, pin",
+                                     "maximum von Mises stress of the pin",
+                                     "von Mises stress at the pin's root (beam theory)"})
+        outline = read_report(case / "results" / "report.html")
+        self.assertIn("EXCEEDED", outline.text)
+        self.assertIn("Pin material/Yield strength", outline.text)
+        self.assertIn("30 ksi", outline.text)
         pressure = summary["contact"]["peak_pressure"]["value"]
         hertz = rows["peak contact pressure"]
         self.assert_close(hertz["computed"]["value"], pressure, 1e-12, "computed")

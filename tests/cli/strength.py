@@ -1,5 +1,7 @@
 """Maximum stresses away from the contact: their errors, places and what has none."""
 
+import math
+
 import geneva_cli
 from geneva_cli import CliTest, look_up, number, set_parameter
 
@@ -16,6 +18,10 @@ subsection Mechanism
   set Friction moment = 20 N.m
   set Load inertia = 1e-3 kg.m^2
   set Contact model = full wheel
+  subsection Pin
+  end
+  subsection Pin material
+  end
   subsection Wheel material
     set Density = 7850 kg/m^3
   end
@@ -77,6 +83,32 @@ class Strength(CliTest):
                           "factor")
         self.assert_close(factors["tensile stress away from the contact (fatigue), wheel"],
                           200e6 / look_up(summary, "strength.wheel.tensile")["value"], 1e-12, "factor")
+
+    def test_the_root_of_a_plane_pin_bears_force_and_moment_by_beam_theory(self):
+        d, thickness = 14e-3, 14e-3
+        for holding, arm, share in (({}, thickness / 2 + d / 4, 1.),
+                                    ({"Root gap": "1 mm"}, thickness / 2 + 1e-3, 1.),
+                                    ({"Held at": "both ends", "Root gap": "0 mm"}, thickness / 12, 0.5)):
+            with self.subTest(holding):
+                name = "_".join(holding.values()).replace(" ", "-") or "default"
+                summary = self.run_with(name, {"Mechanism/Pin material/Yield strength": "900 MPa",
+                                               **{f"Mechanism/Pin/{key}": value for key, value in holding.items()}})
+                force = look_up(summary, "load.force")["value"]
+                root = {key: entry["value"] for key, entry in summary["pin"].items()}
+                self.assert_close(root["root_force"], share * force, 1e-12, "force")
+                self.assert_close(root["root_moment"], force * arm, 1e-12, "moment")
+                stress = 32 * force * arm / (math.pi * d ** 3)
+                self.assert_close(root["root_stress_beam_theory"], stress, 1e-12, "bending")
+                self.assert_close(root["root_shear_stress_beam_theory"],
+                                  4 / 3 * share * force / (math.pi * d ** 2 / 4), 1e-12, "shear")
+                rows = {row["quantity"]: row for row in summary["comparison"]}
+                self.assertEqual(number(rows["bending stress, pin root"]["closed_form"]),
+                                 root["root_stress_beam_theory"])
+                row = {row["quantity"]: row for row in summary["safety"]}[
+                    "von Mises stress at the pin's root (beam theory)"]
+                self.assertLessEqual(row["factor"], 900e6 / stress * (1 + 1e-12))
+        core = self.run_with("core", {"Mechanism/Pin/Held at": "core"})
+        self.assertNotIn("pin", core)
 
     def test_the_place_is_named_also_where_the_first_cell_touches_it_with_one_node_alone(self):
         wheel = self.run_with("three", {"Mechanism/Stations": "3", "Mechanism/Wheel diameter": "120 mm",

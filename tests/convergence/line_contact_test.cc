@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <vector>
 
+#include "fem/elasticity/cell_element.h"
+#include "post/analysis/stress.h"
 #include "tests/support/solving.h"
 
 namespace geneva::test {
@@ -115,6 +119,57 @@ TEST(Convergence, OfThePressureOnFourMeshes) {
   if (prints()) std::printf("observed orders: peak %.2f, pressure %.2f\n", peak, pressure);
   EXPECT_GT(peak, 1.3);
   EXPECT_GT(pressure, 0.9);
+}
+
+/// Root of the mean square of the elements' own stress less McEwen's in the block, over the zone of
+/// FieldDifference and relative to p0.
+double element_stress_error(const fem::Solution<2>& solution) {
+  const auto exact = post::closed_form(solution, solution.contacts.front());
+  const double b = exact->half_width();
+  const dealii::QGauss<2> points(2);
+  fem::CellStresses<2> of_elements(*solution.element, solution.problem, points);
+  double sum = 0.;
+  double area = 0.;
+  for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
+    if (solution.problem.bodies[cell->material_id()].name != "block") continue;
+    const auto stress = of_elements(cell, solution.displacement);
+    for (unsigned int q = 0; q < points.size(); ++q) {
+      const dealii::Point<2> place(solution.scales.length *
+                                   of_elements.values().quadrature_point(q));
+      if (std::abs(exact->along(place)) >= 2. * b || exact->depth(place) >= 3. * b) continue;
+      const auto difference =
+          stress[q].in_plane -
+          post::mcewen_stress(*exact, solution.problem.plane, 0.3, place)->in_plane;
+      sum += of_elements.values().JxW(q) * dealii::scalar_product(difference, difference);
+      area += of_elements.values().JxW(q);
+    }
+  }
+  return std::sqrt(sum / area) / exact->peak_pressure();
+}
+
+/// The stress of bilinear elements is of the first order; the pressure's end, where stresses have
+/// infinite slopes, leaves 3/2 of the recovered one's second order for the mean square.
+TEST(Convergence, OfTheStressInTheContactZoneIsThatOfTheRecoveryAndNotOfTheElements) {
+  LineContact contact;
+  contact.force = 2.5;  // the contact is R/930 wide, so that the bodies are half-planes for it
+  contact.turn = 0.13;
+  contact.shift = 0.1;
+  std::vector<double> recovered;
+  std::vector<double> elements;
+  for (const unsigned int levels : {10U, 11U, 12U, 13U}) {
+    fem::Settings settings = with_accuracy(3e-4);
+    settings.max_levels = levels;
+    const fem::Solution<2> solution = solve(contact, settings);
+    recovered.push_back(post::analyse(solution).contacts[0].difference->target_body);
+    elements.push_back(element_stress_error(solution));
+    if (prints())
+      std::printf("h/b %.4f: recovered %.3f %%, elements %.3f %%\n",
+                  edge_length(solution.contacts.front()) / hertz(contact).half_width,
+                  100. * recovered.back(), 100. * elements.back());
+  }
+  for (std::size_t i = 1; i < recovered.size(); ++i)
+    EXPECT_GT(std::log2(recovered[i - 1] / recovered[i]), 1.5);
+  EXPECT_LT(recovered.back(), 0.5 * elements.back());
 }
 
 }  // namespace

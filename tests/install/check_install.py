@@ -57,6 +57,17 @@ class Install(unittest.TestCase):
         self.assertTrue((results / "report.html").exists())
         self.assertLess(self.summary(results)["contact"]["peak_pressure_error"], 0.005)
 
+    def test_manual_pages_completions_and_materials_lie_where_systems_look_for_them(self):
+        share = self.prefix / "share"
+        commands_text = run(self.prefix / "bin/geneva", "help").split("Subcommands:")[1].split("Examples:")[0]
+        commands = re.findall(r"^  ([a-z]+) ", commands_text, re.MULTILINE)
+        self.assertEqual({path.name for path in (share / "man/man1").iterdir()},
+                         {"geneva.1", *(f"geneva-{command}.1" for command in commands)})
+        self.assertIn("complete -o filenames -F _geneva geneva", (share / "bash-completion/completions/geneva").read_text())
+        self.assertTrue((share / "zsh/site-functions/_geneva").exists())
+        self.assertTrue((share / "fish/vendor_completions.d/geneva.fish").exists())
+        self.assertIn("subsection 42CrMo4 nitrided", (share / "geneva/materials.prm").read_text())
+
     def test_the_library_finds_what_the_command_does_on_two_ranks(self):
         by_command = self.room / "two"
         run("mpirun", "-n", 2, self.prefix / "bin/geneva", "run", self.case, "--output", by_command)

@@ -82,7 +82,7 @@
   button.addEventListener("click", () => {
     if (running) cancelAnimationFrame(running);
     running = running ? 0 : requestAnimationFrame(advance);
-    button.textContent = running ? "Stop" : "Run";
+    button.textContent = running ? "Stop" : "Play";
     button.setAttribute("aria-pressed", String(running !== 0));
   });
 })();

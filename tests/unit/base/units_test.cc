@@ -114,7 +114,8 @@ TEST(Units, AnUnknownUnitIsRefused) {
                   " is no unit known here; a length with its unit is wanted, for example "
                   "'4.53 in' or '115 mm'");
   EXPECT_EQ(refusal("2 Nm", Dimension::moment),
-            "'2 Nm': 'Nm' is no unit known here; a moment with its unit is wanted, for example "
+            "'2 Nm': 'Nm' is no unit known here (did you mean 'N.m'?); a moment with its unit is "
+            "wanted, for example "
             "'2 lbf.in' or '0.2 N.m'");
   EXPECT_EQ(refusal("16 Gb", Dimension::memory),
             "'16 Gb': 'Gb' is no unit of memory known here; an amount of memory with its unit is "

@@ -39,7 +39,8 @@ TEST(CaseText, AFileInPlaceOfTheDirectoryIsRefused) {
 TEST(CaseText, ADirectoryWithoutACaseFileIsRefused) {
   const CaseDirectory directory("");
   fs::remove(directory.path() / "case.prm");
-  EXPECT_EQ(directory.refusal(), "DIR: there is no file case.prm in this directory");
+  EXPECT_EQ(directory.refusal(),
+            "DIR: there is no file case.prm in this directory; 'geneva init' writes one");
 }
 
 TEST(CaseText, ACaseFileThatIsADirectoryIsRefused) {

@@ -6,8 +6,13 @@ namespace geneva::post {
 namespace {
 
 SafetyRow pressure_row() {
-  return {"peak contact pressure", base::Dimension::stress, 400e6, 500e6, -0.2,
-          CycleValue{625e6, -0.1}};
+  return {"peak contact pressure",
+          base::Dimension::stress,
+          400e6,
+          500e6,
+          -0.2,
+          CycleValue{625e6, -0.1},
+          ""};
 }
 
 TEST(SafetyRow, IsJudgedWhereTheCycleIsWorse) {

@@ -54,6 +54,17 @@ TEST(PinBeam, CantileverIsTheIntegralOfItsCurvatureAndShear) {
   EXPECT_NEAR(bending.root_stress, 6. / (inertia(5e-3) / 2.5e-3), 1e-3);
 }
 
+/// 4/3 of the mean: Q S/(I b) in the middle of a circle.
+TEST(PinBeam, RootBearsTheWholeForceOrHalfOfItWithFourThirdsOfTheMeanShear) {
+  PinBeam pin = cantilever();
+  const double area = pi * 5e-3 * 5e-3 / 4.;
+  EXPECT_NEAR(beam_bending(pin, 1000.).root_force, 1000., 1e-9);
+  EXPECT_NEAR(beam_bending(pin, 1000.).root_shear, 4. / 3. * 1000. / area, 1e-3);
+  pin.held_at_both_ends = true;
+  EXPECT_NEAR(beam_bending(pin, 1000.).root_force, 500., 1e-9);
+  EXPECT_NEAR(beam_bending(pin, 1000.).root_shear, 4. / 3. * 500. / area, 1e-3);
+}
+
 TEST(PinBeam, LongCantileverUnderAForceAtItsTipDeflectsByFL3Over3EI) {
   PinBeam pin = cantilever();
   pin.thickness = 1e-9;

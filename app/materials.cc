@@ -1,0 +1,70 @@
+#include "app/materials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+#include <vector>
+
+#include "base/errors.h"
+#include "model/input/materials.h"
+
+namespace geneva::app {
+
+namespace {
+
+std::string megapascals(const std::optional<double>& stress) {
+  return stress ? fmt::format("{:.4g}", 1e-6 * *stress) : std::string("-");
+}
+
+void print_list(const std::vector<model::KnownMaterial>& materials) {
+  std::size_t widest = 0;
+  for (const model::KnownMaterial& material : materials)
+    widest = std::max(widest, material.name.size());
+  const auto row = [&](const std::string& name, const std::string& modulus, const std::string& nu,
+                       const std::string& density, const std::string& yield,
+                       const std::string& fatigue, const std::string& contact) {
+    std::cout << fmt::format("{:<{}}{:>9}{:>7}{:>9}{:>9}{:>9}{:>9}\n", name, widest, modulus, nu,
+                             density, yield, fatigue, contact);
+  };
+  row("", "E", "nu", "density", "yield", "fatigue", "contact");
+  row("", "GPa", "", "kg/m^3", "MPa", "MPa", "MPa");
+  for (const model::KnownMaterial& material : materials)
+    row(material.name, fmt::format("{:.4g}", 1e-9 * material.youngs_modulus),
+        fmt::format("{:.3g}", material.poissons_ratio), fmt::format("{:.4g}", material.density),
+        megapascals(material.yield_strength), megapascals(material.fatigue_strength),
+        megapascals(material.contact_pressure));
+  std::cout
+      << "Typical values, for orientation. 'geneva materials NAME' tells where they are from; "
+         "'set Material = NAME'\ntakes them; a materials.prm in the case directory adds "
+         "others (doc/materials.md).\n";
+}
+
+void print_one(const model::KnownMaterial& material) {
+  const auto line = [](const char* const name, const std::string& value) {
+    std::cout << fmt::format("  {:<18}{}\n", name, value);
+  };
+  std::cout << material.name << '\n';
+  for (const model::Parameter& parameter : model::known_material_parameters(material.name)) {
+    const auto text = material.texts.find(parameter.name);
+    if (text != material.texts.end()) line(parameter.name.c_str(), text->second);
+  }
+}
+
+}  // namespace
+
+int show_materials(const std::string& name, const std::filesystem::path& case_directory) {
+  const std::vector<model::KnownMaterial> materials = model::known_materials(case_directory);
+  if (name.empty()) {
+    print_list(materials);
+    return 0;
+  }
+  try {
+    print_one(model::material_named(materials, name));
+  } catch (const base::InputError& error) {
+    throw base::InputError(fmt::format("{}: {}", base::in_quotes(name), error.what()));
+  }
+  return 0;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,186 @@
+#include "app/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <system_error>
+#include <thread>
+
+#include "api/sweep.h"
+#include "api/version.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/processes.h"
+#include "base/errors.h"
+#include "base/output_file.h"
+
+namespace geneva::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Last line of a run's output that says what was wrong.
+std::string complaint_in(const fs::path& log) {
+  std::ifstream stream(log);
+  const std::string mark = "geneva: ";
+  std::string complaint;
+  for (std::string line; std::getline(stream, line);)
+    if (line.rfind(mark, 0) == 0) complaint = line.substr(mark.size());
+  return complaint;
+}
+
+/// The points of a sweep whose command is 'run', each a case in a directory of its own.
+class Runs {
+ public:
+  Runs(const fs::path& directory, const unsigned int jobs, post::SweepReport& report)
+      : directory_(directory), jobs_(jobs), report_(report) {}
+
+  void make(std::vector<SweepCase>& cases) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!cases[i].given) continue;
+      while (processes_.size() >= jobs_) processes_.wait();
+      report_.points[i].directory = fmt::format("points/{}", i + 1);
+      if (is_done(i, *cases[i].given))
+        take(i, stored_code(i));
+      else
+        start(i, *cases[i].given);
+    }
+    while (processes_.size() > 0) processes_.wait();
+  }
+
+ private:
+  [[nodiscard]] fs::path place(const std::size_t point) const {
+    return directory_ / report_.points[point].directory;
+  }
+
+  /// Whether an earlier sweep has done this very case.
+  [[nodiscard]] bool is_done(const std::size_t point, const Case& given) const {
+    std::error_code error;
+    if (!fs::exists(place(point) / "ended", error)) return false;
+    if (!fs::exists(place(point) / "results" / "summary.json", error)) return false;
+    if (text_of(place(point) / "case.prm") != given.completed) return false;
+    return std::all_of(given.inputs.begin() + 1, given.inputs.end(), [&](const fs::path& input) {
+      return text_of(input) == text_of(place(point) / input.lexically_relative(given.directory));
+    });
+  }
+
+  [[nodiscard]] int stored_code(const std::size_t point) const {
+    return text_of(place(point) / "ended") == "0\n" ? 0 : not_converged;
+  }
+
+  void start(const std::size_t point, const Case& given) {
+    std::error_code error;
+    fs::remove(place(point) / "ended", error);
+    fs::create_directories(place(point));
+    base::replace_file(place(point) / "case.prm", given.completed);
+    for (auto input = given.inputs.begin() + 1; input != given.inputs.end(); ++input) {
+      const fs::path copy = place(point) / input->lexically_relative(given.directory);
+      fs::create_directories(copy.parent_path());
+      fs::copy_file(*input, copy, fs::copy_options::overwrite_existing);
+    }
+    const std::string program = fs::read_symlink("/proc/self/exe").string();
+    processes_.start({program, "run", place(point).string()}, place(point) / "log.txt",
+                     [this, point](const int code) { end(point, code); });
+  }
+
+  void end(const std::size_t point, const int code) {
+    if (code == 0 || code == not_converged)
+      base::replace_file(place(point) / "ended", fmt::format("{}\n", code));
+    take(point, code);
+  }
+
+  void take(const std::size_t point, const int code) {
+    post::SweepPoint& result = report_.points[point];
+    result.exit_code = code;
+    if (code == 0 || code == not_converged)
+      result.figures = figures_of_run(place(point) / "results");
+    if (code != 0) result.message = complaint_in(place(point) / "log.txt");
+    if (code != 0 && result.message.empty())
+      result.message = fmt::format("ended with exit code {}", code);
+    ++done_;
+    tell(result);
+  }
+
+  void tell(const post::SweepPoint& point) const {
+    std::cout << fmt::format("{} of {}: {}{}\n", done_, report_.points.size(),
+                             fmt::join(point.values, ", "),
+                             point.message.empty() ? "" : ": " + point.message)
+              << std::flush;
+  }
+
+  const fs::path& directory_;
+  unsigned int jobs_;
+  post::SweepReport& report_;
+  Processes processes_;
+  std::size_t done_ = 0;
+};
+
+void do_at_once(std::vector<SweepCase>& cases, post::SweepReport& report) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!cases[i].given) continue;
+    try {
+      report.points[i].figures = figures_of(*cases[i].given, report.command);
+    } catch (const base::InputError& error) {
+      report.points[i].exit_code = wrong_input;
+      report.points[i].message = error.what();
+    }
+  }
+}
+
+post::SweepReport empty_report(const Case& given, const std::vector<model::Variation>& variations,
+                               const std::vector<SweepCase>& cases, const std::string& command) {
+  post::SweepReport report{model::header_of(given), version, command, {}, {}};
+  for (const model::Variation& variation : variations) {
+    model::SectionPath path = variation.section;
+    path.push_back(variation.name);
+    report.parameters.push_back(fmt::format("{}", fmt::join(path, "/")));
+  }
+  for (const SweepCase& point : cases)
+    report.points.push_back(
+        {point.values, "", point.given ? 0 : int{wrong_input}, point.refusal, {}});
+  return report;
+}
+
+}  // namespace
+
+int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
+  std::vector<model::Variation> variations;
+  for (const std::string& text : request.variations)
+    variations.push_back(model::read_variation(text));
+  std::vector<SweepCase> cases = sweep_cases(case_directory, variations);
+  Sweep sweep{read_case(case_directory), {}};
+  sweep.report = empty_report(sweep.given, variations, cases, request.command);
+  const fs::path directory =
+      request.output.empty() ? sweep.given.directory / "sweep" : request.output;
+  if (request.command == "run") {
+    const unsigned int cores = std::max(1U, std::thread::hardware_concurrency());
+    Runs(directory, request.jobs > 0 ? request.jobs : cores, sweep.report).make(cases);
+  } else {
+    do_at_once(cases, sweep.report);
+  }
+  const auto& points = sweep.report.points;
+  const auto failed =
+      std::count_if(points.begin(), points.end(),
+                    [](const post::SweepPoint& point) { return point.exit_code != 0; });
+  if (std::all_of(points.begin(), points.end(),
+                  [](const post::SweepPoint& point) { return point.figures.empty(); }))
+    throw base::InputError(points.front().message);
+  std::cout << '\n' << post::sweep_table(sweep.report, sweep.given.units);
+  tell_written(write(sweep, directory), "sweep.json, sweep.csv and report.html", directory,
+               [](const std::string& line) { std::cout << line << '\n'; });
+  if (failed == 0) return 0;
+  std::cerr << fmt::format("geneva: {} of {} points failed or are not as accurate as asked\n",
+                           failed, points.size());
+  return not_converged;
+}
+
+}  // namespace geneva::app

@@ -1,0 +1,149 @@
+"""Sweeps: every combination, what fails, what is done already, and what is written."""
+
+import json
+import signal
+import subprocess
+import time
+
+import geneva_cli
+from geneva_cli import CliTest, change_case, environment, look_up, number, read_csv, read_summary
+
+DIAMETERS = "Mechanism/Pin diameter = 12 mm .. 18 mm, 3"
+SPEEDS = "Mechanism/Driver speed = 200 rpm; 300 rpm"
+
+
+class Sweep(CliTest):
+
+    def call(self, *arguments):
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False,
+                              cwd=self.directory, env=environment())
+
+    def new_case(self, name="wheel", *options):
+        run = self.call("init", name, *options)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        change_case(self.directory / name, {"Accuracy": "5 %", "Structural accuracy": "off"})
+        return self.directory / name
+
+    def sweep(self, case, *options, code=0):
+        run = self.call("sweep", case, *options)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return run
+
+    def points(self, directory):
+        return json.loads((directory / "sweep.json").read_text())["points"]
+
+    def figure(self, point, quantity):
+        return number(next(figure for figure in point["figures"] if figure["quantity"] == quantity)["value"])
+
+    def test_every_combination_has_the_figures_of_a_run_of_its_own(self):
+        case = self.new_case()
+        self.sweep(case, "--set", DIAMETERS, "--set", SPEEDS)
+        points = self.points(case / "sweep")
+        self.assertEqual([point["values"] for point in points],
+                         [[f"{d} mm", f"{n} rpm"] for d in (12, 15, 18) for n in (200, 300)])
+        alone = self.new_case("alone")
+        change_case(alone, {"Mechanism/Pin diameter": "15 mm", "Mechanism/Driver speed": "300 rpm"})
+        summary = self.run_case(alone)
+        self.assertEqual(self.figure(points[3], "peak contact pressure"), number(look_up(summary, "contact.peak_pressure")))
+        self.assertEqual(self.figure(points[3], "least safety factor"), min(row["factor"] for row in summary["safety"]))
+        of_point = read_summary(case / "sweep" / points[3]["directory"] / "results")
+        self.assertEqual(look_up(of_point, "contact.peak_pressure"), look_up(summary, "contact.peak_pressure"))
+        table = read_csv(case / "sweep" / "sweep.csv")
+        self.assertEqual(list(table["Mechanism/Pin diameter [mm]"]), [12, 12, 15, 15, 18, 18])
+        self.assert_close(table["peak contact pressure [MPa]"][3], 1e-6 * self.figure(points[3], "peak contact pressure"),
+                          1e-8, "csv")
+        report = (case / "sweep" / "report.html").read_text()
+        self.assertIn("peak contact pressure against Pin diameter", report)
+        self.assertIn("Driver speed 300 rpm", report)
+
+    def test_what_is_done_is_not_done_again_and_what_is_changed_is(self):
+        case = self.new_case()
+        self.sweep(case, "--set", DIAMETERS)
+        times = [(case / "sweep" / f"points/{i}/results/summary.json").stat().st_mtime_ns for i in (1, 2, 3)]
+        (case / "sweep" / "points" / "2" / "ended").unlink()
+        self.sweep(case, "--set", DIAMETERS)
+        again = [(case / "sweep" / f"points/{i}/results/summary.json").stat().st_mtime_ns for i in (1, 2, 3)]
+        self.assertEqual([a == b for a, b in zip(times, again)], [True, False, True])
+        change_case(case, {"Mechanism/Friction moment": "900 N.mm"})
+        before = [self.figure(point, "contact force") for point in self.points(case / "sweep")]
+        self.sweep(case, "--set", DIAMETERS)
+        for old, new in zip(before, (self.figure(point, "contact force") for point in self.points(case / "sweep"))):
+            self.assertLess(1.05 * old, new)
+
+    def test_a_point_that_fails_is_told_and_ends_no_other(self):
+        case = self.new_case()
+        run = self.sweep(case, "--set", "Mechanism/Pin diameter = 12 mm; 12 kg; 300 mm; 15 mm", code=2)
+        points = self.points(case / "sweep")
+        self.assertEqual([point["exit_code"] for point in points], [0, 1, 1, 0])
+        self.assertIn("is no unit of length", points[1]["message"])
+        self.assertNotEqual(points[2]["message"], "")
+        self.assertIn("2 of 4 points failed", run.stderr)
+        self.assertIn("is no unit of length", run.stdout)
+
+    def test_commands_without_finite_elements_need_no_runs(self):
+        case = self.new_case()
+        for command, quantity in (("kinematics", "maximum pin force"), ("estimate", "pin force"),
+                                  ("design", "diameter, best wheel as drawn")):
+            with self.subTest(command):
+                output = self.directory / command
+                self.sweep(case, "--with", command, "--set", SPEEDS, "-o", output)
+                slow, fast = (self.figure(point, quantity) for point in self.points(output))
+                self.assertNotEqual(slow, fast)
+                self.assertFalse((output / "points").exists())
+
+    def test_its_own_geometry_and_files_go_along(self):
+        case = self.new_case("drawn", "--type", "geometry")
+        self.sweep(case, "--set", "Geometry/Load cylinder core/Value = 500 N .. 2000 N, 2, log")
+        light, heavy = (self.figure(point, "peak contact pressure") for point in self.points(case / "sweep"))
+        self.assert_close(heavy / light, 2., 0.05, "p0 of a line grows with the root of the load")
+
+    def test_words_instead_of_numbers_are_varied_too(self):
+        case = self.new_case()
+        self.sweep(case, "--set", "Mechanism/Wheel material/Material = 42CrMo4 nitrided; PEEK")
+        steel, plastic = (self.figure(point, "peak contact pressure") for point in self.points(case / "sweep"))
+        self.assertLess(3. * plastic, steel)
+
+    def test_wrong_variations_are_named_before_anything_is_done(self):
+        case = self.new_case()
+        for variation, words in (("Mechanism/Pin diameter", "there is no '='"),
+                                 ("Mechanism/Pin diameter = 8 mm .. 14 in, 3", "the same unit"),
+                                 ("Mechanism/Pin diameter = 8 mm .. 14 mm", "the number of its values"),
+                                 ("Mechanism/Pin diameter = 8 mm .. 14 mm, 1.5", "'1.5' is no whole number"),
+                                 ("Mechanism/Pin diameter = -8 mm .. 14 mm, 3, log", "one sign"),
+                                 ("Mechanism/Pn diameter = 8 mm; 9 mm", "did you mean 'Pin diameter'?"),
+                                 ("Pin diameter = 8 mm; 9 mm", "it belongs in the subsection 'Mechanism'"),
+                                 ("Title = ", "there is no value")):
+            with self.subTest(variation):
+                run = self.call("sweep", case, "--set", variation)
+                self.assertEqual(run.returncode, 1)
+                self.assertIn(words, run.stderr)
+        self.assertIn("is set twice", self.call("sweep", case, "--set", SPEEDS, "--set", SPEEDS).stderr)
+        self.assertFalse((case / "sweep").exists())
+
+    def test_an_interrupted_sweep_leaves_no_process_and_goes_on(self):
+        case = self.new_case()
+        change_case(case, {"Accuracy": "0.05 %"})
+        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
+                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        first = case / "sweep" / "points" / "1" / "ended"
+        deadline = time.monotonic() + 120
+        while not first.exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        sweep.send_signal(signal.SIGTERM)
+        sweep.communicate(timeout=60)
+        self.assertEqual(sweep.returncode, 128 + signal.SIGTERM)
+        deadline = time.monotonic() + 20
+        while self.runs_below(case) and time.monotonic() < deadline:
+            time.sleep(0.1)
+        self.assertEqual(self.runs_below(case), "")
+        done = first.stat().st_mtime_ns
+        self.sweep(case, "--set", DIAMETERS)
+        self.assertEqual(first.stat().st_mtime_ns, done)
+        self.assertEqual([point["exit_code"] for point in self.points(case / "sweep")], [0, 0, 0])
+
+    def runs_below(self, case):
+        return subprocess.run(["pgrep", "-f", f"run {case}/sweep"], capture_output=True, text=True, check=False).stdout
+
+
+if __name__ == "__main__":
+    geneva_cli.main()

@@ -1,0 +1,85 @@
+#include "loads/contact_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/support/refusal.h"
+
+namespace geneva::loads {
+namespace {
+
+/// Values by integration of Flamant's solution, mu = 0.3.
+TEST(SlidingContact, StressIsThatOfFlamantsForcesUnderPressureAndTraction) {
+  const HertzLine contact{1., 1., 0., 0.};
+  struct Row {
+    double x, z, xx, zz, xz;
+  };
+  const std::array<Row, 4> table{{{0., 0.5, -0.341641, -0.894427, -0.102492},
+                                  {0.5, 0.5, -0.415021, -0.797390, -0.269844},
+                                  {-1., 0.25, -0.074841, -0.171350, 0.106383},
+                                  {1.2, 0.3, -0.495536, -0.118656, -0.208890}}};
+  for (const Row& row : table) {
+    const ContactStress stress = sliding_stress(contact, 0.3, row.x, row.z);
+    EXPECT_NEAR(stress.xx, row.xx, 1e-6) << row.x;
+    EXPECT_NEAR(stress.zz, row.zz, 1e-6) << row.x;
+    EXPECT_NEAR(stress.xz, row.xz, 1e-6) << row.x;
+  }
+}
+
+TEST(SlidingContact, SurfaceIsPulledBy2MuP0AtItsTrailingEdgeAndPressedMostInFrontOfTheMiddle) {
+  const HertzLine contact{3., 2., 0., 0.};
+  const double mu = 0.25;
+  EXPECT_NEAR(sliding_stress(contact, mu, -2., 0.).xx, 2. * mu * 3., 1e-12);
+  const double x = 2. * mu / std::sqrt(1. + 4. * mu * mu) * 2.;
+  EXPECT_NEAR(sliding_stress(contact, mu, x, 0.).xx, -3. * std::sqrt(1. + 4. * mu * mu), 1e-12);
+}
+
+TEST(SlidingContact, StressInsideIsInEquilibrium) {
+  const HertzLine contact{1., 1., 0., 0.};
+  const double h = 1e-5;
+  for (const double x : {-1.3, -0.4, 0.7, 1.6})
+    for (const double z : {0.2, 0.9}) {
+      const auto at = [&](const double dx, const double dz) {
+        return sliding_stress(contact, 0.4, x + dx, z + dz);
+      };
+      EXPECT_NEAR((at(h, 0).xx - at(-h, 0).xx + at(0, h).xz - at(0, -h).xz) / (2. * h), 0., 1e-8);
+      EXPECT_NEAR((at(h, 0).xz - at(-h, 0).xz + at(0, h).zz - at(0, -h).zz) / (2. * h), 0., 1e-8);
+    }
+}
+
+TEST(ContactLimits, LineYieldsFirstAtThePublishedMultiples) {
+  EXPECT_NEAR(line_contact_limits(0.25, 0.).first_yield, 1.72502, 1e-5);
+  EXPECT_NEAR(line_contact_limits(0.35, 0.).first_yield, 1.84890, 1e-5);
+  const std::array<std::array<double, 2>, 5> by_friction{
+      {{0., 1.7937}, {0.1, 1.7685}, {0.2, 1.6949}, {0.3, 1.5001}, {0.5, 1.0260}}};
+  for (const auto& [mu, limit] : by_friction)
+    EXPECT_NEAR(line_contact_limits(0.3, mu).first_yield, limit, 1e-4) << mu;
+}
+
+TEST(ContactLimits, LineShakesDownUpToJohnsonsMap) {
+  const std::array<std::array<double, 2>, 7> map{{{0., 4.},
+                                                  {0.1, 3.5642},
+                                                  {0.2, 3.2024},
+                                                  {0.3, 2.8996},
+                                                  {0.35, 2.7665},
+                                                  {0.4, 2.5},
+                                                  {0.5, 2.}}};
+  for (const auto& [mu, limit] : map)
+    EXPECT_NEAR(std::sqrt(3.) * line_contact_limits(0.3, mu).shakedown, limit, 1e-4) << mu;
+}
+
+TEST(ContactLimits, PointYieldsFirstAtThePublishedMultiples) {
+  EXPECT_NEAR(point_contact_limits(0.25).first_yield, 1.55435, 1e-5);
+  EXPECT_NEAR(point_contact_limits(0.3).first_yield, 1.61280, 1e-5);
+  EXPECT_NEAR(point_contact_limits(0.35).first_yield, 1.67411, 1e-5);
+  EXPECT_NEAR(point_contact_limits(0.3).shakedown, 4.68 / std::sqrt(3.), 1e-12);
+}
+
+TEST(ContactLimits, RefusesANegativeFriction) {
+  test::expect_refused([] { line_contact_limits(0.3, -0.1); }, {"friction"});
+}
+
+}  // namespace
+}  // namespace geneva::loads
