@@ -19,6 +19,7 @@ struct Request {
     synthesize,
     report,
     sweep,
+    optimise,
     init,
     materials,
     parameters,

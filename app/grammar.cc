@@ -102,6 +102,16 @@ void Grammar::add_design() {
                    "maximum stresses away from the contact, such as at the bottom of the slot, "
                    "beside the contact stress");
   design->add_flag("--no-run", is_unconfirmed_, "With --crown: do not solve the pin found");
+  CLI::App* optimise = add(
+      Command::optimise, "optimise",
+      "Find the dimensions that make the contact pressure, the mass or the stress at the slot's "
+      "bottom least, under limits (subsection 'Optimisation' of the case)");
+  add_case(optimise, case_directory_);
+  optimise
+      ->add_option("-o,--output", output_,
+                   "Where optimum.json, optimum.csv, optimum.prm and the report go (default: "
+                   "CASE_DIR/results)")
+      ->type_name("DIR");
   CLI::App* sweep = add(Command::sweep, "sweep",
                         "Vary parameters of a case: every combination, in parallel, as table and "
                         "curves; what is done already is not done again");

@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/interruption.h"
 #include "app/launch.h"
+#include "app/optimise.h"
 #include "app/other_ranks.h"
 #include "app/run.h"
 
@@ -22,6 +23,8 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
   const std::filesystem::path& directory = request.cases.front();
   if (request.command == Command::crown)
     return confirmed_crown_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
+  if (request.command == Command::optimise)
+    return confirmed_optimum(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::design_with_strength)
     return design_with_strength(MPI_COMM_WORLD, directory, request.output, mesher);
   return run_case(MPI_COMM_WORLD, directory, {request.output, request.is_continued}, mesher);

@@ -39,9 +39,9 @@ struct DimensionFacts {
 /// By UnitSystem.
 constexpr std::array<std::string_view, 3> unit_system_names{"SI", "mm-N", "in-lbf"};
 
-const std::array<DimensionFacts, 19>& all_facts() {
+const std::array<DimensionFacts, 20>& all_facts() {
   // in the order of the enumeration
-  static const std::array<DimensionFacts, 19> table{{
+  static const std::array<DimensionFacts, 20> table{{
       {"plain number",
        "a plain number or a percentage",
        "'0.3' or '30 %'",
@@ -87,6 +87,7 @@ const std::array<DimensionFacts, 19>& all_facts() {
        "'0.283 lb/in^3' or '7850 kg/m^3'",
        {-3, 1, 0, 0},
        {"kg/m^3", "kg/m^3", "lb/in^3"}},
+      {"mass", "a mass with its unit", "'1.5 kg' or '3 lb'", {0, 1, 0, 0}, {"kg", "kg", "lb"}},
       {"force", "a force with its unit", "'100 lbf' or '450 N'", {1, 1, -2, 0}, {"N", "N", "lbf"}},
       {"force per length",
        "a force per length with its unit",
@@ -368,6 +369,13 @@ double any_scale(const std::string& unit, Dimension dimension, const std::string
 }  // namespace
 
 std::string name_of(Dimension dimension) { return facts(dimension).name; }
+
+bool is_unit(const std::string& text) {
+  if (text == "%" || text == "percent") return true;
+  constexpr std::size_t longest = 100;
+  if (text.empty() || text.size() > longest || has_factor(text)) return false;
+  return unit_database().meaning(text).has_value();
+}
 
 Dimension dimension_named(const std::string& name) {
   for (std::size_t i = 0; i < all_facts().size(); ++i)

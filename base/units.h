@@ -15,6 +15,7 @@ enum class Dimension {
   acceleration,
   stress,
   density,
+  mass,
   force,
   force_per_length,
   force_per_volume,
@@ -48,6 +49,9 @@ std::string in_quotes(const std::string& text);
 /// or the unit is missing, the unit is unknown or of another dimension, or the value is not finite
 /// @throws InputError if the unit database of UDUNITS-2 is not installed
 double parse_quantity(const std::string& text, Dimension dimension);
+
+/// Whether a text is a unit of parse_quantity(): "mm", "rpm", "%"; an empty one is none.
+bool is_unit(const std::string& text);
 
 /// The dimension of a name that name_of() gives.
 /// @throws InputError if there is none

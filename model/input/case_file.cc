@@ -56,6 +56,7 @@ void check_sections(const ParameterText& text, const std::string& model) {
       {names::mechanism, {"mechanism"}},
       {names::geometry, {"geometry"}},
       {names::synthesis, {"synthesis"}},
+      {names::optimisation, {"mechanism"}},
       {names::published, {"mechanism", "geometry"}},
       {names::allowable, {"mechanism", "geometry"}}};
   for (const OpenedSection& section : text.sections) {
@@ -82,6 +83,7 @@ std::vector<Parameter> parameters_of(const ParameterText& text, const std::strin
   }
   append(settings_parameters());
   append(model == "mechanism" ? mechanism_parameters() : geometry_parameters_of(text, directory));
+  if (model == "mechanism") append(optimisation_parameters());
   append(published_parameters());
   append(allowable_parameters());
   return parameters;
@@ -210,6 +212,11 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   return result;
 }
 
+void read_models_of_mechanism(const CaseValues& values, Case& result) {
+  result.mechanism = read_mechanism(values, result.directory);
+  result.optimisation = read_optimisation(values);
+}
+
 }  // namespace
 
 Case read_case(const fs::path& directory) {
@@ -239,7 +246,7 @@ Case case_of(const ParameterText& text, const fs::path& directory) {
     result.published_peak_pressure = published.optional_value("Peak pressure");
     result.published_source = published.text("Source");
     if (model == "mechanism")
-      result.mechanism = read_mechanism(values, result.directory);
+      read_models_of_mechanism(values, result);
     else
       result.geometry = read_geometry_case(values, result.directory, result.dimension);
     result.settings = read_settings(general, result);
@@ -282,8 +289,8 @@ std::string parameter_file() {
   std::vector<Parameter> all;
   for (const std::vector<Parameter>& some :
        {general_parameters(), settings_parameters(), mechanism_parameters(),
-        geometry_parameters({"NAME"}, {"NAME"}, ""), synthesis_parameters(), published_parameters(),
-        allowable_parameters()})
+        optimisation_parameters(), geometry_parameters({"NAME"}, {"NAME"}, ""),
+        synthesis_parameters(), published_parameters(), allowable_parameters()})
     all.insert(all.end(), some.begin(), some.end());
   return parameter_listing(all, [](const Parameter& parameter) { return parameter.default_value; });
 }

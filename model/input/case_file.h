@@ -24,6 +24,7 @@
 #include "loads/synthesis/quick_return.h"
 #include "loads/wheel/geneva_dimensions.h"
 #include "model/input/materials.h"
+#include "model/input/optimisation_case.h"
 #include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
@@ -145,6 +146,7 @@ struct Case {
   fem::Settings settings;  ///< the defaults, if the model is a synthesis
   Checkpoints checkpoints;
   std::optional<MechanismCase> mechanism;
+  std::optional<OptimisationCase> optimisation;  ///< of a mechanism
   std::optional<GeometryCase> geometry;
   std::optional<SynthesisCase> synthesis;
   std::map<std::string, KnownMaterial> materials;  ///< by body, where the case names one

@@ -28,6 +28,7 @@ inline constexpr const char* allowable = "Allowable";
 inline constexpr const char* pin_material = "Pin material";
 inline constexpr const char* wheel_material = "Wheel material";
 inline constexpr const char* material = "Material";
+inline constexpr const char* optimisation = "Optimisation";
 inline constexpr const char* design = "Design";
 inline constexpr const char* shaft = "Shaft";
 inline constexpr const char* fixed = "fixed";

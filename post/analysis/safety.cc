@@ -172,7 +172,10 @@ std::string safety_lines(const std::vector<SafetyRow>& rows, const UnitSystem un
     text += fmt::format("{}: {:.5g} of {:.5g} {} allowed, safety factor {:.3g}", row.quantity,
                         row.allowed / *row.factor() * unit.factor, row.allowed * unit.factor,
                         unit.name, *row.factor());
-    if (row.cycle && row.driver_angle() == row.analysed_angle)
+    constexpr double worth_saying = 0.005;
+    const bool is_worst =
+        row.computed && row.cycle && std::abs(row.cycle->value / *row.computed - 1.) < worth_saying;
+    if (is_worst)
       text += fmt::format(" at {:.5g} {}", *row.driver_angle() * angle.factor, angle.name);
     else if (row.cycle)
       text += fmt::format(" at {:.5g} {} (as analysed at {:.5g} {}: {:.5g}, {:.3g})",

@@ -28,6 +28,7 @@ const std::vector<ResultFiles>& result_files() {
       {"kinematics", "geneva kinematics", {"kinematics"}, {}, true},
       {"design", "geneva design", {"design"}, {}, true},
       {"crown", "geneva design --crown", {"crown"}, {}, true},
+      {"optimum", "geneva optimise", {}, {"optimum.csv", "optimum.prm"}, true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};
   return files;

@@ -53,6 +53,8 @@ std::optional<SweepValue> read_value(const std::string& text) {
   if (error != std::errc()) return std::nullopt;
   value.unit = std::string(rest, text.data() + text.size());
   value.unit.erase(0, value.unit.find_first_not_of(' '));
+  // '42CrMo4 nitrided' is no quantity
+  if (!value.unit.empty() && !base::is_unit(value.unit)) return std::nullopt;
   return value;
 }
 
@@ -131,10 +133,16 @@ std::optional<std::vector<SweepValue>> sweep_numbers(const SweepReport& report,
 json sweep_summary(const SweepReport& report) {
   json points = json::array();
   for (const SweepPoint& point : report.points) points.push_back(point_section(point));
+  json units = json::array();
+  for (std::size_t i = 0; i < report.parameters.size(); ++i) {
+    const auto numbers = sweep_numbers(report, i);
+    units.push_back(numbers ? json(numbers->front().unit) : json());
+  }
   return {{"case", base::case_section(report.about)},
           {"versions", base::versions_section(report.geneva_version)},
           {"command", report.command},
           {"parameters", report.parameters},
+          {"units", units},
           {"points", points}};
 }
 

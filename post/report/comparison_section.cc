@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "base/errors.h"
+#include "post/report/case_inputs.h"
 #include "post/report/field_section.h"
 #include "post/report/html.h"
 #include "post/report/run_section.h"
@@ -102,12 +106,46 @@ std::string table_of(const std::vector<ResultsDirectory>& all,
   return table.html();
 }
 
+/// Value of an input; a dash where the case has none of that name.
+std::string input_cell(const std::vector<CaseInput>& inputs, const std::string& name) {
+  for (const CaseInput& input : inputs)
+    if (input.name == name) return input.value.empty() ? "–" : escaped(input.value);
+  return "–";
+}
+
+/// The inputs in which the runs differ; empty if their case files are not there.
+std::string inputs_table(const std::vector<ResultsDirectory>& all,
+                         const std::vector<std::string>& names) {
+  std::vector<std::vector<CaseInput>> inputs;
+  for (const ResultsDirectory& results : all) inputs.push_back(case_inputs(results.case_text));
+  HtmlTable table{"Inputs in which they differ", {"parameter"}, {}};
+  for (const std::string& name : names) table.headings.push_back(escaped(name));
+  std::vector<std::string> seen;
+  for (const std::vector<CaseInput>& of_run : inputs)
+    for (const CaseInput& input : of_run) {
+      if (input.name == "Title" || std::find(seen.begin(), seen.end(), input.name) != seen.end())
+        continue;
+      seen.push_back(input.name);
+      std::vector<std::string> row{escaped(input.name)};
+      for (const std::vector<CaseInput>& each : inputs) row.push_back(input_cell(each, input.name));
+      if (std::any_of(row.begin() + 2, row.end(),
+                      [&](const std::string& cell) { return cell != row[1]; }))
+        table.rows.push_back(std::move(row));
+    }
+  return table.rows.empty() ? "" : table.html();
+}
+
+/// Each once, with the runs that have it.
 std::string warnings_of(const std::vector<ResultsDirectory>& all,
                         const std::vector<std::string>& names) {
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> warnings;  // what is said, and of which runs
   const auto add = [&](const std::string& name, const std::string& warning) {
-    text += fmt::format("<p class=\"warning\"><strong>{}:</strong> {}</p>\n", escaped(name),
-                        escaped(warning));
+    const auto same = std::find_if(warnings.begin(), warnings.end(),
+                                   [&](const auto& known) { return known.first == warning; });
+    if (same == warnings.end())
+      warnings.emplace_back(warning, name);
+    else
+      same->second += ", " + name;
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     const json& summary = summary_of(all[i]);
@@ -115,6 +153,10 @@ std::string warnings_of(const std::vector<ResultsDirectory>& all,
     if (!message.empty()) add(names[i], message);
     for (const json& notice : summary.at("notices")) add(names[i], notice);
   }
+  std::string text;
+  for (const auto& [warning, of] : warnings)
+    text += fmt::format("<p class=\"warning\"><strong>{}:</strong> {}</p>\n", escaped(of),
+                        escaped(warning));
   return text;
 }
 
@@ -165,15 +207,32 @@ std::vector<Chart> charts_of(const std::vector<ResultsDirectory>& all,
   return charts;
 }
 
+/// The colours' range that all pictures share; none where their units differ.
+std::optional<std::array<double, 2>> shared_range(const std::vector<ResultsDirectory>& all) {
+  std::optional<std::array<double, 2>> shared;
+  std::string unit;
+  for (const ResultsDirectory& results : all) {
+    const json* const view = results.document("view");
+    if (view == nullptr) continue;
+    if (shared && view->at("stress_unit") != unit) return std::nullopt;
+    const std::array<double, 2> range = field_range(*view, main_part(*view));
+    shared = shared ? std::array<double, 2>{std::min((*shared)[0], range[0]),
+                                            std::max((*shared)[1], range[1])}
+                    : range;
+    unit = view->at("stress_unit");
+  }
+  return shared;
+}
+
 /// The pictures as images of their own, since names within an SVG must not meet on a page.
 std::string pictures_of(const std::vector<ResultsDirectory>& all,
                         const std::vector<std::string>& names) {
+  const auto range = shared_range(all);
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const json* const view = all[i].document("view");
     if (view == nullptr) continue;
-    const FieldPictures pictures = field_pictures(*view);
-    const std::string svg = pictures.contact ? *pictures.contact : *pictures.model;
+    const std::string svg = field_picture(*view, main_part(*view), range);
     text += fmt::format(
         "<figure class=\"picture\">\n<img alt=\"von Mises stress of {0}\" "
         "src=\"data:image/svg+xml;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
@@ -191,7 +250,8 @@ ReportPart comparison_part(const std::vector<ResultsDirectory>& all) {
   ReportPart part;
   part.charts = charts_of(all, names);
   part.html = html_section("verdict", "Side by side",
-                           table_of(all, names, units) + warnings_of(all, names)) +
+                           table_of(all, names, units) + inputs_table(all, names) +
+                               warnings_of(all, names)) +
               (part.charts.empty() ? "" : html_section("contact", "Contact", html(part.charts))) +
               html_section("field", "von Mises stress",
                            "<div class=\"pictures\">\n" + pictures_of(all, names) + "</div>\n");

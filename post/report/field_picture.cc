@@ -225,15 +225,26 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
          text(left + 0.5 * width, y + 54., "middle", fmt::format("von Mises stress [{}]", unit));
 }
 
-}  // namespace
-
-std::string field_picture(const json& view, const PicturePart part) {
+/// @throws base::InputError if the view has no window
+Window window_of(const json& view, const PicturePart part, const FlatMesh& mesh) {
   if (!(view.at("half_width").get<double>() > 0.))
     throw base::InputError("view.json is damaged: the half-width is not positive");
+  return part == PicturePart::model ? window_on_model(view, mesh) : window_on_contact(view);
+}
+
+}  // namespace
+
+std::array<double, 2> field_range(const json& view, const PicturePart part) {
+  const FlatMesh mesh = flat_mesh(view);
+  return range_in(mesh, window_of(view, part, mesh));
+}
+
+std::string field_picture(const json& view, const PicturePart part,
+                          const std::optional<std::array<double, 2>>& wanted) {
   const FlatMesh mesh = flat_mesh(view);
   const bool is_model = part == PicturePart::model;
-  const Window window = is_model ? window_on_model(view, mesh) : window_on_contact(view);
-  const std::array<double, 2> range = range_in(mesh, window);
+  const Window window = window_of(view, part, mesh);
+  const std::array<double, 2> range = wanted ? *wanted : range_in(mesh, window);
   const std::string image = encoded_bytes(painted(mesh, window, range).png());
   const std::string unit = view.at("length_unit");
   const Vector origin = view.at("origin");

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 namespace geneva::post {
@@ -15,6 +17,12 @@ enum class PicturePart {
 /// A picture of the von Mises stress: an SVG document with axes and colour bar in output units.
 /// @param view what view.json holds
 /// @throws base::InputError if it is damaged
-std::string field_picture(const nlohmann::json& view, PicturePart part);
+/// @param range of the colours, in output units; none: that of what the picture shows
+std::string field_picture(const nlohmann::json& view, PicturePart part,
+                          const std::optional<std::array<double, 2>>& range = std::nullopt);
+
+/// The range of the stress that such a picture shows, in output units.
+/// @throws base::InputError if the view is damaged
+std::array<double, 2> field_range(const nlohmann::json& view, PicturePart part);
 
 }  // namespace geneva::post

@@ -71,6 +71,10 @@ std::string figure(const std::string& style, const std::string& picture,
 
 }  // namespace
 
+PicturePart main_part(const nlohmann::json& view) {
+  return is_on_contact(view) ? PicturePart::contact : PicturePart::model;
+}
+
 FieldPictures field_pictures(const nlohmann::json& view) {
   FieldPictures pictures;
   if (is_on_contact(view)) pictures.contact = field_picture(view, PicturePart::contact);

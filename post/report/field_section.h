@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "post/report/field_picture.h"
+
 namespace geneva::post {
 
 /// SVG documents.
@@ -11,6 +13,10 @@ struct FieldPictures {
   std::optional<std::string> contact;  ///< around it; none without contact
   std::optional<std::string> model;    ///< all of it, in 3-D without contact a cut
 };
+
+/// What stands for a run beside others: the contact, if there is one.
+/// @param view what view.json holds
+PicturePart main_part(const nlohmann::json& view);
 
 /// Those that a view allows.
 /// @param view what view.json holds

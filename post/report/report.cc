@@ -13,6 +13,7 @@
 #include "post/report/mechanism_drawing.h"
 #include "post/report/mechanism_section.h"
 #include "post/report/motion_section.h"
+#include "post/report/optimum_section.h"
 #include "post/report/picture.h"
 #include "post/report/report_assets.h"
 #include "post/report/run_section.h"
@@ -85,6 +86,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
+  if (results.document("optimum") != nullptr) append(optimum_part(results));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
   return page;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "post/report/html.h"
 #include "post/report/shown_values.h"

@@ -41,9 +41,24 @@ std::string shown_error(const nlohmann::json& error) {
   return percent < 0.005 ? "± 0.00 %" : fmt::format("± {:.2g} %", percent);
 }
 
+std::string shown_unit(const std::string& unit) {
+  std::string shown;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const bool is_power = unit[i] == '^' && i + 1 < unit.size();
+    if (is_power && unit[i + 1] == '2')
+      shown += "²";
+    else if (is_power && unit[i + 1] == '3')
+      shown += "³";
+    else
+      shown += unit[i] == '.' ? "·" : std::string(1, unit[i]);
+    if (is_power && (unit[i + 1] == '2' || unit[i + 1] == '3')) ++i;
+  }
+  return shown;
+}
+
 std::string labelled(const std::string& name, const Dimension dimension, const UnitSystem units) {
   const std::string unit = output_unit(units, dimension).name;
-  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+  return unit.empty() ? name : fmt::format("{} [{}]", name, shown_unit(unit));
 }
 
 }  // namespace geneva::post

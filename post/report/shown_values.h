@@ -31,6 +31,9 @@ std::string shown(const nlohmann::json& quantity, base::Dimension dimension,
 /// "± 0.17 %" of an estimated relative error; "not known" from 100 % on, nothing for null.
 std::string shown_error(const nlohmann::json& error);
 
+/// A unit as print has it: "rad/s²", "lbf·in".
+std::string shown_unit(const std::string& unit);
+
 /// "contact force [lbf]"; the name alone if the dimension has no unit.
 std::string labelled(const std::string& name, base::Dimension dimension, base::UnitSystem units);
 

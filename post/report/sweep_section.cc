@@ -18,16 +18,11 @@ using nlohmann::json;
 
 namespace {
 
-std::optional<double> number_in(const std::string& text) {
+/// The number that a value begins with.
+double number_in(const std::string& text) {
   double number = 0.;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  (void)rest;
-  return error == std::errc() ? std::optional(number) : std::nullopt;
-}
-
-std::string unit_in(const std::string& text) {
-  const std::size_t space = text.find(' ');
-  return number_in(text) && space != std::string::npos ? text.substr(space + 1) : "";
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
 }
 
 /// The last part of "Mechanism/Pin diameter".
@@ -98,15 +93,10 @@ std::string others_of(const json& sweep, const json& point, const std::size_t ac
 std::optional<std::size_t> parameter_across(const json& sweep) {
   const json& points = sweep.at("points");
   for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
-    bool is_number = true;
-    bool varies = false;
-    const std::string first = points.at(0).at("values")[i];
-    for (const json& point : points) {
-      const std::string value = point.at("values")[i];
-      is_number = is_number && number_in(value) && unit_in(value) == unit_in(first);
-      varies = varies || value != first;
-    }
-    if (is_number && varies) return i;
+    const bool varies = std::any_of(points.begin(), points.end(), [&](const json& point) {
+      return point.at("values")[i] != points.at(0).at("values")[i];
+    });
+    if (!sweep.at("units")[i].is_null() && varies) return i;
   }
   return std::nullopt;
 }
@@ -116,14 +106,14 @@ Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t ac
                const base::UnitSystem units, const std::size_t number) {
   const double factor = base::output_unit(units, quantity.dimension).factor;
   const std::string name = short_name(sweep.at("parameters")[across]);
-  const std::string unit = unit_in(sweep.at("points")[0].at("values")[across]);
+  const std::string unit = sweep.at("units")[across];
   std::map<std::string, std::vector<std::array<double, 2>>> curves;
   std::vector<std::string> order;
   std::vector<std::array<double, 2>> limit;
   for (const json& point : sweep.at("points")) {
     const json* const figure = figure_of(point, quantity.name);
     if (figure == nullptr || figure->at("value").is_null()) continue;
-    const double x = *number_in(point.at("values")[across]);
+    const double x = number_in(point.at("values")[across]);
     const std::string others = others_of(sweep, point, across);
     if (curves.count(others) == 0) order.push_back(others);
     curves[others].push_back({x, number_of(figure->at("value")) * factor});

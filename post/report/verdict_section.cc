@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "post/report/case_inputs.h"
 #include "post/report/html.h"
 #include "post/report/shown_values.h"
 
@@ -159,46 +159,11 @@ std::string safety_table(const json& summary, const UnitSystem units) {
   return table.html();
 }
 
-/// A parameter of the completed case file.
-struct Input {
-  std::string name;  ///< with its subsections but the model's: "Wheel material/Density"
-  std::string value;
-  bool is_given;  ///< not the default
-};
-
-std::string without_spaces(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  return begin == std::string::npos ? ""
-                                    : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-std::vector<Input> inputs_in(const std::string& case_text) {
-  const std::string mark = "# default:";
-  std::vector<Input> inputs;
-  std::vector<std::string> path;
-  std::istringstream lines(case_text);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string text = without_spaces(line);
-    if (text.rfind("subsection ", 0) == 0) path.push_back(text.substr(11));
-    if (text == "end" && !path.empty()) path.pop_back();
-    const std::size_t sign = text.find('=');
-    if (text.rfind("set ", 0) != 0 || sign == std::string::npos) continue;
-    const std::size_t comment = text.find(mark);
-    std::string name;
-    for (std::size_t i = 1; i < path.size(); ++i) name += path[i] + "/";
-    inputs.push_back({name + without_spaces(text.substr(4, sign - 4)),
-                      without_spaces(text.substr(
-                          sign + 1, comment == std::string::npos ? comment : comment - sign - 1)),
-                      comment != std::string::npos});
-  }
-  return inputs;
-}
-
-std::string inputs_table(const std::vector<Input>& inputs, const bool is_given) {
+std::string inputs_table(const std::vector<CaseInput>& inputs, const bool is_given) {
   HtmlTable table{is_given ? "What the case gives" : "What it leaves at the default",
                   {"parameter", "value"},
                   {}};
-  for (const Input& input : inputs)
+  for (const CaseInput& input : inputs)
     if (input.is_given == is_given && !input.value.empty())
       table.rows.push_back({escaped(input.name), escaped(input.value)});
   return table.rows.empty() ? "" : table.html();
@@ -206,7 +171,7 @@ std::string inputs_table(const std::vector<Input>& inputs, const bool is_given) 
 
 /// Every input; the defaults folded. Empty where the case file is not there.
 std::string inputs_section(const std::string& case_text) {
-  const std::vector<Input> inputs = inputs_in(case_text);
+  const std::vector<CaseInput> inputs = case_inputs(case_text);
   if (inputs.empty()) return "";
   return html_section("inputs", "Inputs",
                       inputs_table(inputs, true) +

@@ -355,7 +355,8 @@ class Output(FinishedRuns):
         self.assertLess(summary["contact"]["force_error"], 1e-6, "the load decides it")
         for row in summary["comparison"]:
             self.assertIs(row["bounded"], True)
-            self.assertIsNotNone(row["error"], row["quantity"])
+            if row["computed"] is not None:  # beam theory has no mesh
+                self.assertIsNotNone(row["error"], row["quantity"])
 
     @for_both
     def test_the_log_file_is_what_was_said(self, name, results):

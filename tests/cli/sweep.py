@@ -102,6 +102,8 @@ class Sweep(CliTest):
         self.sweep(case, "--set", "Mechanism/Wheel material/Material = 42CrMo4 nitrided; PEEK")
         steel, plastic = (self.figure(point, "peak contact pressure") for point in self.points(case / "sweep"))
         self.assertLess(3. * plastic, steel)
+        table = read_csv(case / "sweep" / "sweep.csv")
+        self.assertEqual(list(table["Mechanism/Wheel material/Material"]), ["42CrMo4 nitrided", "PEEK"])
 
     def test_wrong_variations_are_named_before_anything_is_done(self):
         case = self.new_case()

@@ -119,17 +119,18 @@ TEST(JohnsonContactMechanics, Eq443And445CylinderInConcaveGroove) {
   }
 }
 
-/// Stresses are asked for to the accuracy of the pressure. The cylinder is no half-plane: a disc
-/// under opposite forces carries F/(pi R t) = p0 b/(2 R) across the load beside the half-plane's
-/// field (Timoshenko and Goodier, Theory of Elasticity, section 41), and a ring on a core about
-/// twice that: b/R = 0.54 %.
+/// In the middles of the cells the stress is as accurate as the pressure is asked to be; as a
+/// field, with what lies between the nodes, it is half as much again off. The cylinder is no
+/// half-plane: a disc under opposite forces carries F/(pi R t) = p0 b/(2 R) across the load beside
+/// the half-plane's field (Timoshenko and Goodier, Theory of Elasticity, section 41), and a ring on
+/// a core about twice that: b/R = 0.54 %.
 TEST(McEwen, Eq449StressFieldBelowTheContact) {
   const LineContact contact;
   const post::Results<2> results = post::analyse(solve(contact));
   ASSERT_TRUE(results.contacts[0].difference.has_value());
   const double finite_size = hertz(contact).half_width / contact.radius;
-  EXPECT_LT(results.contacts[0].difference->target_body, 0.005) << "block";
-  EXPECT_LT(results.contacts[0].difference->source_body, 0.005 + finite_size) << "cylinder";
+  EXPECT_LT(results.contacts[0].difference->target_body, 0.0075) << "block";
+  EXPECT_LT(results.contacts[0].difference->source_body, 0.0075 + finite_size) << "cylinder";
 }
 
 /// 0.300 p0 at 0.786 b. A stress of b/R p0 across the load adds half of it to the maximum shear,

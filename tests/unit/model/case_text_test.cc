@@ -165,7 +165,7 @@ TEST(CaseText, AnUnknownSubsectionIsRefusedWithTheNearestOrAll) {
             "DIR/case.prm, line 1: there is no subsection 'Mecanism'; did you mean 'Mechanism'?");
   EXPECT_EQ(refusal("subsection Output\nend\n"),
             "DIR/case.prm, line 1: there is no subsection 'Output'; there are 'Mechanism', "
-            "'Published', 'Allowable'");
+            "'Optimisation', 'Published', 'Allowable'");
   EXPECT_EQ(refusal(mechanism_text("subsection Driver\nend\n")),
             "DIR/case.prm, line 6: there is no subsection 'Driver' in 'Mechanism'; there are "
             "'Linkage', 'Pin', 'Pin material', 'Wheel material', 'Design'");

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace geneva::post {
+
+/// A parameter of a completed case file.
+struct CaseInput {
+  std::string name;  ///< with its subsections but the model's: "Wheel material/Density"
+  std::string value;
+  bool is_given;  ///< not the default
+};
+
+/// All of them, in the file's order.
+/// @param case_text of case.prm as a run completes it
+std::vector<CaseInput> case_inputs(const std::string& case_text);
+
+}  // namespace geneva::post

@@ -1,0 +1,119 @@
+"""The best dimensions of a case: beside Johnson's, under limits, and what is refused."""
+
+import json
+import subprocess
+
+import geneva_cli
+from geneva_cli import CliTest, change_case, environment, number
+
+
+def section(**values):
+    lines = "".join(f"  set {name.replace('_', ' ')} = {value}\n" for name, value in values.items())
+    return f"\nsubsection Optimisation\n{lines}end\n"
+
+
+class Optimise(CliTest):
+
+    def call(self, *arguments):
+        return subprocess.run([self.program, *map(str, arguments)], capture_output=True, text=True, check=False,
+                              cwd=self.directory, env=environment())
+
+    def case(self, name, shipped="indexing-table", **values):
+        case = self.copy_case(shipped, name)
+        path = case / "case.prm"
+        path.write_text(path.read_text() + section(**values))
+        return case
+
+    def optimum(self, case, code=0):
+        run = self.call("optimise", case)
+        self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+        return json.loads((case / "results" / "optimum.json").read_text()), run.stdout
+
+    def figure(self, optimum, quantity, key="after"):
+        return number(next(row for row in optimum["figures"] if row["quantity"] == quantity)[key])
+
+    def dimension(self, optimum, name):
+        return next(row for row in optimum["dimensions"] if row["name"] == name)
+
+    def test_with_the_diameter_alone_free_it_finds_johnson_s_wheel(self):
+        # His Eq. 9, as 'geneva design' solves it; friction moment and load as in his Example 1.
+        case = self.case("johnson", "johnson-optimum-wheel", Free="Wheel diameter: 2 in .. 12 in",
+                         Minimise="peak contact pressure")
+        self.assertEqual(self.call("design", case, "-o", case / "design").returncode, 0)
+        design = json.loads((case / "design" / "design.json").read_text())
+        optimum, printed = self.optimum(case)
+        best = float(self.dimension(optimum, "Wheel diameter")["after"].split()[0])
+        print(f"  best diameter {best:.5f} in")
+        self.assert_close(best * 0.0254, number(design["optimum_diameter"]), 1e-3, "diameter")
+        self.assertEqual(optimum["binds"], [])
+        self.assertIn("nothing binds", printed)
+        confirmed = self.figure(optimum, "peak contact pressure", "confirmed")
+        self.assert_close(confirmed, self.figure(optimum, "peak contact pressure"), 0.005, "finite elements")
+
+    def test_a_limit_that_binds_is_named_and_kept(self):
+        free = "Wheel diameter: 80 mm .. 200 mm; Pin diameter: 8 mm .. 20 mm"
+        heavy, _ = self.optimum(self.case("free", Free=free))
+        mass = self.figure(heavy, "mass of the wheel")
+        limit = 0.6 * mass
+        light, printed = self.optimum(self.case("light", Free=free, Largest_mass=f"{limit:.9g} kg"))
+        self.assertLessEqual(self.figure(light, "mass of the wheel"), limit * (1 + 1e-6))
+        self.assertGreater(self.figure(light, "mass of the wheel"), limit * (1 - 1e-3))
+        self.assertIn("the limit of the mass of the wheel", light["binds"])
+        self.assertIn("the limit of the mass of the wheel", printed)
+        self.assertGreater(self.figure(light, "peak contact pressure of the cycle"),
+                           self.figure(heavy, "peak contact pressure of the cycle"))
+        self.assertEqual(self.dimension(heavy, "Pin diameter")["bound"], "upper")
+
+    def test_the_least_mass_that_bears_a_pressure_is_where_the_pressure_is_the_limit(self):
+        optimum, _ = self.optimum(self.case("mass", Free="Wheel thickness: 5 mm .. 40 mm", Minimise="mass of the wheel",
+                                            Largest_contact_pressure="600 MPa"))
+        # p0 = sqrt(F E*/(pi R t)); the wheel's own inertia is 1 % of the load's.
+        pressure = self.figure(optimum, "peak contact pressure of the cycle")
+        self.assert_close(pressure, 600e6, 1e-5, "pressure")
+        thickness = float(self.dimension(optimum, "Wheel thickness")["after"].split()[0])
+        self.assert_close(thickness, 15 * (478.8 / 600)**2, 0.01, "thickness")
+        self.assertEqual(optimum["binds"], ["the limit of the peak contact pressure of the cycle"])
+
+    def test_the_slot_s_bottom_may_be_the_goal(self):
+        case = self.case("bottom", Free="Pin diameter: 8 mm .. 24 mm", Minimise="stress at the slot bottom")
+        change_case(case, {"Structural accuracy": "4 %"})
+        optimum, _ = self.optimum(case)
+        best = self.figure(optimum, "stress at the slot bottom")
+        for diameter in (8, 16, 24):
+            other = self.copy_case("indexing-table", f"other-{diameter}")
+            change_case(other, {"Mechanism/Pin diameter": f"{diameter} mm"})
+            stress = next(number(row["computed"]) for row in self.run_case(other)["comparison"]
+                          if row["quantity"] == "tensile stress, wheel")
+            self.assertGreater(stress, 0.95 * best)
+
+    def test_the_best_case_can_be_run_and_is_what_was_told(self):
+        case = self.case("again", Free="Pin diameter: 8 mm .. 20 mm", Largest_stress_at_the_pin_root="40 MPa")
+        optimum, _ = self.optimum(case)
+        again = self.directory / "best"
+        again.mkdir()
+        (again / "case.prm").write_text((case / "results" / "optimum.prm").read_text())
+        summary = self.run_case(again)
+        self.assertEqual(number(summary["contact"]["peak_pressure"]),
+                         self.figure(optimum, "peak contact pressure", "confirmed"))
+        self.assertIn("Best dimensions", (case / "results" / "report.html").read_text())
+
+    def test_what_cannot_be_is_said(self):
+        bare = self.copy_case("indexing-table", "bare")
+        for case, words in (
+                (bare, "leaves nothing free"),
+                (self.case("a", Free="Wheel diameter 80 mm .. 90 mm"), "'NAME: LEAST .. GREATEST' is wanted"),
+                (self.case("b", Free="Wheel diameter: 90 mm .. 80 mm"), "the least value comes first"),
+                (self.case("c", Free="Wheel diametr: 80 mm .. 90 mm"), "did you mean 'Wheel diameter'?"),
+                (self.case("d", Free="Wheel diameter: 80 kg .. 90 kg"), "is no unit of length"),
+                (self.case("e", Free="Wheel diameter: 80 mm .. 90 mm", Largest_contact_pressure="1 MPa"),
+                 "no candidate keeps the limits"),
+                (self.case("f", Largest_mass="1 kg"), "'Free' only, which is missing")):
+            with self.subTest(words):
+                run = self.call("optimise", case)
+                self.assertEqual(run.returncode, 1, run.stdout)
+                self.assertIn(words, run.stderr)
+                self.assertFalse((case / "results").exists())
+
+
+if __name__ == "__main__":
+    geneva_cli.main()
