@@ -65,7 +65,8 @@ class Runs {
   /// Whether an earlier sweep has done this very case.
   [[nodiscard]] bool is_done(const std::size_t point, const Case& given) const {
     std::error_code error;
-    if (!fs::exists(place(point) / "ended", error)) return false;
+    const std::string mark = text_of(place(point) / "ended");
+    if (mark != mark_of(0) && mark != mark_of(not_converged)) return false;
     if (!fs::exists(place(point) / "results" / "summary.json", error)) return false;
     if (text_of(place(point) / "case.prm") != given.completed) return false;
     return std::all_of(given.inputs.begin() + 1, given.inputs.end(), [&](const fs::path& input) {
@@ -73,13 +74,16 @@ class Runs {
     });
   }
 
+  /// What is left beside a run that ended: its exit code, and who ran it.
+  static std::string mark_of(const int code) { return fmt::format("{} {}\n", code, version); }
+
   [[nodiscard]] int stored_code(const std::size_t point) const {
-    return text_of(place(point) / "ended") == "0\n" ? 0 : not_converged;
+    return text_of(place(point) / "ended") == mark_of(0) ? 0 : not_converged;
   }
 
-  void start(const std::size_t point, const Case& given) {
-    std::error_code error;
-    fs::remove(place(point) / "ended", error);
+  /// Makes the point's directory a case of its own.
+  void prepare(const std::size_t point, const Case& given) const try {
+    fs::remove(place(point) / "ended");
     fs::create_directories(place(point));
     base::replace_file(place(point) / "case.prm", given.completed);
     for (auto input = given.inputs.begin() + 1; input != given.inputs.end(); ++input) {
@@ -87,6 +91,12 @@ class Runs {
       fs::create_directories(copy.parent_path());
       fs::copy_file(*input, copy, fs::copy_options::overwrite_existing);
     }
+  } catch (const fs::filesystem_error& error) {
+    throw base::InputError(error.what());
+  }
+
+  void start(const std::size_t point, const Case& given) {
+    prepare(point, given);
     const std::string program = fs::read_symlink("/proc/self/exe").string();
     processes_.start({program, "run", place(point).string()}, place(point) / "log.txt",
                      [this, point](const int code) { end(point, code); });
@@ -94,15 +104,23 @@ class Runs {
 
   void end(const std::size_t point, const int code) {
     if (code == 0 || code == not_converged)
-      base::replace_file(place(point) / "ended", fmt::format("{}\n", code));
+      base::replace_file(place(point) / "ended", mark_of(code));
     take(point, code);
+  }
+
+  /// A run that met a limit on its first mesh has none.
+  void take_figures(post::SweepPoint& result) const {
+    try {
+      result.figures = figures_of_run(directory_ / result.directory / "results");
+    } catch (const base::InputError& error) {
+      result.message = error.what();
+    }
   }
 
   void take(const std::size_t point, const int code) {
     post::SweepPoint& result = report_.points[point];
     result.exit_code = code;
-    if (code == 0 || code == not_converged)
-      result.figures = figures_of_run(place(point) / "results");
+    if (code == 0 || code == not_converged) take_figures(result);
     if (code != 0) result.message = complaint_in(place(point) / "log.txt");
     if (code != 0 && result.message.empty())
       result.message = fmt::format("ended with exit code {}", code);

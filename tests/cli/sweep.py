@@ -80,6 +80,22 @@ class Sweep(CliTest):
         self.assertIn("2 of 4 points failed", run.stderr)
         self.assertIn("is no unit of length", run.stdout)
 
+    def test_a_run_that_meets_a_limit_at_once_is_told_and_ends_no_other(self):
+        case = self.new_case()
+        run = self.sweep(case, "--set", "Maximum unknowns = 1000; 1000000", code=2)
+        few, many = self.points(case / "sweep")
+        self.assertEqual((few["exit_code"], many["exit_code"]), (2, 0))
+        self.assertIn("Maximum unknowns", few["message"])
+        self.assertGreater(len(many["figures"]), 5)
+        self.assertIn("1 of 2 points failed", run.stderr)
+
+    def test_a_place_that_cannot_be_written_is_told(self):
+        case = self.new_case()
+        (self.directory / "file").write_text("")
+        run = self.call("sweep", case, "--set", SPEEDS, "-o", self.directory / "file" / "below")
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("file", run.stderr)
+
     def test_commands_without_finite_elements_need_no_runs(self):
         case = self.new_case()
         for command, quantity in (("kinematics", "maximum pin force"), ("estimate", "pin force"),
