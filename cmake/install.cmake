@@ -23,7 +23,7 @@ endfunction()
 geneva_library(geneva_core_library core
   ROOMS base loads mesh_data case tables report api
   PUBLIC nlohmann_json::nlohmann_json
-  PRIVATE fmt::fmt PNG::PNG geneva_udunits ${CMAKE_DL_LIBS})
+  PRIVATE fmt::fmt PNG::PNG NLopt::nlopt geneva_udunits ${CMAKE_DL_LIBS})
 set_target_properties(geneva_core_library PROPERTIES OUTPUT_NAME geneva-core)
 geneva_library(geneva_library geneva
   ROOMS mesh fem model post api_analysis
