@@ -1,5 +1,7 @@
 #include "model/pin_in_space.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
