@@ -1,5 +1,6 @@
 #include "api/engagement.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "api/mechanism_picture.h"
@@ -40,13 +41,31 @@ std::vector<EngagementPoint> loaded_points(const std::vector<loads::KinematicsRo
   return points;
 }
 
+/// The angle of the greatest force of either wall, which falls between the others.
+void add_greatest(std::vector<EngagementPoint>& points, const loads::Characteristics& cycle,
+                  const loads::PinContact& contact) {
+  const auto add = [&](const loads::PlacedPeak& peak, const double sign) {
+    if (!(peak.value > 0.)) return;
+    const EngagementPoint point{peak.driver_angle, sign * peak.value,
+                                loads::hertz_pressure(contact, peak.value), std::nullopt};
+    const auto next = std::find_if(points.begin(), points.end(), [&](const EngagementPoint& other) {
+      return other.driver_angle > point.driver_angle;
+    });
+    points.insert(next, point);
+  };
+  add(cycle.force, 1.);
+  add(cycle.braking_force, -1.);
+}
+
 }  // namespace
 
 std::vector<EngagementPoint> engagement(const model::MechanismCase& mechanism,
                                         const model::MechanismState& state,
                                         const std::optional<loads::PinLine>& pin) {
-  std::vector<EngagementPoint> points = loaded_points(loads::kinematics_rows(
-      state.driven, state.train, pin_contact(mechanism, state.sizes), steps_of_cycle));
+  const loads::PinContact contact = pin_contact(mechanism, state.sizes);
+  std::vector<EngagementPoint> points =
+      loaded_points(loads::kinematics_rows(state.driven, state.train, contact, steps_of_cycle));
+  add_greatest(points, loads::characteristics(state.driven, state.train, contact), contact);
   if (pin)
     for (EngagementPoint& point : points) point.peak_pressure = peak_of(*pin, point.force);
   return points;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <nlopt.hpp>
 #include <optional>
@@ -69,15 +67,15 @@ Figures figures_of_candidate(const Case& given) {
 const char* name_of(const Goal goal) {
   switch (goal) {
     case Goal::pressure:
-      return "peak contact pressure";
+      return model::names::peak_pressure;
     case Goal::mass:
-      return "mass of the wheel";
+      return model::names::wheel_mass;
     case Goal::slot_bottom:
-      return "stress at the slot bottom";
+      return model::names::slot_bottom;
     case Goal::pressure_of_cycle:
       break;
   }
-  return "peak contact pressure of the cycle";
+  return model::names::peak_pressure_of_cycle;
 }
 
 std::optional<double> value_of(const Figures& figures, const Goal goal) {
@@ -94,8 +92,11 @@ std::optional<double> value_of(const Figures& figures, const Goal goal) {
   return figures.pressure_of_cycle;
 }
 
+constexpr const char* root_stress = "bending stress at the pin root";
+
 /// A figure and the limit that it has.
 struct Limited {
+  const char* name;
   std::optional<double> value;
   double limit;
 
@@ -105,13 +106,14 @@ struct Limited {
 
 std::vector<Limited> limits_of(const model::OptimisationCase& wanted, const Figures& figures) {
   std::vector<Limited> limits;
-  const auto add = [&](const std::optional<double>& limit, const std::optional<double>& value) {
-    if (limit) limits.push_back({value, *limit});
+  const auto add = [&](const char* const name, const std::optional<double>& limit,
+                       const std::optional<double>& value) {
+    if (limit) limits.push_back({name, value, *limit});
   };
-  add(wanted.largest_pressure, figures.pressure_of_cycle);
-  add(wanted.largest_mass, figures.mass);
-  add(wanted.largest_slot_bottom, figures.slot_bottom);
-  add(wanted.largest_root_stress, figures.root_stress);
+  add(name_of(Goal::pressure_of_cycle), wanted.largest_pressure, figures.pressure_of_cycle);
+  add(name_of(Goal::mass), wanted.largest_mass, figures.mass);
+  add(name_of(Goal::slot_bottom), wanted.largest_slot_bottom, figures.slot_bottom);
+  add(root_stress, wanted.largest_root_stress, figures.root_stress);
   return limits;
 }
 
@@ -189,11 +191,21 @@ class Search {
       if (here && is_better({place, *here}, best)) best = {place, *here};
       if (slot_bottom_) break;  // every candidate costs a run
     }
-    if (best.value.worst() > tolerance)
-      throw base::InputError(fmt::format(
-          "no candidate keeps the limits; the nearest one exceeds one of them by {:.3g} %",
-          100. * best.value.worst()));
+    if (best.value.worst() > tolerance) refuse_limits(best);
     return best.place;
+  }
+
+  /// Whether a dimension changes goal or limits from bound to bound; taken for granted where every
+  /// candidate costs a run, or a bound is no mechanism.
+  [[nodiscard]] bool has_effect(const Place& best, const std::size_t dimension) {
+    if (slot_bottom_) return true;
+    Place lower = best;
+    Place upper = best;
+    lower[dimension] = 0.;
+    upper[dimension] = 1.;
+    const auto first = value(lower);
+    const auto last = value(upper);
+    return !first || !last || first->goal != last->goal || first->excess != last->excess;
   }
 
   [[nodiscard]] int trials() const { return trials_; }
@@ -206,6 +218,21 @@ class Search {
     Place place;
     Value value;
   };
+
+  [[noreturn]] void refuse_limits(const Found& nearest) const {
+    std::vector<std::string> words;
+    for (std::size_t i = 0; i < nearest.place.size(); ++i)
+      words.push_back(wanted_.free[i].name + " " + text_at(nearest.place, i));
+    const Figures known = figures(case_at(nearest.place));
+    std::vector<std::string> exceeded;
+    for (const Limited& limited : limits_of(wanted_, known))
+      if (limited.excess() > tolerance)
+        exceeded.push_back(
+            fmt::format("the {} is {:.3g} % beyond it", limited.name, 100. * limited.excess()));
+    throw base::InputError(
+        fmt::format("no candidate keeps the limits; at {}, which comes nearest, {}",
+                    fmt::join(words, ", "), fmt::join(exceeded, ", ")));
+  }
 
   /// Within the limits first, then by the goal; outside by the excess.
   static bool is_better(const Found& a, const Found& b) {
@@ -369,7 +396,8 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
                                  search.text_at(best, i),
                                  best[i] < on_bound        ? "lower"
                                  : best[i] > 1. - on_bound ? "upper"
-                                                           : ""});
+                                                           : "",
+                                 search.has_effect(best, i)});
   }
   report.figures =
       report_figures(wanted, figures_before(search, given), search.figures(optimum.best));
@@ -386,7 +414,8 @@ Written write(const Optimum& optimum, const std::filesystem::path& directory) {
       directory, optimum.given, "optimum",
       {{"optimum.json", post::optimum_summary(optimum.report).dump(2) + "\n"},
        {"optimum.csv", post::optimum_csv(optimum.report, optimum.given.units)},
-       {"optimum.prm", optimum.best.completed}});
+       {"optimum.prm", optimum.best.completed},
+       {"mechanism.json", api::mechanism_text(*optimum.given.mechanism)}});
 }
 
 }  // namespace geneva

@@ -60,7 +60,7 @@ bool confirm(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const 
   figures.front().error = analysis.error;
   const auto stress = tensile_stress(analysis);
   if (!stress) return analysis.is_converged;
-  const std::string name = "stress at the slot bottom";
+  const std::string name = model::names::slot_bottom;
   auto bottom =
       std::find_if(figures.begin(), figures.end(),
                    [&](const post::OptimumFigure& figure) { return figure.quantity == name; });

@@ -102,9 +102,19 @@ std::vector<SweepFigure> figures_of(const Case& given, const std::string& comman
     return figures;
   }
   const post::KinematicsReport report = kinematics(given, 1).report;
+  std::string above;  // an indented row belongs to it
   for (const post::CharacteristicRow& row :
-       post::characteristic_rows(report.values, report.reference_speed))
-    figures.push_back(exact(row.quantity, row.dimension, row.value));
+       post::characteristic_rows(report.values, report.reference_speed)) {
+    const std::size_t indent = row.quantity.find_first_not_of(' ');
+    if (indent == 0) above = row.quantity;
+    const std::string name =
+        indent == 0 ? row.quantity : above + ", " + row.quantity.substr(indent);
+    const auto same = std::count_if(figures.begin(), figures.end(), [&](const SweepFigure& figure) {
+      return figure.quantity.rfind(name, 0) == 0;
+    });
+    figures.push_back(
+        exact(same == 0 ? name : fmt::format("{} ({})", name, same + 1), row.dimension, row.value));
+  }
   return figures;
 }
 

@@ -1,26 +1,17 @@
 #include "app/design_strength.h"
 
-#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include "api/design_strength.h"
-#include "app/commands.h"
-#include "app/progress.h"
-#include "base/directory_replacement.h"
-#include "model/together.h"
+#include "app/solving_command.h"
 
 namespace geneva::app {
 
 int design_with_strength(const MPI_Comm communicator, const std::filesystem::path& case_directory,
                          const std::filesystem::path& output, mesh::Mesher* const mesher) {
-  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Case given = read_case(case_directory);
-  const std::filesystem::path directory = results_of(given.directory, output);
-  model::together(communicator, [&] {
-    if (is_first) base::check_replaceable(directory);
-  });
-  ProgressDisplay progress(is_first, given.units);
-  Design found = design(given);
+  SolvingCommand command(communicator, case_directory, output);
+  ProgressDisplay& progress = command.progress();
+  Design found = design(command.given());
   progress.line(table({found}));
   const auto tell_notices = [&](const std::size_t from) {
     for (std::size_t i = from; i < found.notices.size(); ++i)
@@ -32,14 +23,10 @@ int design_with_strength(const MPI_Comm communicator, const std::filesystem::pat
     progress.line(fmt::format("wheel {} of {} solved", done, of));
   });
   progress.line("\nthe wheel away from the contact, as drawn:\n" +
-                post::strength_table(found.report, given.units));
+                post::strength_table(found.report, command.given().units));
   tell_notices(told);
-  Written written;
-  model::together(communicator, [&] {
-    if (is_first) written = write(found, directory);
-  });
-  tell_written(written, "design.json, design.csv and report.html", directory,
-               [&](const std::string& line) { progress.line(line); });
+  command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
+                "design.json, design.csv and report.html");
   return 0;
 }
 

@@ -21,6 +21,12 @@ CLI::Option* add_case(CLI::App* command, std::string& directory) {
                              "Directory with a case.prm (default: the current one)");
 }
 
+/// @param what goes there
+void add_output(CLI::App* command, std::string& output, const std::string& what,
+                const std::string& kind = "DIR") {
+  command->add_option("-o,--output", output, what)->type_name(kind);
+}
+
 }  // namespace
 
 Grammar::Grammar() : app_("Contact stress analysis of Geneva mechanisms", "geneva") {
@@ -55,8 +61,7 @@ void Grammar::add_analyses() {
       ->type_name("SYSTEM");
   CLI::App* run = add(Command::run, "run", "Solve a case and write its results");
   add_case(run, case_directory_);
-  run->add_option("-o,--output", output_, "Where the results go (default: CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(run, output_, "Where the results go (default: CASE_DIR/results)");
   run->add_flag("--continue", request_.is_continued,
                 "Go on from the last mesh of an earlier run of this case, on any number of "
                 "processes (see 'Checkpoint' of the case file)");
@@ -64,10 +69,8 @@ void Grammar::add_analyses() {
       add(Command::kinematics, "kinematics",
           "Curves and characteristic values of a mechanism's motion and pin force");
   add_case(kinematics, case_directory_);
-  kinematics
-      ->add_option("-o,--output", output_,
-                   "Where kinematics.json and kinematics.csv go (default: CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(kinematics, output_,
+             "Where kinematics.json and kinematics.csv go (default: CASE_DIR/results)");
   kinematics
       ->add_option("--steps", request_.steps, "Steps of the curves over the cycle (default: 720)")
       ->type_name("NUMBER")
@@ -76,10 +79,8 @@ void Grammar::add_analyses() {
       add(Command::estimate, "estimate",
           "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");
   add_case(estimate, case_directory_);
-  estimate
-      ->add_option("-o,--output", output_,
-                   "Where estimate.json and estimate.csv go (default: CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(estimate, output_,
+             "Where estimate.json and estimate.csv go (default: CASE_DIR/results)");
 }
 
 void Grammar::add_design() {
@@ -88,11 +89,9 @@ void Grammar::add_design() {
           "Find the wheel of minimum contact stress and the vibration of the load (Johnson)");
   design->add_option("CASE_DIR", several_,
                      "One or more directories with a case.prm (default: the current one)");
-  design
-      ->add_option("-o,--output", output_,
-                   "Where design.json, design.csv and the report go, with several cases into a "
-                   "directory for each (default: CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(design, output_,
+             "Where design.json, design.csv and the report go, with several cases into a "
+             "directory for each (default: CASE_DIR/results)");
   design->add_flag("--crown", is_crown_,
                    "Find instead the crown radius (or the amplitude of a logarithmic profile) by "
                    "which the line load along the pin of one case in 3-D is most even, and solve "
@@ -107,11 +106,9 @@ void Grammar::add_design() {
       "Find the dimensions that make the contact pressure, the mass or the stress at the slot's "
       "bottom least, under limits (subsection 'Optimisation' of the case)");
   add_case(optimise, case_directory_);
-  optimise
-      ->add_option("-o,--output", output_,
-                   "Where optimum.json, optimum.csv, optimum.prm and the report go (default: "
-                   "CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(optimise, output_,
+             "Where optimum.json, optimum.csv, optimum.prm and the report go (default: "
+             "CASE_DIR/results)");
   CLI::App* sweep = add(Command::sweep, "sweep",
                         "Vary parameters of a case: every combination, in parallel, as table and "
                         "curves; what is done already is not done again");
@@ -133,29 +130,24 @@ void Grammar::add_design() {
   sweep->add_option("-j,--jobs", request_.jobs, "Runs at a time (default: as many as cores)")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, 1000).description(""));
-  sweep
-      ->add_option("-o,--output", output_,
-                   "Where sweep.json, sweep.csv, the report and the points go (default: "
-                   "CASE_DIR/sweep)")
-      ->type_name("DIR");
+  add_output(sweep, output_,
+             "Where sweep.json, sweep.csv, the report and the points go (default: "
+             "CASE_DIR/sweep)");
   CLI::App* synthesize = add(Command::synthesize, "synthesize",
                              "Find the dimensions of a quick-return, crank-rocker or path linkage");
   add_case(synthesize, case_directory_);
-  synthesize
-      ->add_option("-o,--output", output_,
-                   "Where synthesis.json and synthesis.csv go (default: CASE_DIR/results)")
-      ->type_name("DIR");
+  add_output(synthesize, output_,
+             "Where synthesis.json and synthesis.csv go (default: CASE_DIR/results)");
 }
 
 void Grammar::add_documents() {
   CLI::App* report = add(Command::report, "report",
                          "Make report.html from a results directory again, or compare several");
   report->add_option("RESULTS_DIR", several_, "One or more directories with results")->required();
-  report
-      ->add_option("-o,--output", output_,
-                   "The HTML file to write (default: report.html in RESULTS_DIR, of several "
-                   "directories comparison.html here)")
-      ->type_name("FILE");
+  add_output(report, output_,
+             "The HTML file to write (default: report.html in RESULTS_DIR, of several "
+             "directories comparison.html here)",
+             "FILE");
   CLI::App* materials = add(Command::materials, "materials",
                             "List the materials that a case may name, or all that is known of one");
   materials->add_option("NAME", request_.topic, "A material of the list")->type_name("");

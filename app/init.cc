@@ -36,7 +36,7 @@ int init_case(const fs::path& directory, const model::Starter& starter) {
   const std::vector<model::StarterFile> files = model::starter_case(starter);
   refuse_existing(directory, files);
   if (files.size() == 1)
-    model::case_of(model::parameter_text("case.prm", files[0].text), directory);
+    model::case_of(model::parameter_text("the new case", files[0].text), directory);
   std::error_code error;
   fs::create_directories(directory, error);
   if (error)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <system_error>
 #include <vector>
 
 #include "base/errors.h"
@@ -54,6 +55,9 @@ void print_one(const model::KnownMaterial& material) {
 }  // namespace
 
 int show_materials(const std::string& name, const std::filesystem::path& case_directory) {
+  std::error_code status;
+  if (!std::filesystem::is_directory(case_directory, status))
+    throw base::InputError(fmt::format("{}: there is no such directory", case_directory.string()));
   const std::vector<model::KnownMaterial> materials = model::known_materials(case_directory);
   if (name.empty()) {
     print_list(materials);

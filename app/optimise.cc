@@ -1,44 +1,45 @@
 #include "app/optimise.h"
 
-#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include "api/optimum_confirmation.h"
-#include "app/commands.h"
-#include "app/exit_code.h"
-#include "app/progress.h"
-#include "base/directory_replacement.h"
-#include "model/together.h"
+#include "app/solving_command.h"
+#include "base/errors.h"
 
 namespace geneva::app {
 
+namespace {
+
+/// Whether the best case is solved as accurately as asked; what stands in the way is told, and the
+/// closed forms remain.
+bool is_confirmed(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const mesher,
+                  ProgressDisplay& progress) {
+  try {
+    return confirm(optimum, communicator, mesher);
+  } catch (const base::InputError& error) {
+    progress.warning(fmt::format("the best case could not be solved: {}", error.what()));
+    return false;
+  }
+}
+
+}  // namespace
+
 int confirmed_optimum(const MPI_Comm communicator, const std::filesystem::path& case_directory,
                       const std::filesystem::path& output, mesh::Mesher* const mesher) {
-  const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Case given = read_case(case_directory);
-  const std::filesystem::path directory = results_of(given.directory, output);
-  model::together(communicator, [&] {
-    if (is_first) base::check_replaceable(directory);
-  });
-  ProgressDisplay progress(is_first, given.units);
+  SolvingCommand command(communicator, case_directory, output);
+  ProgressDisplay& progress = command.progress();
   int runs = 0;
-  Optimum optimum = optimise(given, [&](const Case& candidate) {
+  Optimum optimum = optimise(command.given(), [&](const Case& candidate) {
     const double stress = slot_bottom_stress(candidate, communicator, mesher);
     progress.phase(fmt::format("{} wheels solved", ++runs));
     return stress;
   });
   progress.phase("solving the best one");
-  const bool is_accurate = confirm(optimum, communicator, mesher);
+  const bool is_accurate = is_confirmed(optimum, communicator, mesher, progress);
   progress.line(table(optimum));
-  Written written;
-  model::together(communicator, [&] {
-    if (is_first) written = write(optimum, directory);
-  });
-  tell_written(written, "optimum.json, optimum.csv, optimum.prm and report.html", directory,
-               [&](const std::string& line) { progress.line(line); });
-  if (is_accurate) return 0;
-  progress.line("not converged: the accuracy wanted was not reached");
-  return not_converged;
+  command.write([&](const std::filesystem::path& directory) { return write(optimum, directory); },
+                "optimum.json, optimum.csv, optimum.prm and report.html");
+  return command.end(is_accurate);
 }
 
 }  // namespace geneva::app

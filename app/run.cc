@@ -42,12 +42,6 @@ void present(const Analysis& analysis, const std::size_t told, ProgressDisplay& 
   progress.line("\n" + analysis.table);
 }
 
-/// About as long as 1e5 unknowns take a second: 1.5 s were measured in 3-D, 0.6 s in the plane.
-double seconds_to_write(const unsigned int unknowns) {
-  constexpr double unknowns_per_second = 1e5;
-  return unknowns / unknowns_per_second;
-}
-
 Checkpointing checkpointing(CheckpointKeeper& keeper, const dealii::Timer& total,
                             ProgressDisplay& progress) {
   const auto keep = [&](std::string text) {
@@ -82,16 +76,12 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
     told = start.notices.size();
   };
   options.progress.step = [&](const fem::StepReport& step) { progress.step(step); };
-  unsigned int unknowns = 0;
-  options.progress.mesh = [&](const fem::LevelRecord& level) {
-    progress.level(level);
-    unknowns = level.dofs;
-  };
+  options.progress.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
 
   progress.phase("meshing");
   const Analysis analysis = analyse(given, communicator, options);
   present(analysis, told, progress);
-  progress.phase("writing the results", seconds_to_write(unknowns));
+  progress.phase("writing the results");
   const Written written = output.write(analysis, progress.log(), checkpoints.last());
   if (is_first) checkpoints.remove(analysis.is_converged);
   warn_of_missing_packages(written);

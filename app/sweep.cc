@@ -14,6 +14,8 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/processes.h"
+#include "base/directory_lock.h"
+#include "base/directory_replacement.h"
 #include "base/errors.h"
 #include "base/output_file.h"
 
@@ -38,6 +40,22 @@ std::string complaint_in(const fs::path& log) {
   return complaint;
 }
 
+/// Files that a point needs beside its case.prm, within the case's directory: those that the case
+/// names, and of a geometry what lies beside its file, which may include it.
+std::vector<fs::path> companions(const Case& given) {
+  std::vector<fs::path> files;
+  for (auto input = given.inputs.begin() + 1; input != given.inputs.end(); ++input)
+    files.push_back(input->lexically_relative(given.directory));
+  if (!given.geometry) return files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(given.directory)) {
+    const fs::path name = entry.path().filename();
+    if (entry.is_regular_file() && name != "case.prm" &&
+        std::find(files.begin(), files.end(), name) == files.end())
+      files.push_back(name);
+  }
+  return files;
+}
+
 /// The points of a sweep whose command is 'run', each a case in a directory of its own.
 class Runs {
  public:
@@ -49,7 +67,7 @@ class Runs {
       if (!cases[i].given) continue;
       while (processes_.size() >= jobs_) processes_.wait();
       report_.points[i].directory = fmt::format("points/{}", i + 1);
-      if (is_done(i, *cases[i].given))
+      if (is_done(i, *cases[i].given) && has_figures(i))
         take(i, stored_code(i));
       else
         start(i, *cases[i].given);
@@ -64,13 +82,12 @@ class Runs {
 
   /// Whether an earlier sweep has done this very case.
   [[nodiscard]] bool is_done(const std::size_t point, const Case& given) const {
-    std::error_code error;
     const std::string mark = text_of(place(point) / "ended");
     if (mark != mark_of(0) && mark != mark_of(not_converged)) return false;
-    if (!fs::exists(place(point) / "results" / "summary.json", error)) return false;
     if (text_of(place(point) / "case.prm") != given.completed) return false;
-    return std::all_of(given.inputs.begin() + 1, given.inputs.end(), [&](const fs::path& input) {
-      return text_of(input) == text_of(place(point) / input.lexically_relative(given.directory));
+    const std::vector<fs::path> files = companions(given);
+    return std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
+      return text_of(given.directory / file) == text_of(place(point) / file);
     });
   }
 
@@ -83,13 +100,14 @@ class Runs {
 
   /// Makes the point's directory a case of its own.
   void prepare(const std::size_t point, const Case& given) const try {
-    fs::remove(place(point) / "ended");
     fs::create_directories(place(point));
+    fs::remove(place(point) / "ended");
+    fs::remove_all(place(point) / "results");
     base::replace_file(place(point) / "case.prm", given.completed);
-    for (auto input = given.inputs.begin() + 1; input != given.inputs.end(); ++input) {
-      const fs::path copy = place(point) / input->lexically_relative(given.directory);
-      fs::create_directories(copy.parent_path());
-      fs::copy_file(*input, copy, fs::copy_options::overwrite_existing);
+    for (const fs::path& file : companions(given)) {
+      fs::create_directories((place(point) / file).parent_path());
+      fs::copy_file(given.directory / file, place(point) / file,
+                    fs::copy_options::overwrite_existing);
     }
   } catch (const fs::filesystem_error& error) {
     throw base::InputError(error.what());
@@ -108,19 +126,23 @@ class Runs {
     take(point, code);
   }
 
-  /// A run that met a limit on its first mesh has none.
-  void take_figures(post::SweepPoint& result) const {
+  /// Reads a point's figures; a run that met a limit on its first mesh has none.
+  bool has_figures(const std::size_t point) {
     try {
-      result.figures = figures_of_run(directory_ / result.directory / "results");
+      report_.points[point].figures = figures_of_run(place(point) / "results");
+      return true;
     } catch (const base::InputError& error) {
-      result.message = error.what();
+      report_.points[point].message = error.what();
+      return false;
     }
   }
 
   void take(const std::size_t point, const int code) {
     post::SweepPoint& result = report_.points[point];
     result.exit_code = code;
-    if (code == 0 || code == not_converged) take_figures(result);
+    result.message.clear();
+    const bool ended = code == 0 || code == not_converged;
+    if (ended && !has_figures(point) && code == 0) result.exit_code = internal_error;
     if (code != 0) result.message = complaint_in(place(point) / "log.txt");
     if (code != 0 && result.message.empty())
       result.message = fmt::format("ended with exit code {}", code);
@@ -179,7 +201,11 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
   sweep.report = empty_report(sweep.given, variations, cases, request.command);
   const fs::path directory =
       request.output.empty() ? sweep.given.directory / "sweep" : request.output;
+  base::check_replaceable(directory);
   if (request.command == "run") {
+    fs::create_directories(directory);
+    const base::DirectoryLock lock(directory / ".sweeping",
+                                   "sweep directory " + directory.string());
     const unsigned int cores = std::max(1U, std::thread::hardware_concurrency());
     Runs(directory, request.jobs > 0 ? request.jobs : cores, sweep.report).make(cases);
   } else {

@@ -214,7 +214,7 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
 
 void read_models_of_mechanism(const CaseValues& values, Case& result) {
   result.mechanism = read_mechanism(values, result.directory);
-  result.optimisation = read_optimisation(values);
+  result.optimisation = read_optimisation(values, *result.mechanism);
 }
 
 }  // namespace

@@ -15,6 +15,12 @@ namespace geneva::model {
 /// motion table is missing, outside of the case directory or no table
 MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::path& directory);
 
+/// What `geneva optimise` looks for; nothing if the case leaves no dimension free.
+/// @throws base::InputError for bounds that are none, a dimension that is free twice, and a goal or
+/// limit that the mechanism does not have
+std::optional<OptimisationCase> read_optimisation(const CaseValues& values,
+                                                  const MechanismCase& mechanism);
+
 /// Reads where the crank holds the pin.
 /// @throws base::InputError for a root gap without a root
 PinHolding read_pin_holding(const CaseValues& values);

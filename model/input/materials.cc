@@ -118,8 +118,9 @@ std::map<SectionPath, KnownMaterial> take_materials(std::vector<Parameter>& para
     if (given.name != names::material || given.value.empty() ||
         std::none_of(parameters.begin(), parameters.end(), is_asked_for))
       continue;
+    const std::vector<KnownMaterial> materials = known_materials(case_directory);
     try {
-      taken[given.section] = material_named(known_materials(case_directory), given.value);
+      taken[given.section] = material_named(materials, given.value);
     } catch (const base::InputError& error) {
       refuse(text, given, error.what());
     }

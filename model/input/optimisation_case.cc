@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "model/input/case_models.h"
+#include "model/input/variation.h"
 
 namespace geneva::model {
 
@@ -13,15 +15,10 @@ namespace {
 using base::Dimension;
 using Goal = OptimisationCase::Goal;
 
-constexpr const char* pressure_word = "peak contact pressure";
-constexpr const char* cycle_word = "peak contact pressure of the cycle";
-constexpr const char* mass_word = "mass of the wheel";
-constexpr const char* bottom_word = "stress at the slot bottom";
-
 Goal goal_of(const std::string& word) {
-  if (word == mass_word) return Goal::mass;
-  if (word == bottom_word) return Goal::slot_bottom;
-  return word == pressure_word ? Goal::pressure : Goal::pressure_of_cycle;
+  if (word == names::wheel_mass) return Goal::mass;
+  if (word == names::slot_bottom) return Goal::slot_bottom;
+  return word == names::peak_pressure ? Goal::pressure : Goal::pressure_of_cycle;
 }
 
 /// "Wheel diameter: 50 mm .. 200 mm"
@@ -53,6 +50,30 @@ FreeDimension read_free(const CaseSection& section, const std::string& text) {
   return free;
 }
 
+void add_free(const CaseSection& section, std::vector<FreeDimension>& all,
+              const FreeDimension& free) {
+  for (const FreeDimension& other : all)
+    if (other.section == free.section && other.name == free.name)
+      section.refuse("Free", fmt::format("{} stands there twice", base::in_quotes(free.name)));
+  all.push_back(free);
+}
+
+/// Refuses what cannot be known of the mechanism.
+void check_known(const CaseSection& section, const OptimisationCase& wanted,
+                 const MechanismCase& mechanism) {
+  const auto refuse_undrawn = [&](const char* const parameter, const bool is_wanted) {
+    if (is_wanted && !mechanism.type->is_drawn())
+      section.refuse(parameter,
+                     "the wheel of this type of mechanism is not drawn, so that it has neither a "
+                     "mass nor a slot bottom; external and internal ones are");
+  };
+  refuse_undrawn("Minimise", wanted.goal == Goal::mass || wanted.goal == Goal::slot_bottom);
+  refuse_undrawn("Largest mass", wanted.largest_mass.has_value());
+  refuse_undrawn("Largest stress at the slot bottom", wanted.largest_slot_bottom.has_value());
+  if (wanted.largest_root_stress && mechanism.pin_holding.hold == PinHolding::Hold::core)
+    section.refuse("Largest stress at the pin root", "the pin is held at its core: it has no root");
+}
+
 }  // namespace
 
 std::string FreeDimension::text(const double value) const {
@@ -66,8 +87,9 @@ std::vector<Parameter> optimisation_parameters() {
       {section, "Free", "", TextRule{"names with their bounds, separated by semicolons"},
        "Dimensions of the subsection Mechanism that 'geneva optimise' may choose, each with its "
        "bounds: 'Wheel diameter: 80 mm .. 160 mm; Pin diameter: 8 mm .. 20 mm'."},
-      {section, "Minimise", cycle_word,
-       ChoiceRule{{cycle_word, pressure_word, mass_word, bottom_word}},
+      {section, "Minimise", names::peak_pressure_of_cycle,
+       ChoiceRule{{names::peak_pressure_of_cycle, names::peak_pressure, names::wheel_mass,
+                   names::slot_bottom}},
        "What is to be least. 'peak contact pressure': Hertz's at the driver angle that is "
        "analysed. "
        "'stress at the slot bottom': the wheel's maximum tensile stress away from the contact, by "
@@ -82,7 +104,8 @@ std::vector<Parameter> optimisation_parameters() {
        "Limit of the bending stress where the pin is held, by beam theory, over the cycle."}};
 }
 
-std::optional<OptimisationCase> read_optimisation(const CaseValues& values) {
+std::optional<OptimisationCase> read_optimisation(const CaseValues& values,
+                                                  const MechanismCase& mechanism) {
   const CaseSection section(values, {names::optimisation});
   const std::string free = section.text("Free");
   if (free.empty()) {
@@ -101,13 +124,14 @@ std::optional<OptimisationCase> read_optimisation(const CaseValues& values) {
   while (begin <= free.size()) {
     const std::size_t end = std::min(free.find(';', begin), free.size());
     if (const std::string part = trimmed(free.substr(begin, end - begin)); !part.empty())
-      result.free.push_back(read_free(section, part));
+      add_free(section, result.free, read_free(section, part));
     begin = end + 1;
   }
   constexpr std::size_t most = 6;
   if (result.free.size() > most)
     section.refuse(
         "Free", fmt::format("{} dimensions are free; at most {} can be", result.free.size(), most));
+  check_known(section, result, mechanism);
   return result;
 }
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/input/case_values.h"
-#include "model/input/variation.h"
+#include "model/input/parameters.h"
 
 namespace geneva::model {
 
@@ -35,9 +34,5 @@ struct OptimisationCase {
 
 /// Parameters of the subsection Optimisation.
 std::vector<Parameter> optimisation_parameters();
-
-/// Nothing if the case leaves no dimension free.
-/// @throws base::InputError for bounds that are none
-std::optional<OptimisationCase> read_optimisation(const CaseValues& values);
 
 }  // namespace geneva::model

@@ -75,7 +75,9 @@ std::vector<std::string> range(const std::string& text, const std::string& whole
     const double share = static_cast<double>(i) / steps;
     const double value = is_log ? first->number * std::pow(last->number / first->number, share)
                                 : (1. - share) * first->number + share * last->number;
-    values.push_back(trimmed(fmt::format("{:.10g} {}", value, first->unit)));
+    const double rounding = 1e-12 * (std::abs(first->number) + std::abs(last->number));
+    values.push_back(
+        trimmed(fmt::format("{:.10g} {}", std::abs(value) < rounding ? 0. : value, first->unit)));
   }
   return values;
 }

@@ -40,7 +40,8 @@ json optimum_summary(const OptimumReport& report) {
     dimensions.push_back({{"name", dimension.name},
                           {"before", dimension.before},
                           {"after", dimension.after},
-                          {"bound", dimension.bound}});
+                          {"bound", dimension.bound},
+                          {"has_effect", dimension.has_effect}});
   json figures = json::array();
   for (const OptimumFigure& figure : report.figures)
     figures.push_back({{"quantity", figure.quantity},
@@ -78,7 +79,8 @@ std::string optimum_table(const OptimumReport& report, const UnitSystem units) {
                                  report.trials, "", "as it is", "best");
   for (const OptimumDimension& dimension : report.dimensions)
     text += fmt::format("{:<44}{:>14}{:>14}\n", dimension.name,
-                        dimension.before.empty() ? "by rule" : dimension.before, dimension.after);
+                        dimension.before.empty() ? "by rule" : dimension.before, dimension.after) +
+            (dimension.has_effect ? "" : "  has no effect: any value is as good\n");
   text += fmt::format("\n{:<44}{:>14}{:>14}{:>14}{:>18}\n", "", "as it is", "best", "limit",
                       "finite elements");
   for (const OptimumFigure& figure : report.figures) {

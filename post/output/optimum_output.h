@@ -16,6 +16,7 @@ struct OptimumDimension {
   std::string before;  ///< as the case has it; empty if the case leaves it to a rule
   std::string after;
   std::string bound;  ///< "lower" or "upper" where it stands on one, else empty
+  bool has_effect;    ///< on the goal or a limit
 };
 
 /// A figure before and after; SI units.

@@ -103,8 +103,8 @@ ResultsDirectory read_results(const fs::path& directory) try {
     throw base::InputError(
         fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
                     "estimate.json ('geneva estimate'), kinematics.json ('geneva kinematics'), "
-                    "design.json ('geneva design') and crown.json "
-                    "('geneva design --crown')",
+                    "design.json ('geneva design'), crown.json ('geneva design --crown'), "
+                    "optimum.json ('geneva optimise') and sweep.json ('geneva sweep')",
                     directory.string()));
   for (const char* const name : {"view", "mechanism"}) {  // not of all of them
     const fs::path file = directory / (std::string(name) + ".json");

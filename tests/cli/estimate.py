@@ -75,6 +75,7 @@ class Estimate(CliTest):
         peaks = [peak for peak in curve["peak_pressure"] if peak is not None]
         self.assertGreater(len(peaks), 25)
         self.assertAlmostEqual(max(peaks), self.value(summary, "greatest pressure of the engagement"), delta=1.)
+        self.assertGreaterEqual(max(summary["engagement"]["even_pressure"]), summary["hertz"]["peak_pressure"]["value"])
         self.assertTrue(min(curve["force"]) < 0 < max(curve["force"]), "it drives, then it brakes")
         for even, peak, force in zip(curve["even_pressure"], curve["peak_pressure"], curve["force"]):
             if peak is not None and abs(force) > 100:

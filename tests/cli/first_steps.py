@@ -116,6 +116,8 @@ class FirstSteps(CliTest):
         self.run_case(case)
         (case / "materials.prm").write_text("subsection our bronze\n  set Young's modulus = 100\n  set Source = us\nend\n")
         self.assertIn("materials.prm, line 2", self.refuses("run", case))
+        self.assertNotIn("'Pin material/Material'", self.refuses("run", case))
+        self.assertIn("no such directory", self.refuses("materials", "--case", self.directory / "nowhere"))
         (case / "materials.prm").unlink()
         home = self.directory / "configuration"
         (home / "geneva").mkdir(parents=True)

@@ -97,6 +97,30 @@ class Optimise(CliTest):
                          self.figure(optimum, "peak contact pressure", "confirmed"))
         self.assertIn("Best dimensions", (case / "results" / "report.html").read_text())
 
+    def test_a_best_case_that_cannot_be_meshed_keeps_what_is_known_of_it(self):
+        case = self.case("thick", Free="Pin diameter: 5 mm .. 40 mm")
+        run = self.call("optimise", case)
+        self.assertEqual(run.returncode, 2, run.stdout)
+        self.assertIn("the best case could not be solved", run.stderr)
+        optimum = json.loads((case / "results" / "optimum.json").read_text())
+        self.assertIsNone(optimum["figures"][0]["confirmed"])
+
+    def test_it_leaves_a_run_and_its_mechanism_in_the_results(self):
+        case = self.case("kept", Free="Pin diameter: 8 mm .. 20 mm")
+        self.run_case(case)
+        before = (case / "results" / "mechanism.json").read_text()
+        self.optimum(case)
+        self.assertEqual(json.loads((case / "results" / "mechanism.json").read_text())["name"], json.loads(before)["name"])
+        report = (case / "results" / "report.html").read_text()
+        for part in ("Best dimensions", "mechanism-drawing", "Verdict"):
+            self.assertIn(part, report)
+
+    def test_a_dimension_without_effect_is_named(self):
+        optimum, printed = self.optimum(self.case("idle", Free="Pin/Root gap: 1 mm .. 10 mm; Pin diameter: 8 mm .. 20 mm"))
+        self.assertEqual([self.dimension(optimum, name)["has_effect"] for name in ("Root gap", "Pin diameter")],
+                         [False, True])
+        self.assertIn("has no effect", printed)
+
     def test_what_cannot_be_is_said(self):
         bare = self.copy_case("indexing-table", "bare")
         for case, words in (
@@ -106,8 +130,13 @@ class Optimise(CliTest):
                 (self.case("c", Free="Wheel diametr: 80 mm .. 90 mm"), "did you mean 'Wheel diameter'?"),
                 (self.case("d", Free="Wheel diameter: 80 kg .. 90 kg"), "is no unit of length"),
                 (self.case("e", Free="Wheel diameter: 80 mm .. 90 mm", Largest_contact_pressure="1 MPa"),
-                 "no candidate keeps the limits"),
-                (self.case("f", Largest_mass="1 kg"), "'Free' only, which is missing")):
+                 "which comes nearest, the peak contact pressure of the cycle is"),
+                (self.case("f", Largest_mass="1 kg"), "'Free' only, which is missing"),
+                (self.case("g", Free="Pin diameter: 8 mm .. 9 mm; Pin diameter: 8 mm .. 9 mm"), "stands there twice"),
+                (self.case("h", "long-dwell", Free="Pin diameter: 8 mm .. 14 mm", Minimise="stress at the slot bottom"),
+                 "is not drawn"),
+                (self.case("i", "four-bar-geneva", Free="Pin diameter: 8 mm .. 14 mm", Largest_mass="1 kg"),
+                 "is not drawn")):
             with self.subTest(words):
                 run = self.call("optimise", case)
                 self.assertEqual(run.returncode, 1, run.stdout)

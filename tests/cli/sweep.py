@@ -96,6 +96,59 @@ class Sweep(CliTest):
         self.assertEqual(run.returncode, 1)
         self.assertIn("file", run.stderr)
 
+    def test_a_damaged_or_missing_result_is_made_again(self):
+        case = self.new_case()
+        self.sweep(case, "--set", DIAMETERS)
+        whole = [point["figures"] for point in self.points(case / "sweep")]
+        results = case / "sweep" / "points" / "2" / "results"
+        for harm in (lambda: (results / "summary.json").write_text("{"), (results / "summary.json").unlink):
+            harm()
+            self.sweep(case, "--set", DIAMETERS)
+            self.assertEqual([point["figures"] for point in self.points(case / "sweep")], whole)
+
+    def test_a_second_sweep_in_the_same_directory_is_refused(self):
+        case = self.new_case()
+        change_case(case, {"Accuracy": "0.05 %"})
+        first = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
+                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not (case / "sweep" / "points" / "1").exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        second = self.call("sweep", case, "--set", SPEEDS)
+        self.assertEqual(second.returncode, 1, second.stdout)
+        self.assertIn("sweep directory", second.stderr)
+        first.communicate(timeout=120)
+        self.assertEqual(first.returncode, 0)
+        self.assertEqual(len(self.points(case / "sweep")), 3)
+
+    def test_a_geometry_that_includes_a_file_is_swept(self):
+        case = self.new_case("drawn", "--type", "geometry")
+        (case / "size.geo").write_text("R = 12;\n")
+        text = (case / "geometry.geo").read_text()
+        (case / "geometry.geo").write_text(text.replace("R = 10;", 'Include "size.geo";'))
+        variation = "Geometry/Load cylinder core/Value = 500 N; 1000 N"
+        self.sweep(case, "--set", variation)
+        before = [self.figure(point, "peak contact pressure") for point in self.points(case / "sweep")]
+        (case / "size.geo").write_text("R = 9;\n")
+        self.sweep(case, "--set", variation)
+        for old, new in zip(before, (self.figure(point, "peak contact pressure") for point in self.points(case / "sweep"))):
+            self.assert_close(new / old, (12 / 9)**0.5, 0.05, "p0 of a line grows with the root of the curvature")
+
+    def test_a_range_through_zero_has_a_zero(self):
+        case = self.new_case()
+        self.sweep(case, "--with", "estimate", "--set", "Mechanism/Pin/Root gap = -0.3 mm .. 0.6 mm, 4", code=2)
+        points = self.points(case / "sweep")
+        self.assertEqual(points[1]["values"], ["0 mm"])
+        self.assertEqual([point["exit_code"] for point in points], [1, 0, 0, 0])
+
+    def test_every_figure_has_a_whole_name(self):
+        case = self.new_case()
+        self.sweep(case, "--with", "kinematics", "--set", SPEEDS)
+        names = [figure["quantity"] for figure in self.points(case / "sweep")[0]["figures"]]
+        self.assertEqual(len(names), len(set(names)))
+        for name in names:
+            self.assertFalse(name.startswith(" "), name)
+
     def test_commands_without_finite_elements_need_no_runs(self):
         case = self.new_case()
         for command, quantity in (("kinematics", "maximum pin force"), ("estimate", "pin force"),
