@@ -73,7 +73,7 @@ std::string checksum_of(const mesh::MeshData<dim>& mesh) {
 
 /// The parameters that decide on the solution, "Section / Name", and their values.
 std::map<std::string, std::string> decisive_parameters(const std::string& completed) {
-  std::set<std::string> others{"Title", "Output units"};
+  std::set<std::string> others{"Title", "Project", "Author", "Output units"};
   for (const model::Parameter& parameter : model::settings_parameters())
     if (parameter.name != "Dimension") others.insert(parameter.name);
   const std::set<std::string> other_sections{model::names::published, model::names::allowable};

@@ -4,6 +4,7 @@
 
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
+#include "api/roller_choice.h"
 #include "api/version.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
@@ -18,14 +19,17 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
   const model::MechanismCase& mechanism = *given.mechanism;
   const model::MechanismDynamics dynamics = model::mechanism_dynamics(mechanism);
   const loads::PinContact contact = api::pin_contact(mechanism, dynamics.sizes);
+  const loads::Characteristics values =
+      loads::characteristics(dynamics.driven, dynamics.train, contact);
   return {model::header_of(given),
           version,
           dynamics.driven.mechanism().name,
           dynamics.train.roller.has_value(),
           dynamics.driven.drive().reference_speed,
-          loads::characteristics(dynamics.driven, dynamics.train, contact),
+          values,
           dynamics.driven.unbounded(),
-          loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps)};
+          loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps),
+          api::roller_choice(mechanism, values)};
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "base/errors.h"
 #include "loads/motion/kinematics.h"
 #include "loads/wheel/internal_outline.h"
+#include "model/input/variation.h"
 #include "model/mechanism_state.h"
 #include "model/pin_in_space.h"
 

@@ -12,6 +12,7 @@
 #include "api/report.h"
 #include "api/synthesis.h"
 #include "app/exit_code.h"
+#include "app/highlight.h"
 
 namespace geneva::app {
 
@@ -21,6 +22,12 @@ namespace {
 
 void print_heading(const Case& given) {
   std::cout << model::name_of(given) << (given.title.empty() ? "" : ": " + given.title) << '\n';
+}
+
+/// @param of what they are, before each of them
+void tell_notices(const std::vector<std::string>& notices, const std::string& of = "") {
+  for (const std::string& notice : notices)
+    std::cout << for_stream("note: " + of + notice, stdout) << '\n';
 }
 
 void tell(const Written& written, const std::string& files, const fs::path& directory) {
@@ -82,7 +89,7 @@ int estimate_case(const fs::path& case_directory, const fs::path& output) {
   const Estimate found = estimate(read_case(case_directory));
   print_heading(found.given);
   std::cout << table(found);
-  for (const std::string& notice : found.notices) std::cout << "note: " << notice << '\n';
+  tell_notices(found.notices);
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "estimate.json, estimate.csv and report.html", directory);
   return 0;
@@ -92,7 +99,7 @@ int kinematics_of_case(const fs::path& case_directory, const fs::path& output, c
   const Kinematics found = kinematics(read_case(case_directory), steps);
   print_heading(found.given);
   std::cout << table(found);
-  for (const std::string& notice : found.notices) std::cout << "note: " << notice << '\n';
+  tell_notices(found.notices);
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "kinematics.json, kinematics.csv and report.html", directory);
   return 0;
@@ -113,9 +120,7 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
   const std::vector<fs::path> targets = directories(designs, output);
   std::cout << table(designs);
   for (const auto& [given, report, notices] : designs)
-    for (const std::string& notice : notices)
-      std::cout << "note: " << (designs.size() > 1 ? report.about.name + ": " : "") << notice
-                << '\n';
+    tell_notices(notices, designs.size() > 1 ? report.about.name + ": " : "");
   for (std::size_t i = 0; i < designs.size(); ++i)
     tell(write(designs[i], targets[i]), "design.json, design.csv and report.html", targets[i]);
   return 0;
@@ -128,7 +133,7 @@ int synthesize_case(const fs::path& case_directory, const fs::path& output) {
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "synthesis.json and synthesis.csv", directory);
   if (found.shortfall.empty()) return 0;
-  std::cerr << "geneva: " << found.shortfall << '\n';
+  say_failure(not_converged, found.shortfall);
   return not_converged;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "api/version.h"
+#include "app/highlight.h"
 #include "base/errors.h"
 #include "base/printable.h"
 #include "fem/problem/stop.h"
@@ -25,7 +26,7 @@ std::string bug_report(const std::string& what, const std::string& about) {
 
 void say_failure(const int /*code*/, const std::string& text) {
   std::cout.flush();
-  std::cerr << "geneva: " + base::without_controls(text) + "\n";
+  std::cerr << for_stream("geneva: " + base::without_controls(text), stderr) + "\n";
 }
 
 int exit_code_of(const std::function<int()>& command, const std::string& about,

@@ -49,10 +49,13 @@ void check_current_directory() {
                            "): change to another one");
 }
 
+void use_one_thread() {
+  for (const char* const name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) ::setenv(name, "1", 1);
+}
+
 void become_solver(char** const argv) {
   const std::string solver = base::installed_program("geneva-solver").string();
-  // Threads of these libraries would start with them, and take signals that others wait for.
-  for (const char* const name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) ::setenv(name, "1", 1);
+  use_one_thread();
   ::execv(solver.c_str(), argv);
   throw base::InputError(
       fmt::format("the solver {}, which belongs to geneva, cannot be started: {}", solver,

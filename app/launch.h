@@ -17,6 +17,10 @@ void check_address_space();
 /// @throws base::InputError if the current directory is no more
 void check_current_directory();
 
+/// Threads of the libraries for linear algebra would start with them, and take signals that others
+/// wait for: programs that are started from now on have none.
+void use_one_thread();
+
 /// Replaces this process by geneva-solver, with the same command line.
 /// @throws base::InputError if that cannot be started
 [[noreturn]] void become_solver(char** argv);

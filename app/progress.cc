@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "app/highlight.h"
 #include "base/printable.h"
 
 namespace geneva::app {
@@ -26,7 +27,7 @@ void ProgressDisplay::write(const std::string& text, const std::string& prefix,
   clear_status();
   std::fflush(stdout);
   const std::string shown = base::without_controls(text);  // titles and names are the user's
-  std::fputs((prefix + shown + "\n").c_str(), stream);
+  std::fputs((for_stream(prefix + shown, stream) + "\n").c_str(), stream);
   std::fflush(stream);
   log_ += shown + "\n";
 }

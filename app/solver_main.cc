@@ -13,6 +13,8 @@
 #include "app/optimise.h"
 #include "app/other_ranks.h"
 #include "app/run.h"
+#include "app/worker.h"
+#include "app/workers.h"
 
 namespace {
 
@@ -30,10 +32,24 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
   return run_case(MPI_COMM_WORLD, directory, {request.output, request.is_continued}, mesher);
 }
 
+/// Solves what another process asks for, until it ends this one or asks no more.
+int worker(int argc, char** argv) {
+  check_address_space();
+  watch_for_interruption(other_ranks());
+  watch_for_termination("run");
+  EarlyMesher mesher;
+  const geneva::Session session(argc, argv);
+  const Ending ending(MPI_COMM_WORLD);
+  return work([&](const std::filesystem::path& directory) {
+    return run_case(MPI_COMM_WORLD, directory, {}, mesher.on_rank_zero());
+  });
+}
+
 }  // namespace
 
 /// What geneva becomes for a contact analysis; the command line is the same.
 int main(int argc, char** argv) try {
+  if (argc == 2 && std::string(argv[1]) == worker_word) return worker(argc, argv);
   const auto asked = read_command_line(argc, argv);
   if (const int* const code = std::get_if<int>(&asked)) return with_output_checked(*code);
   const Request& request = std::get<Request>(asked);

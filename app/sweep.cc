@@ -13,7 +13,7 @@
 #include "api/version.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "app/processes.h"
+#include "app/workers.h"
 #include "base/directory_lock.h"
 #include "base/directory_replacement.h"
 #include "base/errors.h"
@@ -65,14 +65,14 @@ class Runs {
   void make(std::vector<SweepCase>& cases) {
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!cases[i].given) continue;
-      while (processes_.size() >= jobs_) processes_.wait();
+      while (workers_.busy() >= jobs_) workers_.wait();
       report_.points[i].directory = fmt::format("points/{}", i + 1);
       if (is_done(i, *cases[i].given) && has_figures(i))
         take(i, stored_code(i));
       else
         start(i, *cases[i].given);
     }
-    while (processes_.size() > 0) processes_.wait();
+    while (workers_.busy() > 0) workers_.wait();
   }
 
  private:
@@ -115,9 +115,8 @@ class Runs {
 
   void start(const std::size_t point, const Case& given) {
     prepare(point, given);
-    const std::string program = fs::read_symlink("/proc/self/exe").string();
-    processes_.start({program, "run", place(point).string()}, place(point) / "log.txt",
-                     [this, point](const int code) { end(point, code); });
+    workers_.start({place(point), place(point) / "log.txt",
+                    [this, point](const int code) { end(point, code); }});
   }
 
   void end(const std::size_t point, const int code) {
@@ -160,7 +159,7 @@ class Runs {
   const fs::path& directory_;
   unsigned int jobs_;
   post::SweepReport& report_;
-  Processes processes_;
+  Workers workers_;
   std::size_t done_ = 0;
 };
 

@@ -8,6 +8,20 @@
 
 namespace geneva::fem {
 
+namespace {
+
+/// The bodies that a contact's surfaces bound, indices into Problem::bodies.
+template <int dim>
+std::set<unsigned int> bodies_of(const mesh::MeshData<dim>& mesh,
+                                 const ContactResult<dim>& contact) {
+  std::set<unsigned int> bodies;
+  for (const std::string& surface : {contact.source, contact.target})
+    bodies.merge(mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)));
+  return bodies;
+}
+
+}  // namespace
+
 template <int dim>
 ContactsOwnField<dim>::ContactsOwnField(const Solution<dim>& solution)
     : is_line_(dim == 2 && solution.problem.plane != PlaneKind::axisymmetric) {
@@ -23,7 +37,7 @@ ContactsOwnField<dim>::ContactsOwnField(const Solution<dim>& solution)
       of_contact.push_back({{}, node.pressure * node.tributary / thickness});
       for (unsigned int i = 0; i < dim; ++i) of_contact.back().place[i] = node.position[i];
     }
-    for (const PointForce& force : gathered_up(std::move(of_contact))) forces_.push_back(force);
+    contacts_.push_back({bodies_of(solution.mesh, contact), gathered_up(std::move(of_contact))});
   }
 }
 
@@ -65,15 +79,18 @@ double ContactsOwnField<dim>::von_mises(const dealii::Point<dim>& place,
   constexpr double of_a_line = 0.4;
   dealii::SymmetricTensor<2, 3> stress;
   double sum = 0.;
-  for (const PointForce& force : forces_) {
-    const dealii::Tensor<1, dim> radius = place - force.place;
-    const double r = std::max(radius.norm(), 1e-300);
-    const double radial =
-        is_line_ ? 2. * force.size / (pi * r) : 3. * force.size / (2. * pi * r * r);
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-        stress[i][j] -= radial * radius[i] * radius[j] / (r * r);
-    sum += radial;
+  for (const ContactForces& contact : contacts_) {
+    if (contact.bodies.count(body) == 0) continue;
+    for (const PointForce& force : contact.forces) {
+      const dealii::Tensor<1, dim> radius = place - force.place;
+      const double r = std::max(radius.norm(), 1e-300);
+      const double radial =
+          is_line_ ? 2. * force.size / (pi * r) : 3. * force.size / (2. * pi * r * r);
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          stress[i][j] -= radial * radius[i] * radius[j] / (r * r);
+      sum += radial;
+    }
   }
   if (is_line_) stress[2][2] = along_thickness_[body] * (stress[0][0] + stress[1][1]);
   return std::max(fem::von_mises(principal_stresses(stress)), (is_line_ ? 1. : of_a_line) * sum);

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <set>
 #include <vector>
 
 #include "fem/solution.h"
@@ -14,7 +15,7 @@ namespace geneva::fem {
 /// The forces are those of the nodes, each on a half-space straight below it: in the plane 2 P/(pi
 /// r) along the radius (Flamant 1892; Johnson, Contact Mechanics, 2.2), in 3-D and around an axis
 /// 3 F/(2 pi r^2) (Boussinesq at nu = 1/2; 3.2). Under and beside the contact, where they come from
-/// all directions, their sizes add up.
+/// all directions, their sizes add up. They act in the bodies of their contact only.
 template <int dim>
 class ContactsOwnField {
  public:
@@ -30,11 +31,16 @@ class ContactsOwnField {
     double size;               ///< [N], in the plane per thickness [N/m]
   };
 
+  struct ContactForces {
+    std::set<unsigned int> bodies;
+    std::vector<PointForce> forces;
+  };
+
   static std::vector<PointForce> gathered_up(std::vector<PointForce> forces);
 
   bool is_line_;
   std::vector<double> along_thickness_;  ///< by body: sigma_zz over sigma_xx + sigma_yy
-  std::vector<PointForce> forces_;
+  std::vector<ContactForces> contacts_;
 };
 
 /// A place is outside of the contacts' own field where that would make less than a share of the von

@@ -46,7 +46,9 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
                                state.load.wheel_acceleration};
   for (const std::string& body : mesh.bodies) {
     const bool is_wheel = body == "wheel";
-    const CaseMaterial& material = is_wheel ? mechanism.wheel : mechanism.pin;
+    const CaseMaterial& material = is_wheel         ? mechanism.wheel
+                                   : body == "stud" ? mechanism.stud
+                                                    : mechanism.pin;
     problem.bodies.push_back(
         {body, {material.youngs_modulus, material.poissons_ratio}, {}, material.density});
     if (is_wheel && !mechanism.is_local) problem.bodies.back().force.rotation = rotation;
@@ -65,6 +67,11 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   problem.pairs.push_back(dim == 3 && is_on_soft_wheel(mechanism)
                               ? fem::ContactPair{"driving wall", "pin"}
                               : fem::ContactPair{"pin", "driving wall"});
+  if constexpr (dim == 2)
+    if (mechanism.bore_clearance) {
+      problem.supports.push_back({"roller guide", {0., std::nullopt}});
+      problem.pairs.push_back({"stud", "roller bore"});
+    }
   if (mechanism.space)
     problem.pairs.back().clearance = [clearance = pin_clearance(mechanism, state)](const double z) {
       return clearance.at(z);

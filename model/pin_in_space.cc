@@ -117,13 +117,15 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
   if (hold == Hold::core) return std::nullopt;
   const PinLengths lengths = pin_lengths(mechanism, sizes);
   const bool is_stud = !mechanism.space && mechanism.roller;
-  return loads::PinBeam{is_stud ? mechanism.roller->diameter : sizes.pin_diameter,
+  const CaseMaterial& material = is_stud ? mechanism.stud : mechanism.pin;
+  return loads::PinBeam{is_stud ? mechanism.roller->diameter - mechanism.bore_clearance.value_or(0.)
+                                : sizes.pin_diameter,
                         sizes.thickness,
                         lengths.root_gap,
                         lengths.overhang,
                         hold == Hold::both_ends,
-                        mechanism.pin.youngs_modulus,
-                        mechanism.pin.poissons_ratio};
+                        material.youngs_modulus,
+                        material.poissons_ratio};
 }
 
 loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state) {

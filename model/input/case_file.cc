@@ -146,10 +146,13 @@ Checkpoints read_checkpoints(const CaseSection& section) {
 
 /// Names of the bodies and the subsections of their materials.
 std::map<std::string, SectionPath> materials_of(const Case& given) {
-  if (given.mechanism)
-    return {{"pin", {names::mechanism, names::pin_material}},
-            {"wheel", {names::mechanism, names::wheel_material}}};
   std::map<std::string, SectionPath> sections;
+  if (given.mechanism) {
+    sections = {{"pin", {names::mechanism, names::pin_material}},
+                {"wheel", {names::mechanism, names::wheel_material}}};
+    if (given.mechanism->roller) sections["stud"] = {names::mechanism, names::stud_material};
+    return sections;
+  }
   std::visit(
       [&](const auto& problem) {
         for (const auto& body : problem.bodies) sections[body.name] = body_section(body.name);

@@ -98,6 +98,7 @@ struct MechanismCase {
   double external_torque;                   ///< on the wheel, against its motion if positive [N m]
   double slot_friction;                     ///< coefficient, of a pin fixed to its carrier
   std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
+  std::optional<double> bore_clearance;     ///< of a roller [m]; none: its bore is not modelled
   AngleKind angle_kind;
   double driver_angle;  ///< [rad], if given
   InertiaKind inertia_kind;
@@ -106,6 +107,7 @@ struct MechanismCase {
   std::optional<double> block_width;  ///< [m]
   std::optional<double> block_depth;  ///< [m]
   CaseMaterial pin;
+  CaseMaterial stud;  ///< of a roller
   CaseMaterial wheel;
   PinHolding pin_holding;
   std::optional<PinCase> space;     ///< none with Dimension = 2

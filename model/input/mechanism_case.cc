@@ -277,7 +277,8 @@ double read_load_inertia(const CaseSection& section) {
 /// A roller has friction in its bore, a fixed pin on the wall.
 std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
   if (section.text("Pin type") != names::roller) {
-    for (const char* name : {"Roller bore diameter", "Roller bore friction"})
+    for (const char* name :
+         {"Roller bore diameter", "Roller bore friction", "Roller bore clearance"})
       if (section.is_changed(name))
         section.refuse(name, "this has an effect with Pin type = roller only");
     return std::nullopt;
@@ -290,6 +291,15 @@ std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
     section.refuse_missing("Roller bore diameter", "'Pin type' = 'roller' needs it");
   return loads::RollerBore{section.value("Roller bore diameter"),
                            section.value("Roller bore friction")};
+}
+
+/// Only a roller has a stud of its own.
+void check_no_stud(const CaseValues& values) {
+  const CaseSection section(values, {names::mechanism, names::stud_material});
+  for (const char* const name : {names::material, "Young's modulus", "Poisson's ratio", "Density",
+                                 "Yield strength", "Fatigue strength"})
+    if (section.is_changed(name))
+      section.refuse(name, "this has an effect with Pin type = roller only");
 }
 
 CaseMaterial read_material(const CaseSection& section) {
@@ -313,17 +323,23 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.external_torque = section.value("External torque");
   result.slot_friction = section.value("Slot friction");
   result.roller = read_roller(section);
+  if (result.roller) result.bore_clearance = section.optional_value("Roller bore clearance");
+  if (!result.roller) check_no_stud(values);
   read_contact_model(section, result);
   check_motion(values, kind, result);
   read_angle(section, driven_mechanism(result), result);
   read_wheel_inertia(section, result);
   result.pin = read_material({values, {names::mechanism, names::pin_material}});
+  result.stud = read_material({values, {names::mechanism, names::stud_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
   result.pin_holding = read_pin_holding(values);
   if (CaseSection(values, {}).text("Dimension") == "3")
     result.space = read_pin(values, result.pin_holding.hold, directory);
-  else
-    check_no_pin(values);
+  if (result.space && result.bore_clearance)
+    section.refuse("Roller bore clearance",
+                   "the contact in a roller's bore is known in the plane; leave it away, or give "
+                   "'Dimension' = 2");
+  if (!result.space) check_no_pin(values);
   result.design = read_design(values);
   check_dynamics(values, result);
   return result;

@@ -283,7 +283,11 @@ std::vector<Parameter> inertia_parameters() {
       {section, "Roller bore diameter", "", positive(Dimension::length, {""}),
        "Diameter of the stud on which the roller turns, less than the pin diameter." + only_roller},
       {section, "Roller bore friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
-       "Coefficient of friction of roller and stud, for the pin force only." + only_roller}};
+       "Coefficient of friction of roller and stud, for the pin force only." + only_roller},
+      {section, "Roller bore clearance", "", quantity(Dimension::length, zero_or_greater(), {""}),
+       "Bore diameter less the stud's, at most a tenth of the bore; if given, roller and stud are "
+       "bodies of their own with a contact between them, in the plane (Dimension = 2)." +
+           only_roller}};
 }
 
 std::vector<Parameter> design_parameters() {
@@ -480,6 +484,8 @@ std::vector<Parameter> general_parameters() {
        "Mechanism). 'geometry': a geometry of your own (subsection Geometry). 'synthesis': "
        "a linkage whose dimensions are wanted, for 'geneva synthesize' (subsection Synthesis)."},
       {{}, "Title", "", TextRule{"any text"}, "Title of the report."},
+      {{}, "Project", "", TextRule{"any text"}, "Project, for the report's title block."},
+      {{}, "Author", "", TextRule{"any text"}, "Who made it, for the report's title block."},
       {{},
        "Output units",
        "SI",
@@ -591,6 +597,7 @@ std::vector<Parameter> mechanism_parameters() {
   append(parameters, contact_model_parameters());
   append(parameters, pin_parameters());
   append(parameters, material_parameters({names::mechanism, names::pin_material}));
+  append(parameters, material_parameters({names::mechanism, names::stud_material}));
   append(parameters, material_parameters({names::mechanism, names::wheel_material}));
   append(parameters, design_parameters());
   return parameters;

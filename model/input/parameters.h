@@ -26,6 +26,7 @@ inline constexpr const char* synthesis = "Synthesis";
 inline constexpr const char* published = "Published";
 inline constexpr const char* allowable = "Allowable";
 inline constexpr const char* pin_material = "Pin material";
+inline constexpr const char* stud_material = "Stud material";
 inline constexpr const char* wheel_material = "Wheel material";
 inline constexpr const char* material = "Material";
 inline constexpr const char* optimisation = "Optimisation";

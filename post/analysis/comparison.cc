@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/analysis/roller_rows.h"
 #include "post/analysis/safety.h"
 #include "post/analysis/strength_rows.h"
 
@@ -293,6 +294,7 @@ std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
     if (row.quantity == "peak contact pressure") row.published = report.published_peak_pressure;
   if (mechanism) append(rows, even_load_rows(solution, contact, analysis));
   if (has_pin) append(rows, line_rows(solution, contact, line));
+  append(rows, roller_rows(solution, results, report));
   if (mechanism) append(rows, pin_rows(*mechanism, report.errors.mechanism));
   return rows;
 }

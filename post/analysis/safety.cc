@@ -34,7 +34,7 @@ namespace {
 /// theory. Bending is greatest where shear is zero, and the other way round.
 std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
                                   const loads::Allowables& allowed) {
-  const auto yield = allowed.yield_strengths.find("pin");
+  const auto yield = allowed.yield_strengths.find(mechanism.roller ? "stud" : "pin");
   if (!mechanism.beam || mechanism.pin || yield == allowed.yield_strengths.end())
     return std::nullopt;
   const loads::BeamBending& beam = *mechanism.beam;
@@ -169,9 +169,9 @@ std::string safety_lines(const std::vector<SafetyRow>& rows, const UnitSystem un
                           row.allowed * unit.factor, unit.name);
       continue;
     }
-    text += fmt::format("{}: {:.5g} of {:.5g} {} allowed, safety factor {:.3g}", row.quantity,
+    text += fmt::format("{}: {:.5g} of {:.5g} {} allowed, safety factor {:.3g}{}", row.quantity,
                         row.allowed / *row.factor() * unit.factor, row.allowed * unit.factor,
-                        unit.name, *row.factor());
+                        unit.name, *row.factor(), *row.factor() < 1. ? ", EXCEEDED" : "");
     constexpr double worth_saying = 0.005;
     const bool is_worst =
         row.computed && row.cycle && std::abs(row.cycle->value / *row.computed - 1.) < worth_saying;

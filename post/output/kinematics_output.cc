@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -43,17 +44,25 @@ void add_peak(json& result, const std::string& name, const PlacedPeak& peak, con
   result[name + "_angle"] = peak.value > 0. ? quantity(peak.driver_angle, "rad") : json(nullptr);
 }
 
+/// A quantity of the table with its symbol and what it means.
+struct Quantity {
+  std::string name;
+  const char* symbol;
+  const char* meaning;
+};
+
 /// Builds the rows.
 class Rows {
  public:
-  void add(const std::string& quantity, const double value, const Dimension dimension) {
-    list_.push_back({quantity, dimension, value, std::nullopt});
+  void add(const Quantity& quantity, const double value, const Dimension dimension) {
+    list_.push_back(
+        {quantity.name, quantity.symbol, quantity.meaning, dimension, value, std::nullopt});
   }
-  void add(const std::string& quantity, const PlacedPeak& peak, const Dimension dimension) {
-    list_.push_back({quantity, dimension, peak.value,
-                     peak.value > 0. ? std::optional(peak.driver_angle) : std::nullopt});
+  void add(const Quantity& quantity, const PlacedPeak& peak, const Dimension dimension) {
+    add(quantity, peak.value, dimension);
+    if (peak.value > 0.) list_.back().driver_angle = peak.driver_angle;
   }
-  void add_if_finite(const std::string& quantity, const double value) {
+  void add_if_finite(const Quantity& quantity, const double value) {
     if (std::isfinite(value)) add(quantity, value, Dimension::dimensionless);
   }
   [[nodiscard]] const std::vector<CharacteristicRow>& list() const { return list_; }
@@ -62,21 +71,65 @@ class Rows {
   std::vector<CharacteristicRow> list_;
 };
 
+void add_motion(Rows& rows, const loads::Characteristics& values, const double reference_speed) {
+  constexpr Dimension ratio = Dimension::dimensionless;
+  rows.add({"reference speed", "ω", "speed of the driver to which the ratios below refer"},
+           reference_speed, Dimension::angular_speed);
+  rows.add({"maximum wheel speed over it", "φ′", "first derivative of the wheel angle, by θ"},
+           values.speed_ratio, ratio);
+  rows.add({"maximum wheel acceleration over its square", "φ″",
+            "second derivative of the wheel angle, by θ: Johnson's point"},
+           values.acceleration_ratio, ratio);
+  rows.add(
+      {"  at entry", "φ″(θ₀)", "by which the acceleration jumps where the pin enters its slot"},
+      values.entry_acceleration_ratio, ratio);
+  rows.add({"wheel jerk over its cube, midway", "φ‴(0)",
+            "third derivative of the wheel angle, by θ, on the line of centres"},
+           values.jerk_ratio_at_centre, ratio);
+  rows.add({"driver angle in engagement", "Δθ", "turn of the driver from entry to exit"},
+           values.engagement_angle, Dimension::angle);
+  rows.add({"motion time", "t_m", "time in which a pin is in its slot"}, values.motion_time,
+           Dimension::time);
+  const bool are_equal = std::all_of(
+      values.dwell_times.begin(), values.dwell_times.end(),
+      [&](const double time) { return std::abs(time - values.dwell_times.front()) < 1e-9 * time; });
+  const std::size_t n_dwells =
+      are_equal ? std::min<std::size_t>(1, values.dwell_times.size()) : values.dwell_times.size();
+  for (std::size_t i = 0; i < n_dwells; ++i)
+    rows.add({are_equal ? "dwell time" : fmt::format("dwell time after engagement {}", i + 1),
+              "t_s", "time in which the wheel rests, for the work at the station"},
+             values.dwell_times[i], Dimension::time);
+  rows.add({"motion time over the whole", "t_m/(t_m + t_s)", "share of the cycle in motion"},
+           values.motion_fraction, ratio);
+  rows.add(
+      {"motion time over dwell time, k_t", "k_t", "small: much time for the work at the station"},
+      values.time_ratio, ratio);
+}
+
 void add_forces(Rows& rows, const loads::Characteristics& values) {
-  const std::string ratio = "  over that at the maximum acceleration";
-  rows.add("maximum pin force", values.force, Dimension::force);
-  rows.add_if_finite(ratio, values.force_ratio);
+  const Quantity over_johnson{"  over that at the maximum acceleration", "",
+                              "how much inertia alone, at Johnson's point, underrates it"};
+  rows.add({"maximum pin force", "F", "of the pin on the driving wall"}, values.force,
+           Dimension::force);
+  rows.add_if_finite(over_johnson, values.force_ratio);
   if (values.braking_force.value > 0.)
-    rows.add("maximum force on the braking wall", values.braking_force, Dimension::force);
-  rows.add("maximum Hertz pressure", values.pressure, Dimension::stress);
-  rows.add_if_finite(ratio, values.pressure_ratio);
-  rows.add("maximum pressure x slip", values.pressure_times_slip, Dimension::pressure_times_speed);
-  rows.add_if_finite(ratio, values.pressure_times_slip_ratio);
+    rows.add({"maximum force on the braking wall", "F_b",
+              "of the pin on the wall behind it, while it slows the wheel down"},
+             values.braking_force, Dimension::force);
+  rows.add({"maximum Hertz pressure", "p₀", "peak contact pressure of the closed form"},
+           values.pressure, Dimension::stress);
+  rows.add_if_finite(over_johnson, values.pressure_ratio);
+  rows.add({"maximum pressure x slip", "p₀ v_s",
+            "peak pressure times the speed at which the pin's surface slides: wear and heat"},
+           values.pressure_times_slip, Dimension::pressure_times_speed);
+  rows.add_if_finite(over_johnson, values.pressure_times_slip_ratio);
   if (values.bore_pressure_times_speed.value > 0.)
-    rows.add("maximum mean bore pressure x sliding speed", values.bore_pressure_times_speed,
-             Dimension::pressure_times_speed);
+    rows.add({"maximum mean bore pressure x sliding speed", "p v",
+              "F/(d_b t) times the speed of the roller on its stud, as bearings are chosen"},
+             values.bore_pressure_times_speed, Dimension::pressure_times_speed);
   for (const loads::SlipReversal& reversal : values.slip_reversals)
-    rows.add(fmt::format("slip reverses on the {} wall at", name_of(reversal.wall)),
+    rows.add({fmt::format("slip reverses on the {} wall at", name_of(reversal.wall)), "θ_r",
+              "driver angle at which the pin's surface rolls without slip"},
              reversal.driver_angle, Dimension::angle);
 }
 
@@ -92,11 +145,39 @@ json characteristics_section(const KinematicsReport& report) {
   json list = json::array();
   for (const CharacteristicRow& row : characteristic_rows(report.values, report.reference_speed))
     list.push_back({{"quantity", row.quantity},
+                    {"symbol", row.symbol},
+                    {"meaning", row.meaning},
                     {"dimension", name_of(row.dimension)},
                     {"value", quantity(row.value, row.dimension)},
                     {"driver_angle",
                      row.driver_angle ? quantity(*row.driver_angle, Dimension::angle) : json()}});
   return list;
+}
+
+json choice_section(const std::vector<PinChoiceRow>& rows) {
+  json list = json::array();
+  for (const PinChoiceRow& row : rows)
+    list.push_back({{"quantity", row.quantity},
+                    {"dimension", name_of(row.dimension)},
+                    {"roller", quantity(row.roller, row.dimension)},
+                    {"fixed", row.fixed ? quantity(*row.fixed, row.dimension) : json()}});
+  return list;
+}
+
+std::string choice_table(const std::vector<PinChoiceRow>& rows, const UnitSystem units) {
+  if (rows.empty()) return "";
+  std::string text = fmt::format("{:<52} {:>12} {:>12}\n", "", "roller", "fixed pin");
+  for (const PinChoiceRow& row : rows) {
+    const OutputUnit unit = output_unit(units, row.dimension);
+    const auto cell = [&](const std::optional<double>& value) {
+      return value ? fmt::format("{:.6g}", shown(*value) * unit.factor) : std::string("-");
+    };
+    text += fmt::format(
+        "{:<52} {:>12} {:>12}\n",
+        unit.name.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, unit.name),
+        cell(row.roller), cell(row.fixed));
+  }
+  return text;
 }
 
 std::string line_of(const CharacteristicRow& row, const UnitSystem units) {
@@ -129,18 +210,7 @@ const char* name_of(const loads::Wall wall) {
 std::vector<CharacteristicRow> characteristic_rows(const loads::Characteristics& values,
                                                    const double reference_speed) {
   Rows rows;
-  rows.add("reference speed", reference_speed, Dimension::angular_speed);
-  rows.add("maximum wheel speed over it", values.speed_ratio, Dimension::dimensionless);
-  rows.add("maximum wheel acceleration over its square", values.acceleration_ratio,
-           Dimension::dimensionless);
-  rows.add("  at entry", values.entry_acceleration_ratio, Dimension::dimensionless);
-  rows.add("wheel jerk over its cube, midway", values.jerk_ratio_at_centre,
-           Dimension::dimensionless);
-  rows.add("driver angle in engagement", values.engagement_angle, Dimension::angle);
-  rows.add("motion time", values.motion_time, Dimension::time);
-  for (const double time : values.dwell_times) rows.add("dwell time", time, Dimension::time);
-  rows.add("motion time over the whole", values.motion_fraction, Dimension::dimensionless);
-  rows.add("motion time over dwell time, k_t", values.time_ratio, Dimension::dimensionless);
+  add_motion(rows, values, reference_speed);
   add_forces(rows, values);
   return rows.list();
 }
@@ -177,6 +247,7 @@ json kinematics_summary(const KinematicsReport& report) {
   result["bounded"] = report.unbounded.empty();
   result["unbounded"] = unbounded_section(report.unbounded);
   result["characteristics"] = characteristics_section(report);
+  if (!report.choice.empty()) result["roller_or_fixed_pin"] = choice_section(report.choice);
   return result;
 }
 
@@ -218,6 +289,7 @@ std::string kinematics_table(const KinematicsReport& report, const UnitSystem un
   std::string text = report.mechanism + "\n";
   for (const CharacteristicRow& row : characteristic_rows(report.values, report.reference_speed))
     text += line_of(row, units);
+  text += choice_table(report.choice, units);
   const OutputUnit angle = output_unit(units, Dimension::angle);
   for (const loads::Unbounded& place : report.unbounded)
     text += fmt::format("not bounded: the {} at {:.6g} {}: {}\n", place.quantity,

@@ -11,6 +11,14 @@
 
 namespace geneva::post {
 
+/// A figure of a roller beside that of a pin which is fixed to its carrier; SI units.
+struct PinChoiceRow {
+  std::string quantity;
+  base::Dimension dimension;
+  double roller;
+  std::optional<double> fixed;  ///< none: it has no such figure
+};
+
 /// Kinematics and pin force of one case, SI units.
 struct KinematicsReport {
   base::CaseHeader about;
@@ -21,11 +29,14 @@ struct KinematicsReport {
   loads::Characteristics values;
   std::vector<loads::Unbounded> unbounded;
   std::vector<loads::KinematicsRow> rows;
+  std::vector<PinChoiceRow> choice;  ///< of a roller
 };
 
 /// One line of the table of characteristic values; SI units.
 struct CharacteristicRow {
   std::string quantity;
+  std::string symbol;   ///< "φ″"; empty if there is none
+  std::string meaning;  ///< a sentence's part
   base::Dimension dimension;
   double value;
   std::optional<double> driver_angle;  ///< at which it occurs [rad]

@@ -456,6 +456,10 @@ void add_pin(json& result, const MechanismReport& mechanism, const Figures& erro
     result["pin"] = mechanism.pin ? pin_section(*mechanism.pin, *mechanism.beam, errors)
                                   : root_section(*mechanism.beam);
   if (mechanism.pin) result["crown"] = crown_section(*mechanism.pin);
+  if (mechanism.roller)
+    result["roller"] = {{"bore_diameter", quantity(mechanism.roller->diameter, "m")},
+                        {"bearing_load", quantity(std::abs(mechanism.load.force), "N")},
+                        {"mean_bore_pressure", quantity(mechanism.bore_pressure, "Pa")}};
 }
 
 }  // namespace

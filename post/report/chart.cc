@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/json_values.h"
 #include "post/report/html.h"
+#include "post/report/shown_values.h"
 
 namespace geneva::post {
 
 using base::finite;
+using base::output_unit;
 
 using nlohmann::json;
 
@@ -21,6 +24,8 @@ const char* name_of(const SeriesStyle style) {
       return "dashed";
     case SeriesStyle::markers:
       return "markers";
+    case SeriesStyle::wide:
+      return "wide";
     case SeriesStyle::line:
       break;
   }
@@ -28,7 +33,7 @@ const char* name_of(const SeriesStyle style) {
 }
 
 json axis(const ChartAxis& axis) {
-  return {{"label", axis.label}, {"logarithmic", axis.is_logarithmic}};
+  return {{"label", axis.label}, {"logarithmic", axis.is_logarithmic}, {"step", axis.step}};
 }
 
 std::string place_of(const Chart& chart) {
@@ -40,6 +45,11 @@ std::string place_of(const Chart& chart) {
 
 }  // namespace
 
+ChartAxis driver_angle_axis(const base::UnitSystem units) {
+  const double step = std::acos(-1.) / 4. * output_unit(units, base::Dimension::angle).factor;
+  return {labelled("driver angle", base::Dimension::angle, units), false, step};
+}
+
 json to_json(const Chart& chart) {
   json series = json::array();
   for (const ChartSeries& one : chart.series) {
@@ -47,7 +57,11 @@ json to_json(const Chart& chart) {
     for (const auto& [x, y] : one.points) points.push_back({finite(x), finite(y)});
     series.push_back({{"name", one.name}, {"style", name_of(one.style)}, {"points", points}});
   }
-  return {{"id", chart.id}, {"x", axis(chart.x)}, {"y", axis(chart.y)}, {"series", series}};
+  return {{"id", chart.id},
+          {"over_cycle", chart.is_over_cycle},
+          {"x", axis(chart.x)},
+          {"y", axis(chart.y)},
+          {"series", series}};
 }
 
 std::string html(const std::vector<Chart>& charts) {

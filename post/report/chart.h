@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/units.h"
+
 namespace geneva::post {
 
 // What is made of lists has constructors: g++ 12 destroys members of nested aggregates twice where
@@ -14,14 +16,15 @@ namespace geneva::post {
 /// An axis of a chart: "contact pressure [psi]".
 struct ChartAxis {
   ChartAxis() = default;
-  ChartAxis(std::string text, const bool logarithmic = false)
-      : label(std::move(text)), is_logarithmic(logarithmic) {}
+  ChartAxis(std::string text, const bool logarithmic = false, const double its_step = 0.)
+      : label(std::move(text)), is_logarithmic(logarithmic), step(its_step) {}
 
   std::string label;
   bool is_logarithmic = false;
+  double step = 0.;  ///< its marks are multiples of it; 0: as the range asks for
 };
 
-enum class SeriesStyle { line, dashed, markers };
+enum class SeriesStyle { line, dashed, markers, wide };
 
 /// Points (x, y) joined in their order; a line is interrupted where y is not a number.
 struct ChartSeries {
@@ -52,7 +55,11 @@ struct Chart {
   ChartAxis x;
   ChartAxis y;
   std::vector<ChartSeries> series;
+  bool is_over_cycle = false;  ///< x is the driver angle: the drawing's position is shown in it
 };
+
+/// The axis of a chart over the driver angle: marks at multiples of 45 degrees.
+ChartAxis driver_angle_axis(base::UnitSystem units);
 
 /// What the drawing code reads; null for what is not a number.
 nlohmann::json to_json(const Chart& chart);

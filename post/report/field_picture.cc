@@ -142,17 +142,6 @@ Picture painted(const FlatMesh& mesh, const Window& window, const std::array<dou
   return picture;
 }
 
-/// Round numbers from one number to another, about eight of them.
-std::vector<double> round_numbers(const double from, const double to) {
-  const double raw = (to - from) / 8.;
-  const double power = std::pow(10., std::floor(std::log10(raw)));
-  const double step = power * (raw / power < 1.5 ? 1. : raw / power < 3.5 ? 2. : 5.);
-  std::vector<double> numbers;
-  for (int i = static_cast<int>(std::ceil(from / step)); i * step <= to; ++i)
-    numbers.push_back(i * step);
-  return numbers;
-}
-
 std::string text(const double x, const double y, const char* anchor, const std::string& content) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
                      escaped(content));
@@ -166,12 +155,12 @@ std::string axes(const Window& window, const std::array<double, 2>& origin,
   const double half_high = 0.5 * height / window.scale;
   const double right = window.right + origin[0];
   const double up = window.up + origin[1];
-  for (const double at : round_numbers(right - half_wide, right + half_wide)) {
+  for (const double at : round_numbers(right - half_wide, right + half_wide, 8)) {
     const double x = left + window.column(at - origin[0]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v6\"/>\n", x, top + height);
     result += text(x, top + height + 22., "middle", fmt::format("{:.4g}", at));
   }
-  for (const double at : round_numbers(up - half_high, up + half_high)) {
+  for (const double at : round_numbers(up - half_high, up + half_high, 8)) {
     const double y = top + window.row(at - origin[1]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}h-6\"/>\n", left, y);
     result += text(left - 10., y + 5., "end", fmt::format("{:.4g}", at));
@@ -214,15 +203,15 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
       "<defs><linearGradient id=\"{0}\">{1}</linearGradient></defs>\n<rect x=\"{2}\" "
       "y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
       id, stops, left, y, width);
-  for (int i = 0; i <= 4; ++i)
-    result += text(left + 0.25 * i * width, y + 34.,
-                   i == 0   ? "start"
-                   : i == 4 ? "end"
-                            : "middle",
-                   (is_exceeded && i == 4 ? "≥ " : "") +
-                       significant(range[0] + 0.25 * i * (range[1] - range[0]), 4));
+  for (const double at : round_numbers(range[0], range[1], 8)) {
+    const double x = left + (at - range[0]) / (range[1] - range[0]) * width;
+    result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v5\"/>\n", x, y + 16.);
+    result += text(x, y + 34., "middle", significant(at, 4));
+  }
   return result +
-         text(left + 0.5 * width, y + 54., "middle", fmt::format("von Mises stress [{}]", unit));
+         text(left + 0.5 * width, y + 54., "middle",
+              fmt::format("von Mises stress [{}], {} to {}{}", unit, significant(range[0], 4),
+                          significant(range[1], 4), is_exceeded ? ", more at the contact" : ""));
 }
 
 /// @throws base::InputError if the view has no window

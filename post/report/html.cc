@@ -37,7 +37,9 @@ std::string HtmlTable::html() const {
   for (const std::vector<std::string>& row : rows) {
     text += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += fmt::format(i == 0 ? "<th scope=\"row\">{}</th>" : "<td>{}</td>", row[i]);
+      text += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row[i])
+                     : fmt::format("<td data-label=\"{}\">{}</td>",
+                                   i < headings.size() ? headings[i] : "", row[i]);
     text += "</tr>\n";
   }
   return text + "</tbody>\n</table>\n</div>\n";

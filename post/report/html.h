@@ -10,8 +10,8 @@ std::string escaped(const std::string& text);
 
 /// A table with headings for its columns and rows; the cells are HTML.
 struct HtmlTable {
-  std::string caption;                         ///< HTML
-  std::vector<std::string> headings;           ///< HTML; the first is that of the rows' headings
+  std::string caption;                ///< HTML
+  std::vector<std::string> headings;  ///< escaped text; the first is that of the rows' headings
   std::vector<std::vector<std::string>> rows;  ///< HTML; the first cell is the row's heading
 
   [[nodiscard]] std::string html() const;

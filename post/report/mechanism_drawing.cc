@@ -73,7 +73,13 @@ std::vector<Place> extremes(const json& mechanism) {
     for (const json& place : loop)
       for (int eighth = 0; eighth < 8; ++eighth)
         places.push_back(turned(place.get<Place>(), eighth * std::acos(-1.) / 4.));
-  for (const json& place : mechanism.at("pin_path")) places.push_back(place.get<Place>());
+  const double radius = mechanism.at("pin_diameter").get<double>() / 2.;
+  for (const json& at : mechanism.at("pin_path"))
+    for (const double side : {-radius, radius})
+      for (std::size_t i = 0; i < 2; ++i) {
+        places.push_back(at.get<Place>());
+        places.back()[i] += side;
+      }
   if (mechanism.contains("driver_axis")) places.push_back(mechanism.at("driver_axis").get<Place>());
   for (const json& step : mechanism.at("steps"))
     if (step.contains("linkage"))
@@ -192,10 +198,26 @@ std::string driver(const json& mechanism, const json& step, const Projection& pr
   return svg;
 }
 
-std::string text(const std::string& attributes, const Pixel& at, const std::string& content) {
-  return fmt::format("<text {} x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", attributes, at[0], at[1],
-                     escaped(content));
+/// A text in the middle of a ground that interrupts the lines below it.
+std::string label_at(const std::string& id, const Pixel& at, const std::string& content) {
+  const double wide = 7.4 * static_cast<double>(content.size()) + 6.;
+  return fmt::format(
+      "<g{} class=\"label\" transform=\"translate({:.2f} {:.2f})\">"
+      "<rect x=\"{:.2f}\" y=\"-9\" width=\"{:.2f}\" height=\"18\"/>"
+      "<text class=\"dimension-text\" y=\"5\">{}</text></g>\n",
+      id.empty() ? "" : " id=\"" + id + "\"", at[0], at[1], -wide / 2., wide, escaped(content));
 }
+
+/// Lines of dimensions, and their labels, which come last, above everything else.
+struct Dimensions {
+  std::string lines;
+  std::string labels;
+
+  void add(const std::string& line, const Pixel& at, const std::string& label) {
+    lines += line;
+    labels += label_at("", at, label);
+  }
+};
 
 /// [m]; nothing if the mechanism has no length of that name.
 std::optional<double> length_named(const json& mechanism, const std::string& name) {
@@ -211,51 +233,51 @@ std::string dimension_text(const std::string& sign, const double length, const U
 }
 
 /// An arrow from the middle of a circle to its line.
-std::string radius_arrow(const Pixel& centre, const double radius, const double direction,
-                         const std::string& label) {
+void add_radius(Dimensions& dimensions, const Pixel& centre, const double radius,
+                const double direction, const std::string& label) {
   const auto on_arrow = [&](const double share) {
     return Pixel{centre[0] + share * radius * std::cos(direction),
                  centre[1] - share * radius * std::sin(direction)};
   };
-  return line("class=\"dimension\" marker-end=\"url(#dimension-end)\"", on_arrow(0.),
-              on_arrow(1.)) +
-         text("class=\"dimension-text\"", on_arrow(0.62), label);
+  dimensions.add(
+      line("class=\"dimension\" marker-end=\"url(#dimension-end)\"", on_arrow(0.), on_arrow(1.)),
+      on_arrow(0.62), label);
 }
 
 /// The distance of two places of one height, below the drawing.
-std::string distance_below(const Pixel& from, const Pixel& to, const std::string& label) {
+void add_distance_below(Dimensions& dimensions, const Pixel& from, const Pixel& to,
+                        const std::string& label) {
   const double below = height - bottom_margin + 18.;
   const auto lowered = [&](const Pixel& at, const double by) { return Pixel{at[0], below + by}; };
-  return line("class=\"dimension\"", from, lowered(from, 5.)) +
-         line("class=\"dimension\"", to, lowered(to, 5.)) +
-         line(
-             "class=\"dimension\" marker-start=\"url(#dimension-end)\" "
-             "marker-end=\"url(#dimension-end)\"",
-             lowered(from, 0.), lowered(to, 0.)) +
-         text("class=\"dimension-text\"", {(from[0] + to[0]) / 2., below + 16.}, label);
+  dimensions.add(line("class=\"dimension\"", from, lowered(from, 5.)) +
+                     line("class=\"dimension\"", to, lowered(to, 5.)) +
+                     line("class=\"dimension\" marker-start=\"url(#dimension-end)\" "
+                          "marker-end=\"url(#dimension-end)\"",
+                          lowered(from, 0.), lowered(to, 0.)),
+                 {(from[0] + to[0]) / 2., below + 14.}, label);
 }
 
 /// The dimensions that hold in every position; those of a sphere do not lie in the plane of the
 /// drawing.
-std::string dimensions(const json& mechanism, const Projection& projection,
-                       const UnitSystem units) {
-  if (is_spherical(mechanism)) return "";
+Dimensions dimensions(const json& mechanism, const Projection& projection, const UnitSystem units) {
+  Dimensions result;
+  if (is_spherical(mechanism)) return result;
   const double scale = pixels_per_metre(projection);
   const Pixel centre = projection.at({0., 0., 0.});
   const auto radius = [&](const Pixel& middle, const double length, const double direction) {
-    return radius_arrow(middle, scale * length, direction, dimension_text("R ", length, units));
+    add_radius(result, middle, scale * length, direction, dimension_text("R ", length, units));
   };
-  std::string svg;
-  if (const auto diameter = length_named(mechanism, "wheel diameter"))
-    svg += radius(centre, *diameter / 2., 2.);
+  if (const auto diameter = length_named(mechanism, "wheel diameter")) {
+    result.lines += circle("class=\"way\"", centre, scale * *diameter / 2.);
+    radius(centre, *diameter / 2., 2.);
+  }
   const std::optional<Pixel> axis = driver_axis(mechanism, projection);
-  if (!axis) return svg;
-  if (const auto crank = length_named(mechanism, "crank radius")) svg += radius(*axis, *crank, 1.1);
-  if (mechanism.contains("locking_radius"))
-    svg += radius(*axis, mechanism.at("locking_radius"), -0.6);
+  if (!axis) return result;
+  if (const auto crank = length_named(mechanism, "crank radius")) radius(*axis, *crank, 1.1);
+  if (mechanism.contains("locking_radius")) radius(*axis, mechanism.at("locking_radius"), -0.6);
   if (const auto distance = length_named(mechanism, "centre distance"))
-    svg += distance_below(centre, *axis, dimension_text("", *distance, units));
-  return svg;
+    add_distance_below(result, centre, *axis, dimension_text("", *distance, units));
+  return result;
 }
 
 /// The diameter of a pin, beside the pin.
@@ -263,9 +285,9 @@ std::string pin_label(const json& mechanism, const json& step, const Projection&
                       const UnitSystem units) {
   const double diameter = mechanism.at("pin_diameter");
   const Pixel pin = projection.at(step.at("pins").at(0).get<Place>());
-  const double away = 0.71 * pixels_per_metre(projection) * diameter / 2. + 4.;
-  return text("id=\"mechanism-pin-label\" class=\"dimension-text\"", {pin[0] + away, pin[1] - away},
-              dimension_text("⌀ ", diameter, units));
+  const double away = pixels_per_metre(projection) * diameter / 2. + 14.;
+  return label_at("mechanism-pin-label", {pin[0], pin[1] + away},
+                  dimension_text("⌀ ", diameter, units));
 }
 
 constexpr const char* markers =
@@ -278,13 +300,14 @@ constexpr const char* markers =
 std::string mechanism_drawing(const json& mechanism, const json& step, const std::string& label,
                               const UnitSystem units) {
   const Projection projection = projection_of(mechanism);
+  const Dimensions dimensioned = dimensions(mechanism, projection, units);
   return fmt::format(
              "<svg id=\"mechanism-drawing\" viewBox=\"0 0 {} {}\" role=\"img\" "
              "aria-label=\"{}\">\n{}",
              width, height, escaped(label), markers) +
-         wheel_and_path(mechanism, step, projection) + dimensions(mechanism, projection, units) +
-         driver(mechanism, step, projection) + pin_label(mechanism, step, projection, units) +
-         force_arrow(mechanism, step, projection) + "</svg>\n";
+         wheel_and_path(mechanism, step, projection) + dimensioned.lines +
+         driver(mechanism, step, projection) + force_arrow(mechanism, step, projection) +
+         dimensioned.labels + pin_label(mechanism, step, projection, units) + "</svg>\n";
 }
 
 json drawing_projection(const json& mechanism) {

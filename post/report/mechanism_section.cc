@@ -58,7 +58,7 @@ Chart cycle_chart(const json& mechanism, const UnitSystem units, const char* key
   Chart chart{fmt::format("chart-{}", key),
               fmt::format("The {} over the cycle", name),
               fmt::format("The {} against the driver angle", name),
-              {labelled("driver angle", Dimension::angle, units)},
+              driver_angle_axis(units),
               {labelled(name, dimension, units)},
               {{name, SeriesStyle::line, {}}}};
   const auto point = [&](const json& step) {
@@ -68,6 +68,7 @@ Chart cycle_chart(const json& mechanism, const UnitSystem units, const char* key
   for (const json& step : mechanism.at("steps")) chart.series[0].points.push_back(point(step));
   if (mechanism.contains("analysed"))
     chart.series.push_back({"analysed", SeriesStyle::markers, {point(mechanism.at("analysed"))}});
+  chart.is_over_cycle = true;
   return chart;
 }
 
@@ -89,10 +90,10 @@ std::size_t nearest_step(const json& mechanism, const json& step) {
 ReportPart mechanism_part(const json& mechanism, const UnitSystem units) {
   const bool is_analysed = mechanism.contains("analysed");
   const json& step = is_analysed ? mechanism.at("analysed") : mechanism.at("steps").at(0);
-  const std::string label =
-      fmt::format("{} at a driver angle of {} {}", mechanism.at("name").get<std::string>(),
-                  shown(step.at("driver_angle"), Dimension::angle, units),
-                  output_unit(units, Dimension::angle).name);
+  const std::string name = mechanism.at("name");
+  const std::string angle = shown(step.at("driver_angle"), Dimension::angle, units);
+  const std::string unit = output_unit(units, Dimension::angle).name;
+  const std::string label = fmt::format("{} at a driver angle of {} {}", name, angle, unit);
   ReportPart part;
   part.charts = {
       cycle_chart(mechanism, units, "wheel_speed", "wheel speed", Dimension::angular_speed),
@@ -101,12 +102,12 @@ ReportPart mechanism_part(const json& mechanism, const UnitSystem units) {
       cycle_chart(mechanism, units, "pin_force", "pin force", Dimension::force)};
   part.html = html_section(
       "mechanism", "Mechanism",
-      fmt::format("<div class=\"beside\">\n<figure>\n{}<figcaption>{}{}</figcaption>\n{}</figure>\n"
-                  "<div>\n{}{}</div>\n</div>\n{}",
-                  mechanism_drawing(mechanism, step, label, units), escaped(label),
-                  is_analysed ? ", which is analysed; the dot is the contact point, the arrow the "
-                                "pin force on the wheel"
-                              : "",
+      fmt::format("<div class=\"beside\">\n<figure>\n{}<figcaption>{} at a driver angle of "
+                  "<output id=\"mechanism-angle\">{}</output> {}<span id=\"mechanism-analysed\">"
+                  "{}</span>; the dot is the contact point, the arrow the pin force on the wheel"
+                  "</figcaption>\n{}</figure>\n<div>\n{}{}</div>\n</div>\n{}",
+                  mechanism_drawing(mechanism, step, label, units), escaped(name), angle, unit,
+                  is_analysed ? ", which is analysed" : "",
                   fmt::format(fmt::runtime(controls), mechanism.at("steps").size() - 1,
                               nearest_step(mechanism, step)),
                   readings(step, units), lengths_table(mechanism, units), html(part.charts)));

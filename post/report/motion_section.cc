@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "post/report/html.h"
 #include "post/report/shown_values.h"
@@ -21,17 +23,37 @@ using nlohmann::json;
 namespace {
 
 std::string characteristics_table(const json& kinematics, const UnitSystem units) {
-  HtmlTable table{"Characteristic values of the motion",
-                  {"quantity", "value", labelled("at a driver angle of", Dimension::angle, units)},
-                  {}};
+  HtmlTable table{
+      "Characteristic values of the motion",
+      {"quantity", "symbol", "value", labelled("at a driver angle of", Dimension::angle, units)},
+      {}};
   for (const json& row : kinematics.at("characteristics")) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const std::string quantity = row.at("quantity");
     const std::size_t first = quantity.find_first_not_of(' ');
-    table.rows.push_back(
-        {(first > 0 ? "&emsp;" : "") + escaped(labelled(quantity.substr(first), dimension, units)),
-         shown(row.at("value"), dimension, units),
-         shown(row.at("driver_angle"), Dimension::angle, units)});
+    table.rows.push_back({fmt::format("{}<abbr title=\"{}\">{}</abbr>", first > 0 ? "&emsp;" : "",
+                                      escaped(row.value("meaning", "")),
+                                      escaped(labelled(quantity.substr(first), dimension, units))),
+                          escaped(row.value("symbol", "")),
+                          shown(row.at("value"), dimension, units),
+                          shown(row.at("driver_angle"), Dimension::angle, units)});
+  }
+  return table.html();
+}
+
+/// A roller beside a fixed pin; empty for a fixed pin.
+std::string choice_table(const json& kinematics, const UnitSystem units) {
+  if (!kinematics.contains("roller_or_fixed_pin")) return "";
+  HtmlTable table{
+      "The roller beside a pin of its diameter that is fixed to its carrier and has its "
+      "coefficient of friction",
+      {"quantity", "roller", "fixed pin"},
+      {}};
+  for (const json& row : kinematics.at("roller_or_fixed_pin")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+                          shown(row.at("roller"), dimension, units),
+                          shown(row.at("fixed"), dimension, units)});
   }
   return table.html();
 }
@@ -74,8 +96,10 @@ Chart slip_chart(const CsvTable& table, const bool is_roller) {
   return chart;
 }
 
-/// Marks the angle that a run of the case analyses on a curve over the driver angle.
-void mark_analysed(const ResultsDirectory& results, Chart& chart) {
+/// Makes a chart one over the driver angle, and marks the angle that a run of the case analyses.
+void lay_over_cycle(const ResultsDirectory& results, Chart& chart) {
+  chart.x = driver_angle_axis(results.units());
+  chart.is_over_cycle = true;
   const json* const mechanism = results.document("mechanism");
   if (mechanism == nullptr || !mechanism->contains("analysed")) return;
   const double angle =
@@ -130,6 +154,40 @@ ChartSeries wheel_point(const std::string& name, const json& wheel, const char* 
             in_units(wheel.at("peak_pressure"), Dimension::stress, units)}}};
 }
 
+constexpr double flat_share = 0.01;
+
+/// The part of the curve of drawn wheels with at most 1 % more than the least pressure.
+std::vector<std::array<double, 2>> flat_range(const CsvTable& table) {
+  const std::vector<double>& diameters = table.column("diameter").values;
+  const std::vector<double>& pressures = table.column("stress_geometry").values;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double pressure : pressures)
+    if (std::isfinite(pressure)) least = std::min(least, pressure);
+  std::vector<std::array<double, 2>> range;
+  for (std::size_t i = 0; i < diameters.size(); ++i)
+    if (pressures[i] <= (1. + flat_share) * least) range.push_back({diameters[i], pressures[i]});
+  return range;
+}
+
+/// The best wheel as drawn in large type, and how far the diameter may be off it.
+std::string design_answer(const ResultsDirectory& results) {
+  const json& best = results.document("design")->at("geometry");
+  const UnitSystem units = results.units();
+  const std::string length = output_unit(units, Dimension::length).name;
+  const auto range = flat_range(*results.table("design"));
+  std::string text = fmt::format(
+      "<p class=\"answer\"><span>best wheel, as drawn</span> <strong>⌀ {} {}</strong> {} {}</p>\n",
+      shown(best.at("optimum_diameter"), Dimension::length, units), length,
+      shown(best.at("peak_pressure"), Dimension::stress, units),
+      output_unit(units, Dimension::stress).name);
+  if (range.size() > 1)
+    text += fmt::format(
+        "<p class=\"verdict\">From {} to {} {} the peak contact pressure is at most 1 % "
+        "higher.</p>\n",
+        significant(range.front()[0], 4), significant(range.back()[0], 4), length);
+  return text;
+}
+
 Chart stress_chart(const ResultsDirectory& results, const UnitSystem units) {
   const json& design = *results.document("design");
   const CsvTable& table = *results.table("design");
@@ -143,6 +201,7 @@ Chart stress_chart(const ResultsDirectory& results, const UnitSystem units) {
   const CsvColumn& drawn = table.column("stress_geometry");
   for (std::size_t i = 0; i < x.values.size(); ++i)
     chart.series[1].points.push_back({x.values[i], drawn.values[i]});
+  chart.series.push_back({"as drawn, within 1 %", SeriesStyle::wide, flat_range(table)});
   if (design.contains("optimum_diameter"))
     chart.series.push_back(wheel_point("best, Johnson", design, "optimum_diameter", units));
   chart.series.push_back(
@@ -199,10 +258,11 @@ ReportPart kinematics_part(const ResultsDirectory& results) {
   std::vector<Chart> charts{
       column_chart(table, "driver_angle", "driver angle", "hertz_pressure", "Hertz pressure"),
       slip_chart(table, kinematics.at("pin_type") == "roller")};
-  for (Chart& chart : charts) mark_analysed(results, chart);
+  for (Chart& chart : charts) lay_over_cycle(results, chart);
   return {html_section("kinematics", "Motion over the cycle",
                        unbounded_warnings(kinematics, results.units()) +
-                           characteristics_table(kinematics, results.units()) + html(charts)),
+                           characteristics_table(kinematics, results.units()) +
+                           choice_table(kinematics, results.units()) + html(charts)),
           charts};
 }
 
@@ -211,8 +271,8 @@ ReportPart design_part(const ResultsDirectory& results) {
   std::vector<Chart> charts{stress_chart(results, results.units())};
   if (design.contains("strength")) charts.push_back(strength_chart(design, results.units()));
   return {html_section("design", "Choice of the wheel",
-                       wheels_table(design, results.units()) + html(charts) +
-                           shaft_table(design, results.units())),
+                       design_answer(results) + wheels_table(design, results.units()) +
+                           html(charts) + shaft_table(design, results.units())),
           charts};
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "post/report/case_inputs.h"
 #include "post/report/comparison_section.h"
 #include "post/report/crown_section.h"
 #include "post/report/estimate_section.h"
@@ -39,6 +40,11 @@ std::string page_title(const json& about) {
   return title.empty() ? name : fmt::format("{}: {}", name, title);
 }
 
+std::string title_entry(const std::string& name, const std::string& content) {
+  return fmt::format("<li><span>{}</span> {}</li>\n", name, content);
+}
+
+/// Title and title block.
 std::string head(const ResultsDirectory& results) {
   const json& document = results.leading();
   const json& about = results.about();
@@ -47,13 +53,17 @@ std::string head(const ResultsDirectory& results) {
     if (document.at("versions").contains(library))
       versions += fmt::format("{}{} {}", versions.empty() ? "" : ", ", library,
                               document.at("versions").at(library).get<std::string>());
-  std::string date = about.at("date");
-  return fmt::format(
-      "<header>\n<h1>{}</h1>\n<p>Case <strong>{}</strong>, <time datetime=\"{}\">{} {}</time>. "
-      "Units: "
-      "{}. {}.</p>\n</header>\n",
-      escaped(page_title(about)), escaped(about.at("name")), date, date.substr(0, 10),
-      date.substr(11, 5), escaped(about.at("output_units")), escaped(versions));
+  const std::string date = about.at("date");
+  std::string block = title_entry("Case", escaped(about.at("name")));
+  for (const CaseInput& input : case_inputs(results.case_text))
+    if ((input.name == "Project" || input.name == "Author") && !input.value.empty())
+      block += title_entry(input.name, escaped(input.value));
+  block += title_entry("Date", fmt::format("<time datetime=\"{}\">{} {}</time>", date,
+                                           date.substr(0, 10), date.substr(11, 5))) +
+           title_entry("Units", escaped(about.at("output_units"))) +
+           title_entry("Versions", escaped(versions));
+  return fmt::format("<header>\n<h1>{}</h1>\n<ul class=\"title-block\">\n{}</ul>\n</header>\n",
+                     escaped(page_title(about)), block);
 }
 
 std::string missing_note(const Libraries& libraries) {
@@ -66,7 +76,7 @@ std::string missing_note(const Libraries& libraries) {
   return text;
 }
 
-/// Verdict, mechanism, contact, field, convergence, motion, design, crown: what there is of them.
+/// The answer first, then the mechanism and what lies behind: what there is of them.
 ReportPart whole_page(const ResultsDirectory& results, const std::string& field) {
   ReportPart page;
   const auto append = [&](const ReportPart& part) {
@@ -75,6 +85,10 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   };
   const bool is_run = results.document("summary") != nullptr;
   if (is_run) append(verdict_part(results));
+  if (results.document("design") != nullptr) append(design_part(results));
+  if (results.document("crown") != nullptr) append(crown_part(results));
+  if (results.document("optimum") != nullptr) append(optimum_part(results));
+  if (results.document("sweep") != nullptr) append(sweep_part(results));
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
   if (is_run) {
@@ -84,10 +98,6 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   }
   if (results.document("estimate") != nullptr) append(estimate_part(results));
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));
-  if (results.document("design") != nullptr) append(design_part(results));
-  if (results.document("crown") != nullptr) append(crown_part(results));
-  if (results.document("optimum") != nullptr) append(optimum_part(results));
-  if (results.document("sweep") != nullptr) append(sweep_part(results));
   return page;
 }
 
@@ -108,6 +118,7 @@ std::string page(const std::string& title, const std::string& header, const Repo
       "<style>\n{}\n</style>\n</head>\n<body{}>\n",
       escaped(title), report_assets::style, libraries.charts ? "" : " class=\"no-charts\"");
   text += header + "<main>\n" + missing_note(libraries) + part.html + "</main>\n";
+  text += script(std::string(report_assets::numbers));
   if (libraries.charts) {
     text += script(charts.dump(), " type=\"application/json\" id=\"charts\"");
     text += script(*libraries.charts) + script(std::string(report_assets::charts));

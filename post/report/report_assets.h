@@ -6,6 +6,7 @@
 namespace geneva::post::report_assets {
 
 extern const std::string_view style;      ///< report.css
+extern const std::string_view numbers;    ///< numbers.js
 extern const std::string_view charts;     ///< charts.js
 extern const std::string_view field;      ///< field.js
 extern const std::string_view mechanism;  ///< mechanism.js

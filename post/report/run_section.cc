@@ -46,12 +46,25 @@ CsvTable leading_rows(const ResultsDirectory& results, const std::string& table)
                           contact.at("target").get<std::string>()));
 }
 
+/// Hertz's pressure, p0 sqrt(1 - (x/b)^2), over twice the half-width b to either side.
+ChartSeries hertz_curve(const json& summary, const UnitSystem units, const bool is_axis) {
+  const double peak = in_units(summary.at("hertz").at("peak_pressure"), Dimension::stress, units);
+  const double half_width =
+      in_units(summary.at("hertz").at("half_width"), Dimension::length, units);
+  constexpr int n_per_half_width = 100;
+  ChartSeries curve{"Hertz", SeriesStyle::line, {}};
+  for (int i = is_axis ? 0 : -2 * n_per_half_width; i <= 2 * n_per_half_width; ++i) {
+    const double x = static_cast<double>(i) / n_per_half_width;
+    curve.points.push_back({x * half_width, peak * std::sqrt(std::max(0., 1. - x * x))});
+  }
+  return curve;
+}
+
 /// Pressure along the contact of a plane model, three half-widths to either side of its middle.
 Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
   const CsvTable contact = leading_rows(results, "contact");
   const CsvColumn& arc = contact.column("arc_length");
   const CsvColumn& pressure = contact.column("contact_pressure");
-  const CsvColumn& hertz = contact.column("hertz_pressure");
   double force = 0.;
   double moment = 0.;
   for (std::size_t i = 0; i < arc.values.size(); ++i) {
@@ -71,14 +84,13 @@ Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
                   pressure.unit),
       {axis_label("distance from the middle of the contact", arc)},
       {axis_label("contact pressure", pressure)},
-      {{"this program", SeriesStyle::markers, {}}, {"Hertz", SeriesStyle::line, {}}}};
+      {{"this program", SeriesStyle::markers, {}}}};
   for (std::size_t i = 0; i < arc.values.size(); ++i) {
     const double at = arc.values[i] - middle;
     if (std::abs(at) > 2. * half_width) continue;
     chart.series[0].points.push_back({at, pressure.values[i]});
-    chart.series[1].points.push_back({at, hertz.values[i]});
   }
-  if (!summary.contains("hertz")) chart.series.pop_back();
+  if (summary.contains("hertz")) chart.series.push_back(hertz_curve(summary, units, is_axis));
   return chart;
 }
 

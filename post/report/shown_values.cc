@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -11,13 +12,42 @@ using base::Dimension;
 using base::output_unit;
 using base::UnitSystem;
 
+namespace {
+
+constexpr const char* thin_space = "\u202f";  ///< narrow, without a line break
+
+}  // namespace
+
+std::vector<double> round_numbers(const double from, const double to, const int count) {
+  const double raw = (to - from) / count;
+  const double power = std::pow(10., std::floor(std::log10(raw)));
+  const double step = power * (raw / power < 1.5   ? 1.
+                               : raw / power < 3.5 ? 2.
+                               : raw / power < 7.5 ? 5.
+                                                   : 10.);
+  std::vector<double> numbers;
+  for (int i = static_cast<int>(std::ceil(from / step)); i * step <= to; ++i)
+    numbers.push_back(i * step);
+  return numbers;
+}
+
 std::string significant(const double value, const int digits) {
   const double size = std::abs(value);
   if (size < 1e-12) return "0";
   const double whole = std::pow(10., digits);
-  if (!(size >= whole && size < 1e7)) return fmt::format("{:.{}g}", value, digits);
+  if (!(size >= whole && size < 1e9)) return grouped(fmt::format("{:.{}g}", value, digits));
   const double unit = std::pow(10., std::floor(std::log10(size)) + 1. - digits);
-  return fmt::format("{:.0f}", unit * std::round(value / unit));
+  return grouped(fmt::format("{:.0f}", unit * std::round(value / unit)));
+}
+
+std::string grouped(const std::string& number) {
+  const std::size_t begin = number.find_first_of("0123456789");
+  if (begin == std::string::npos) return number;
+  const std::size_t end = std::min(number.find_first_not_of("0123456789", begin), number.size());
+  std::string result = number;
+  if (end - begin < 5) return result;
+  for (std::size_t at = end; at > begin + 3; at -= 3) result.insert(at - 3, thin_space);
+  return result;
 }
 
 double number_of(const nlohmann::json& quantity) {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "base/units.h"
 
@@ -14,9 +15,16 @@ struct NamedQuantity {
   base::Dimension dimension;
 };
 
-/// A number with so many significant digits; without a power of ten between 1e-4 and 1e7, and
-/// without the roundings and the sign of what is 0.
+/// Multiples of a round step (1, 2 or 5 times a power of ten) from one number to another.
+/// @param count about so many of them, 1 or more
+std::vector<double> round_numbers(double from, double to, int count);
+
+/// A number with so many significant digits, thousands apart from five digits on; without a power
+/// of ten between 1e-4 and 1e9, and without the roundings and the sign of what is 0.
 std::string significant(double value, int digits);
+
+/// The digits before the point in groups of three from five of them on: "41 140".
+std::string grouped(const std::string& number);
 
 /// The number of a quantity {"value", "unit"} [SI], or the plain number; not a number for null.
 double number_of(const nlohmann::json& quantity);

@@ -29,7 +29,8 @@ std::string percent(const double ratio) {
 std::string difference(const json& row) {
   const json& computed = row.at("computed");
   const json& form = row.at("closed_form");
-  if (computed.is_null() || form.is_null() || number_of(form) == 0.) return "–";
+  const bool is_comparable = row.at("bounded") == true && !computed.is_null() && !form.is_null();
+  if (!is_comparable || number_of(form) == 0.) return "–";
   return percent(number_of(computed) / number_of(form) - 1.);
 }
 
@@ -139,7 +140,7 @@ std::string safety_table(const json& summary, const UnitSystem units) {
   if (summary.at("safety").empty()) return "";
   HtmlTable table{"How near to the limits that the case gives",
                   {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
-                   labelled("at a driver angle of", Dimension::angle, units), "verdict"},
+                   labelled("driver angle", Dimension::angle, units), "verdict"},
                   {}};
   for (const json& row : summary.at("safety")) {
     const Dimension dimension = dimension_named(row.at("dimension"));

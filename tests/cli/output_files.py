@@ -375,11 +375,29 @@ class Output(FinishedRuns):
         self.assertNotIn("\x1b", log)
         self.assertNotIn("\r", log)
 
-    def run_on_terminal(self, *arguments):
+    def test_colours_are_for_terminals_whose_user_wants_them(self):
+        case = self.copy_case(GEOMETRY)
+        with open(case / "case.prm", "a", encoding="utf-8") as file:
+            file.write("\nsubsection Allowable\n  set Contact pressure = 1 MPa\nend\n")
+        colour = "\x1b[31mpeak contact pressure: "
+        for variables, is_coloured in (({"TERM": "xterm"}, True), ({"TERM": "xterm", "NO_COLOR": "1"}, False),
+                                       ({"TERM": "dumb"}, False), ({"TERM": "xterm", "NO_COLOR": ""}, True)):
+            with self.subTest(variables):
+                code, output = self.run_on_terminal("run", str(case), **variables)
+                self.assertEqual(code, 0, output)
+                self.assertIn("EXCEEDED", output)
+                self.assertEqual(colour in output, is_coloured, output)
+                self.assertEqual("\x1b[3" in output, is_coloured, output)
+                self.assertNotIn("\x1b[3", (case / "results" / "log.txt").read_text())
+        code, output = self.run_on_terminal("run", str(case / "nowhere"), TERM="xterm")
+        self.assertEqual(code, 1)
+        self.assertIn("\x1b[31mgeneva: ", output)
+
+    def run_on_terminal(self, *arguments, **variables):
         """Exit code and output of a run whose output is a pseudo-terminal."""
         reading, writing = pty.openpty()
         with subprocess.Popen([str(self.program), *arguments], stdin=subprocess.DEVNULL, stdout=writing,
-                              stderr=writing, env=geneva_cli.environment()) as process:
+                              stderr=writing, env={**geneva_cli.environment(), **variables}) as process:
             os.close(writing)
             output = bytearray()
             while part := read_terminal(reading):

@@ -52,9 +52,20 @@ def complaints(file):
     return subprocess.run(["tidy", "-errors", "-quiet", "--drop-empty-elements", "no", file], capture_output=True, text=True, check=False).stderr
 
 
+def grouped(number):
+    """As the tables print it: thousands apart from five digits on."""
+    whole, *rest = number.split(".")
+    return ".".join([f"{int(whole):,}".replace(",", "\u202f") if len(whole) > 4 else whole, *rest])
+
+
+def plain(text):
+    """As the terminal prints it."""
+    return text.replace("\u202f", "")
+
+
 def peak_in_psi(summary):
     """The peak contact pressure as the tables print it."""
-    return f"{summary['contact']['peak_pressure']['value'] / PSI:.5g}"
+    return grouped(f"{summary['contact']['peak_pressure']['value'] / PSI:.5g}")
 
 
 def difference(value, reference):
@@ -75,6 +86,7 @@ class ReportTest(CliTest):
 
     case_name = None
     command = "run"
+    most_pages = 7
 
     @classmethod
     def setUpClass(cls):
@@ -122,6 +134,10 @@ class ReportTest(CliTest):
             self.browser.resize(width, 900)
             fits = self.browser.wait_for(f"return document.documentElement.scrollWidth <= {width}")
             self.assertTrue(fits, f"scrolls sideways at {width} pixels")
+            hidden = self.browser.run(
+                "return [...document.querySelectorAll('td, th[scope=row]')].filter((c) => c.getBoundingClientRect().right > innerWidth + 1)"
+                ".map((c) => c.textContent)")
+            self.assertEqual(hidden, [], f"out of sight at {width} pixels")
         self.browser.resize(1280, 1000)
         self.check_paper()
 
@@ -141,7 +157,7 @@ class ReportTest(CliTest):
             self.assertAlmostEqual(canvas[2] / ratio, 1., delta=0.01, msg=name)  # whole pixels of 200 or more
         self.browser.protocol("Emulation.setEmulatedMedia", media="")
         pages = len(re.findall(rb"/Type\s*/Page[^s]", self.browser.pdf()))
-        self.assertTrue(1 <= pages <= 7, f"{pages} pages")
+        self.assertTrue(1 <= pages <= self.most_pages, f"{pages} pages")
 
     def choose(self, control, value):
         """Sets a control of the field view as a user would."""
@@ -162,6 +178,7 @@ class ReportTest(CliTest):
                 "const s = document.querySelector('#mechanism-controls [name=step]'); s.value = arguments[0];"
                 "s.dispatchEvent(new Event('input'))", index)
             step = mechanism["steps"][index]
+            self.check_drawing(step)
             drawn = self.browser.run("return document.getElementById('mechanism-drawing').dataset.wheelAngle")
             self.assertAlmostEqual(float(drawn), step["wheel_angle"], 12)
             shown = self.browser.run(
@@ -171,6 +188,22 @@ class ReportTest(CliTest):
                 self.check_pin_is_in_slot(step, stations)
                 n_engaged += 1
         self.assertGreater(n_engaged, 0)
+
+    def check_drawing(self, step):
+        """No label covers another, no pin is clipped, and caption and charts tell the position."""
+        covering, clipped, caption, cursors = self.browser.run("""
+          const d = document.getElementById('mechanism-drawing'), frame = d.getBoundingClientRect();
+          const boxes = [...d.querySelectorAll('.label')].map((l) => [l.textContent, l.getBoundingClientRect()]);
+          const covers = ([, a], [, b]) => Math.min(a.right, b.right) > Math.max(a.left, b.left) + 1 && Math.min(a.bottom, b.bottom) > Math.max(a.top, b.top) + 1;
+          const pairs = boxes.flatMap((a, i) => boxes.slice(i + 1).filter((b) => covers(a, b)).map((b) => a[0] + ' and ' + b[0]));
+          const out = [...d.querySelectorAll('.pin'), ...d.querySelectorAll('.label')].filter((p) => { const b = p.getBoundingClientRect();
+            return b.left < frame.left - 1 || b.right > frame.right + 1 || b.top < frame.top - 1 || b.bottom > frame.bottom + 1; }).length;
+          return [pairs, out, document.getElementById('mechanism-angle').textContent,
+                  Object.values(genevaCharts).filter((c) => c.options.isOverCycle).length];""")
+        self.assertEqual(covering, [])
+        self.assertEqual(clipped, 0)
+        self.assertAlmostEqual(float(caption), math.degrees(step["driver_angle"]), delta=0.01)
+        self.assertGreaterEqual(cursors, 3)
 
     def check_pin_is_in_slot(self, step, stations):
         """The drawn pin lies on the middle of a slot of the drawn wheel."""
@@ -229,6 +262,9 @@ class ReportTest(CliTest):
             pictures[self.field_picture()] = part
         self.choose("deformation", 1)
         pictures[self.field_picture()] = "deformed"
+        self.choose("part", "model")
+        self.assertEqual(self.browser.run(BORDER_OF_FIELD), 1, "the deformed model reaches the frame")
+        self.choose("part", "zone")
         self.choose("deformation", 0)
         self.assertEqual(len(pictures), len(fields) + 2)
 
@@ -264,6 +300,18 @@ COLOURS_AGAINST_VALUES = """
     found.push(worst);
   }
   return found;
+"""
+
+# Number of colours along the border of the field view: one, where all of the model is within.
+BORDER_OF_FIELD = """
+  const c = document.createElement('canvas'), g = genevaField.canvas; c.width = g.width; c.height = g.height;
+  const x = c.getContext('2d', { willReadFrequently: true }); x.drawImage(g, 0, 0);
+  const colours = new Set();
+  for (const [l, t, w, h] of [[0, 0, c.width, 1], [0, c.height - 1, c.width, 1], [0, 0, 1, c.height], [c.width - 1, 0, 1, c.height]]) {
+    const d = x.getImageData(l, t, w, h).data;
+    for (let i = 0; i < d.length; i += 4) colours.add(d[i] << 16 | d[i + 1] << 8 | d[i + 2]);
+  }
+  return colours.size;
 """
 
 STRESSES = ("von_mises", "max_shear", "principal_stress_1", "principal_stress_2", "principal_stress_3", "displacement",
@@ -331,7 +379,7 @@ class PlaneReport(ReportTest):
         text = read_report(self.results / "report.html").text
         peak, hertz = (self.summary[section]["peak_pressure"]["value"] for section in ("contact", "hertz"))
         error = self.summary["contact"]["peak_pressure_error"]
-        for figure in ("232.39", peak_in_psi(self.summary), "72675", "72600", difference(peak, hertz),
+        for figure in ("232.39", peak_in_psi(self.summary), grouped("72675"), grouped("72600"), difference(peak, hertz),
                        f"{100 * error:.2g} %", "± error", f"± {100 * error:.2g} %",
                        f"± {100 * self.summary['contact']['half_width_error']:.2g} %"):
             self.assertIn(figure, text)
@@ -341,7 +389,8 @@ class PlaneReport(ReportTest):
         drawn = max(point["y"] for point in self.chart("chart-pressure")["this program"])
         self.assert_close(drawn * PSI, self.peak_of_mesh(), 1e-3, "pressure")
         hertz = max(point["y"] for point in self.chart("chart-pressure")["Hertz"])
-        self.assert_close(hertz * PSI, self.summary["hertz"]["peak_pressure"]["value"], 1e-3, "Hertz's")
+        self.assert_close(hertz * PSI, self.summary["hertz"]["peak_pressure"]["value"], 1e-12, "Hertz's")
+        self.assertGreater(len(self.chart("chart-pressure")["Hertz"]), 300)
 
     def test_draws_every_mesh(self):
         levels = self.summary["solver"]["levels"]
@@ -374,6 +423,37 @@ class PlaneReport(ReportTest):
         self.assertTrue(20000 < float(found.group(1)) < 45000, status)
         distance = self.summary["load"]["pin_distance"]["value"] / 0.0254
         self.assertAlmostEqual(float(found.group(3)), distance, delta=0.003)
+
+    def test_keeps_the_values_that_are_clicked(self):
+        self.choose("field", "von_mises")
+        self.choose("part", "zone")
+        status = self.status_at_middle()
+        for kind in ("pointerdown", "pointerup"):
+            self.browser.run(
+                "const b = genevaField.canvas.getBoundingClientRect();"
+                "genevaField.canvas.dispatchEvent(new PointerEvent(arguments[0], {clientX: b.x + b.width / 2,"
+                " clientY: b.y + b.height / 2 - 3}))", kind)
+        kept = self.browser.run("return [...document.querySelectorAll('#field-view .kept li')].map((l) => l.textContent)")
+        self.assertEqual(kept, ["von Mises stress: " + status])
+
+    def test_colour_bar_has_round_marks(self):
+        self.choose("field", "von_mises")
+        marks = self.browser.run("return [...document.querySelectorAll('#field-view .ticks span')].map((s) => s.textContent)")
+        numbers = [float(mark.replace("\u202f", "")) for mark in marks]
+        self.assertGreaterEqual(len(numbers), 3)
+        step = numbers[1] - numbers[0]
+        self.assertIn(f"{step:.1e}"[:3], ("1.0", "2.0", "2.5", "5.0"))
+        for number in numbers:
+            self.assertAlmostEqual(math.remainder(number, step) / step, 0., 6)
+
+    def test_curves_over_the_cycle_end_where_it_ends(self):
+        for name in ("chart-wheel_speed", "chart-pin_force"):
+            low, high, marks, zero = self.browser.run(
+                "const c = genevaCharts[arguments[0]]; const x = c.scales.x;"
+                "return [x.min, x.max, x.ticks.map((t) => t.value), c.scales.y.ticks.some((t) => t.value === 0)]", name)
+            self.assertEqual((round(low), round(high)), (-180, 180))
+            self.assertEqual([round(mark, 6) for mark in marks], list(range(-180, 181, 45)))
+            self.assertTrue(zero, "no mark at 0")
 
     def test_draws_the_maximum_contact_pressure(self):
         self.choose("field", "contact_pressure")
@@ -437,6 +517,11 @@ class FourBarGeneva(InternalGeneva):
 class TwoPinGeneva(InternalGeneva):
     case_name = "irregular-two-pin"
 
+    def test_tells_its_two_dwells_apart(self):
+        text = read_report(self.results / "report.html").text
+        for number in (1, 2):
+            self.assertEqual(text.count(f"dwell time after engagement {number}"), 1)
+
 
 class CrownReport(ReportTest):
     """The report of the crown by which a pin carries its load most evenly."""
@@ -484,6 +569,7 @@ class WholeReport(ReportTest):
     """The report on a directory in which run, kinematics and design left their results."""
 
     case_name = "johnson-optimum-wheel"
+    most_pages = 8
 
     @classmethod
     def prepare(cls, runner):
@@ -496,8 +582,23 @@ class WholeReport(ReportTest):
 
     def test_tells_all_three(self):
         text = read_report(self.results / "report.html").text
-        for words in ("Verdict", "Motion over the cycle", "Choice of the wheel", "72675", "motion time over dwell time"):
+        for words in ("Verdict", "Motion over the cycle", "Choice of the wheel", grouped("72675"), "motion time over dwell time"):
             self.assertIn(words, text)
+
+    def test_tells_the_best_wheel_first(self):
+        design = json.loads((self.results / "design.json").read_text())
+        words = self.browser.run("return document.querySelector('#design .answer').textContent")
+        self.assertIn(f"{design['geometry']['optimum_diameter']['value'] / 0.0254:.5g} in", words)
+        flat = [point["x"] for point in self.chart("chart-design")["as drawn, within 1 %"]]
+        self.assertTrue(flat[0] < design["geometry"]["optimum_diameter"]["value"] / 0.0254 < flat[-1])
+
+    def test_explains_the_figures_of_the_motion(self):
+        words = self.browser.run(
+            "return [...document.querySelectorAll('#kinematics tbody tr')].map((r) => [r.cells[1].textContent, r.querySelector('abbr').title])")
+        self.assertGreater(len(words), 8)
+        for _, meaning in words:
+            self.assertGreater(len(meaning), 10)
+        self.assertIn("k_t", [symbol for symbol, _ in words])
 
     def test_marks_the_best_wheel(self):
         design = json.loads((self.results / "design.json").read_text())
@@ -563,7 +664,7 @@ end
         self.assertEqual(run.code, 0, run.describe())
         summary = read_summary(case / "results")
         self.assertIn("peak contact pressure: 73303 of 80000 psi allowed, safety factor 1.09 at -9.9336 deg "
-                      f"(as analysed at -11.464 deg: {peak_in_psi(summary)}, 1.1)", run.out)
+                      f"(as analysed at -11.464 deg: {plain(peak_in_psi(summary))}, 1.1)", run.out)
         rows = {row["quantity"]: row for row in summary["safety"]}
         self.assertEqual(set(rows), {"peak contact pressure", "peak contact pressure times slip speed",
                                      "contact, first yield, pin", "contact, shakedown, pin",
@@ -675,6 +776,14 @@ end
         first, second = ([y for _, y in series["points"]] for series in pressure["series"])
         for one, other in zip(first, second, strict=True):
             self.assertAlmostEqual(one, other, delta=1e-4)
+
+    def test_has_a_title_block(self):
+        case = self.copy_case("johnson-optimum-wheel", "filed")
+        change_case(case, {"Accuracy": "5 %\nset Project = press <line> 4\nset Author = A. Designer"})
+        self.run_case(case)
+        page = read_report(case / "results" / "report.html")
+        for words in ("Project press <line> 4", "Author A. Designer", "Case filed", "Units in-lbf"):
+            self.assertIn(words, page.text, words)
 
     def test_refuses_to_compare_what_is_no_run(self):
         results = self.results_of()

@@ -1,6 +1,8 @@
 """Sweeps: every combination, what fails, what is done already, and what is written."""
 
 import json
+import os
+import re
 import signal
 import subprocess
 import time
@@ -204,16 +206,69 @@ class Sweep(CliTest):
         sweep.communicate(timeout=60)
         self.assertEqual(sweep.returncode, 128 + signal.SIGTERM)
         deadline = time.monotonic() + 20
-        while self.runs_below(case) and time.monotonic() < deadline:
+        while self.solvers() and time.monotonic() < deadline:
             time.sleep(0.1)
-        self.assertEqual(self.runs_below(case), "")
+        self.assertEqual(self.solvers(), [])
         done = first.stat().st_mtime_ns
         self.sweep(case, "--set", DIAMETERS)
         self.assertEqual(first.stat().st_mtime_ns, done)
         self.assertEqual([point["exit_code"] for point in self.points(case / "sweep")], [0, 0, 0])
 
-    def runs_below(self, case):
-        return subprocess.run(["pgrep", "-f", f"run {case}/sweep"], capture_output=True, text=True, check=False).stdout
+    def solvers(self):
+        """Process ids of the solvers that work for this test's sweeps."""
+        listed = subprocess.run(["pgrep", "-f", "geneva-solver --worker"], capture_output=True, text=True, check=False).stdout
+        return [pid for pid in map(int, listed.split()) if self.directory_of(pid) == str(self.directory.resolve())]
+
+    def directory_of(self, pid):
+        try:
+            return os.readlink(f"/proc/{pid}/cwd")
+        except OSError:
+            return ""
+
+    def test_a_solver_that_is_killed_is_told_and_ends_no_other_point(self):
+        case = self.new_case()
+        change_case(case, {"Accuracy": "0.05 %"})
+        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
+                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 60
+        while not (case / "sweep" / "points" / "1" / "log.txt").exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        (solver,) = self.solvers()
+        os.kill(solver, signal.SIGKILL)
+        sweep.communicate(timeout=120)
+        self.assertEqual(sweep.returncode, 2)
+        killed, *others = self.points(case / "sweep")
+        self.assertEqual(killed["exit_code"], 128 + signal.SIGKILL)
+        self.assertEqual([point["exit_code"] for point in others], [0, 0])
+        self.sweep(case, "--set", DIAMETERS)
+        self.assertEqual([point["exit_code"] for point in self.points(case / "sweep")], [0, 0, 0])
+
+    def test_one_solver_does_all_the_points_of_one_job(self):
+        case = self.new_case()
+        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
+                                 env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        seen = set()
+        while sweep.poll() is None:
+            seen.update(self.solvers())
+            time.sleep(0.02)
+        self.assertEqual(sweep.returncode, 0, sweep.communicate()[1])
+        self.assertEqual(len(seen), 1)
+
+    def test_two_parameters_make_a_map(self):
+        case = self.new_case()
+        change_case(case, {"Mechanism/Wheel material/Yield strength": "100 MPa"})
+        self.sweep(case, "--set", DIAMETERS, "--set", "Mechanism/Driver speed = 200 rpm .. 600 rpm, 3")
+        report = (case / "sweep" / "report.html").read_text()
+        (drawn,) = re.findall(r'<svg class="map"[^>]*aria-label="least safety factor over[^>]*>(.*?)</svg>', report, re.S)
+        factors = [self.figure(point, "least safety factor") for point in self.points(case / "sweep")]
+        self.assertEqual(drawn.count("<rect") - 1, len(factors))
+        self.assertEqual(drawn.count('class="exceeded"'), sum(factor < 1 for factor in factors))
+        self.assertTrue(0 < drawn.count('class="exceeded"') < len(factors), factors)
+
+    def test_no_map_of_few_values(self):
+        case = self.new_case()
+        self.sweep(case, "--with", "kinematics", "--set", DIAMETERS, "--set", SPEEDS, "-o", self.directory / "few")
+        self.assertNotIn('class="map"', (self.directory / "few" / "report.html").read_text())
 
 
 if __name__ == "__main__":

@@ -24,24 +24,81 @@
         showLine: !markers,
         borderColor: colour,
         backgroundColor: markers ? "transparent" : colour,
-        pointStyle: markers ? "circle" : one.style === "dashed" || one.points.length >= 20 ? "line" : "rectRot",
-        borderWidth: 2,
+        pointStyle: markers ? "circle" : "rectRot",
+        borderWidth: one.style === "wide" ? 6 : 2,
         borderDash: one.style === "dashed" ? [6, 4] : [],
-        pointRadius: markers ? 3 : one.points.length < 20 ? 3 : 0,
+        pointRadius: markers ? 3 : one.style !== "wide" && one.points.length < 20 ? 3 : 0,
         pointHitRadius: 6,
       };
     });
+  }
+
+  // A legend's mark as the plot has it: the line with its dashes, and the points on it.
+  function markOf(dataset) {
+    const mark = Object.assign(document.createElement("canvas"), { width: 32, height: 12 });
+    const pen = mark.getContext("2d");
+    pen.strokeStyle = dataset.borderColor;
+    pen.fillStyle = dataset.backgroundColor;
+    pen.lineWidth = dataset.borderWidth;
+    pen.setLineDash(dataset.borderDash);
+    if (dataset.showLine) {
+      pen.beginPath();
+      pen.moveTo(0, 6);
+      pen.lineTo(26, 6);
+      pen.stroke();
+    }
+    pen.setLineDash([]);
+    if (dataset.pointRadius > 0) Chart.helpers.drawPoint(pen, { pointStyle: dataset.pointStyle, radius: dataset.pointRadius, borderWidth: dataset.borderWidth }, 13, 6);
+    return mark;
+  }
+
+  function legendLabels(chart) {
+    return chart.data.datasets.map((dataset, i) => ({
+      text: dataset.label,
+      datasetIndex: i,
+      hidden: !chart.isDatasetVisible(i),
+      fontColor: ink(),
+      pointStyle: markOf(dataset),
+    }));
   }
 
   function axis(specification, values) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
       title: { display: true, text: specification.label, color: ink() },
-      ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12 },
+      ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12, callback: (value) => genevaNumber(value, 6) },
       grid: { color: rule() },
     };
-    if (specification.logarithmic) divide(result, Math.min(...values), Math.max(...values));
+    const [least, maximum] = [Math.min(...values), Math.max(...values)];
+    if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
+    else if (specification.step > 0 && least < maximum) step(result, least, maximum, specification.step);
+    else if (least < maximum) round(result, least, maximum);
     return result;
+  }
+
+  const positive = (values) => values.filter((value) => value > 0);
+
+  function setMarks(axis, marks) {
+    axis.afterBuildTicks = (scale) => {
+      scale.ticks = marks.map((mark) => ({ value: mark }));
+    };
+  }
+
+  // The axis ends where the data do; its marks are multiples of the step.
+  function step(axis, least, maximum, step) {
+    axis.min = least;
+    axis.max = maximum;
+    const first = Math.ceil(least / step - 1e-9);
+    const count = Math.floor(maximum / step + 1e-9) - first + 1;
+    setMarks(axis, Array.from({ length: count }, (_, i) => (first + i) * step));
+  }
+
+  // Round marks, 0 among them where the axis crosses it.
+  function round(axis, least, maximum) {
+    const margin = 0.05 * (maximum - least);
+    axis.min = least === 0 ? 0 : least - margin;
+    axis.max = maximum === 0 ? 0 : maximum + margin;
+    setMarks(axis, genevaMarks(axis.min, axis.max, 6));
   }
 
   // A short logarithmic axis gets the round numbers that a linear one would have, a longer one 1, 2
@@ -51,10 +108,7 @@
     const marks = maximum < 3 * least ? evenMarks(least, maximum) : decadeMarks(least, maximum);
     axis.min = marks[0];
     axis.max = marks[marks.length - 1];
-    axis.afterBuildTicks = (scale) => {
-      scale.ticks = marks.map((mark) => ({ value: mark }));
-    };
-    axis.ticks.callback = (value) => Number(value.toPrecision(6)).toLocaleString(undefined, { maximumSignificantDigits: 6 });
+    setMarks(axis, marks);
   }
 
   function evenMarks(least, maximum) {
@@ -73,7 +127,31 @@
     return marks.filter((mark, i) => !(marks[i + 1] <= least) && !(i > 0 && marks[i - 1] >= maximum));
   }
 
-  const coordinates = (chart, index) => chart.series.flatMap((one) => one.points.map((point) => point[index])).filter((value) => value > 0);
+  const coordinates = (chart, index) => chart.series.flatMap((one) => one.points.map((point) => point[index])).filter((value) => value !== null);
+
+  // The position that the drawing of the mechanism shows, in the charts over the cycle.
+  const cursor = { at: null };
+  const cursorLine = {
+    id: "cursor",
+    afterDatasetsDraw(chart) {
+      const { ctx, chartArea, scales } = chart;
+      if (cursor.at === null || !chart.options.isOverCycle) return;
+      const x = scales.x.getPixelForValue(cursor.at);
+      ctx.save();
+      ctx.strokeStyle = ink();
+      ctx.lineWidth = 1;
+      ctx.setLineDash([2, 3]);
+      ctx.beginPath();
+      ctx.moveTo(x, chartArea.top);
+      ctx.lineTo(x, chartArea.bottom);
+      ctx.stroke();
+      ctx.restore();
+    },
+  };
+  window.genevaCursor = (at) => {
+    cursor.at = at;
+    for (const chart of Object.values(window.genevaCharts)) if (chart.options.isOverCycle) chart.draw();
+  };
 
   window.genevaCharts = {};
   for (const chart of specifications) {
@@ -81,18 +159,24 @@
     window.genevaCharts[chart.id] = new Chart(canvas, {
       type: "scatter",
       data: { datasets: datasets(chart.series) },
+      plugins: [cursorLine],
       options: {
+        isOverCycle: chart.over_cycle,
         animation: false,
         maintainAspectRatio: false,
         interaction: { mode: "nearest", intersect: false },
         scales: { x: axis(chart.x, coordinates(chart, 0)), y: axis(chart.y, coordinates(chart, 1)) },
-        plugins: { legend: { labels: { color: ink(), usePointStyle: true, boxWidth: 22 } } },
+        plugins: {
+          legend: { labels: { color: ink(), usePointStyle: true, generateLabels: legendLabels } },
+          tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${genevaNumber(item.parsed.y, 5)} at ${genevaNumber(item.parsed.x, 5)}` } },
+        },
       },
     });
   }
   // Paper is white, whatever the screen is.
   function recolour(onPaper) {
     document.documentElement.classList.toggle("paper", onPaper);
+    Chart.defaults.font.size = onPaper ? 20 : 12; // a chart on paper is less than half as wide
     for (const chart of Object.values(window.genevaCharts)) {
       for (const scale of Object.values(chart.options.scales)) {
         scale.title.color = scale.ticks.color = ink();

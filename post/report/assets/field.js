@@ -263,6 +263,8 @@
   const isMountain = () => view.dimension === 3 && isOnContact();
   const isZone = () => control("part").value === "zone" && (view.dimension === 2 || cut() !== "none");
 
+  const nameOf = (field) => FIELDS.find(([value]) => value === field)[1];
+
   function unitOf(field) {
     return field === "displacement" ? view.length_unit : view.stress_unit;
   }
@@ -291,14 +293,19 @@
   function label(field) {
     const { low, high } = uniforms;
     const bar = box.querySelector(".bar");
-    const text = (value) => Number(value.toPrecision(4)).toString();
     bar.style.background = `linear-gradient(to right, ${COLOURS.map((c) => "#" + c).join(",")})`;
-    const ticks = [0, 0.25, 0.5, 0.75, 1].map((f) => text(low.value + f * (high.value - low.value)));
-    if (meshes.contact && !isZone() && field !== "displacement" && !isMountain()) ticks[4] = "≥ " + ticks[4]; // greater at the contact
-    box.querySelector(".ticks").replaceChildren(...ticks.map((t) => Object.assign(document.createElement("span"), { textContent: t })));
-    const name = FIELDS.find(([value]) => value === field)[1];
+    const shareOf = (value) => (value - low.value) / (high.value - low.value);
+    const tick = (value) => {
+      const span = Object.assign(document.createElement("span"), { textContent: genevaNumber(value, 5) });
+      span.style.left = `${(100 * shareOf(value)).toFixed(2)}%`;
+      return span;
+    };
+    box.querySelector(".ticks").replaceChildren(...genevaMarks(low.value, high.value, 6).map(tick));
+    const isExceeded = meshes.contact && !isZone() && field !== "displacement" && !isMountain();
+    const ends = `, ${genevaNumber(low.value, 4)} to ${genevaNumber(high.value, 4)}${isExceeded ? ", more at the contact" : ""}`;
+    const name = nameOf(field);
     const note = isMountain() ? `, drawn ${mountain.widening} times as wide as it is` : "";
-    box.querySelector(".unit").textContent = `${name} [${unitOf(field)}]${note}`;
+    box.querySelector(".unit").textContent = `${name} [${unitOf(field)}]${ends}${note}`;
   }
 
   // What the model keeps: all on the far side of the cut's own plane, which may lie just below a face of the model. A
@@ -317,7 +324,7 @@
     objects.model.material.clippingPlanes = planes;
     outlines.material.clippingPlanes = planes;
     outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
-    for (const mark of marks) mark.visible = outlines.visible;
+    for (const mark of marks) mark.visible = outlines.visible && !(isZone() && meshes.contact);
   }
 
   function deform() {
@@ -340,9 +347,15 @@
     return maximum;
   }
 
+  // With the deformation that is shown.
   function boundsOfShown() {
-    const name = cut() === "none" ? "model" : cut();
-    return new THREE.Box3().setFromBufferAttribute(objects[name].geometry.attributes.position);
+    const { points, displacements } = meshes[cut() === "none" ? "model" : cut()];
+    const factor = uniforms.factor.value;
+    const bounds = new THREE.Box3();
+    const place = new THREE.Vector3();
+    for (let i = 0; i < points.length; i += 3)
+      bounds.expandByPoint(place.fromArray([0, 1, 2].map((k) => points[i + k] + factor * (displacements[i + k] - still[k]))));
+    return bounds;
   }
 
   function directionOfLook() {
@@ -353,6 +366,7 @@
     return new THREE.Vector3(...meshes[cut()].normal).add(new THREE.Vector3(...lean)).normalize();
   }
 
+  let isMoved = false; // by the user, whose view is kept
   function lookAt() {
     const target = new THREE.Vector3();
     if (isMountain()) target.set(0, 0.12 * mountain.length, 0);
@@ -362,6 +376,7 @@
     if (Math.abs(direction.y) > 0.9) camera.up.set(1, 0, 0);
     camera.position.copy(target).addScaledVector(direction, 4 * extent);
     camera.zoom = 1;
+    isMoved = false;
     controls.target.copy(target);
     controls.update();
     frame();
@@ -407,9 +422,28 @@
       1 - (2 * (event.clientY - frameBox.top)) / frameBox.height);
     ray.setFromCamera(at, camera);
     const planes = objects.model.material.clippingPlanes || [];
-    const hit = ray.intersectObjects(Object.values(objects).filter((object) => object.visible))
+    return ray.intersectObjects(Object.values(objects).filter((object) => object.visible))
       .find((one) => one.object !== objects.model || planes.every((plane) => plane.distanceToPoint(one.point) >= 0));
+  }
+
+  function point(event) {
+    const hit = probe(event);
     box.querySelector(".status").textContent = hit ? describe(hit) : hint;
+  }
+
+  // A press without a drag keeps the value at its place, until the next one beside the model.
+  const kept = box.querySelector(".kept");
+  let pressed = null;
+  function press(event) {
+    pressed = [event.clientX, event.clientY];
+  }
+  function release(event) {
+    const isDrag = !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4;
+    pressed = null;
+    if (isDrag) return;
+    const hit = probe(event);
+    if (!hit) kept.replaceChildren();
+    else if (kept.children.length < 12) kept.append(Object.assign(document.createElement("li"), { textContent: `${nameOf(control("field").value)}: ${describe(hit)}` }));
   }
 
   function describe(hit) {
@@ -461,8 +495,9 @@
     else if (way) turn(0.1 * way[0], 0.1 * way[1]);
     else if (event.key === "+" || event.key === "=") zoom(1.2);
     else if (event.key === "-") zoom(1 / 1.2);
-    else if (event.key === "Home") lookAt();
-    else return;
+    else if (event.key !== "Home") return;
+    isMoved = event.key !== "Home";
+    if (!isMoved) lookAt();
     event.preventDefault();
     controls.update();
     draw();
@@ -482,9 +517,12 @@
   });
   control("part").addEventListener("change", () => refresh(true));
   if (view.dimension === 3) control("cut").addEventListener("change", () => refresh(true));
-  control("deformation").addEventListener("input", () => refresh(false));
+  control("deformation").addEventListener("input", () => refresh(!isMoved));
+  controls.addEventListener("start", () => { isMoved = true; });
   controls.addEventListener("change", draw);
-  renderer.domElement.addEventListener("pointermove", probe);
+  renderer.domElement.addEventListener("pointermove", point);
+  renderer.domElement.addEventListener("pointerdown", press);
+  renderer.domElement.addEventListener("pointerup", release);
   renderer.domElement.addEventListener("keydown", onKey);
   new ResizeObserver(frame).observe(stage);
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);

@@ -44,11 +44,34 @@
     setLine(line, along(radius), along(radius + (arrow * Math.abs(step.pin_force)) / greatestForce / scale));
   }
 
+  // The pin's diameter stands beside the pin where no other label is, and away from the force.
+  const labels = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")].map((label) => label.getBoundingClientRect && boxOf(label));
+  function boxOf(label) {
+    const { x, y, width, height } = label.getBBox();
+    const { e, f } = label.transform.baseVal.consolidate().matrix;
+    return { x: x + e, y: y + f, width, height };
+  }
+  function covered(box, other) {
+    const wide = Math.min(box.x + box.width, other.x + other.width) - Math.max(box.x, other.x);
+    const high = Math.min(box.y + box.height, other.y + other.height) - Math.max(box.y, other.y);
+    return wide > 0 && high > 0 ? wide * high : 0;
+  }
+  const { width, height } = drawing.viewBox.baseVal;
+  const outside = (box) => box.width * box.height - covered(box, { x: 0, y: 0, width, height });
   function labelPin(at) {
-    const away = (0.71 * scale * mechanism.pin_diameter) / 2 + 4;
     const label = document.getElementById("mechanism-pin-label");
-    label.setAttribute("x", (at[0] + away).toFixed(2));
-    label.setAttribute("y", (at[1] - away).toFixed(2));
+    const { width: wide, height: high } = label.getBBox();
+    const radius = (scale * mechanism.pin_diameter) / 2 + 4;
+    const places = [90, -90, 0, 180, 45, 135, -45, -135].map((degrees) => {
+      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      return [at[0] + c * (radius + wide / 2), at[1] + s * (radius + high / 2)];
+    });
+    const cost = ([x, y]) => {
+      const box = { x: x - wide / 2, y: y - high / 2, width: wide, height: high };
+      return labels.reduce((sum, other) => sum + covered(box, other), 0) + 10 * outside(box);
+    };
+    const best = places.reduce((found, place) => (cost(place) < cost(found) ? place : found));
+    label.setAttribute("transform", `translate(${best[0].toFixed(2)} ${best[1].toFixed(2)})`);
   }
 
   function show(step) {
@@ -66,11 +89,24 @@
     drawForce(step);
     document.querySelectorAll("#mechanism-readings output").forEach((output) => {
       const value = step[output.dataset.key];
-      output.textContent = value === null ? "not bounded" : Number((value * Number(output.dataset.factor)).toPrecision(5)).toString();
+      output.textContent = value === null ? "not bounded" : genevaNumber(value * Number(output.dataset.factor), 5);
     });
+    tellPosition(step);
     drawing.dataset.wheelAngle = step.wheel_angle;
   }
 
+  // Caption and charts follow.
+  function tellPosition(step) {
+    const angle = step.driver_angle * Number(document.querySelector('#mechanism-readings [data-key="driver_angle"]').dataset.factor);
+    document.getElementById("mechanism-angle").textContent = genevaNumber(angle, 5);
+    const isAnalysed = mechanism.analysed && Math.abs(mechanism.analysed.driver_angle - step.driver_angle) < 1e-9;
+    document.getElementById("mechanism-analysed").textContent = isAnalysed ? ", which is analysed" : "";
+    if (window.genevaCursor) window.genevaCursor(angle);
+  }
+
+  const start = mechanism.analysed || mechanism.steps[Number(slider.value)];
+  labelPin(pixel(start.pins[0]));
+  tellPosition(start);
   const goTo = () => show(mechanism.steps[Number(slider.value)]);
   let running = 0;
   function advance() {

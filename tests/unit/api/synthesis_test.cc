@@ -144,7 +144,7 @@ TEST(SynthesisCase, SubsectionsOfOtherModelsAreRefused) {
 TEST(SynthesisCase, SettingsOfASolutionAreRefused) {
   EXPECT_EQ(refusal("set Accuracy = 1 %\n" + synthesis_text(crank_rocker)),
             "DIR/case.prm, line 1: there is no parameter 'Accuracy' outside of all subsections; "
-            "there are 'Model', 'Title', 'Output units'");
+            "there are 'Model', 'Title', 'Project', 'Author', 'Output units'");
 }
 
 TEST(SynthesisCase, AWrongNumberOfGivenDimensionsIsRefused) {

@@ -102,13 +102,21 @@ TEST(SurfaceStress, HasTheTractionThatIsGiven) {
   EXPECT_LT((traction_of<3>(stress, normal) - traction).norm(), 1e-6 * traction.norm());
 }
 
-/// One node of a contact at the origin that carries 1000 N over a thickness of 0.1 m.
+/// One node of a contact at the origin that carries 1000 N over a thickness of 0.1 m, between two
+/// bodies of three.
 Solution<2> loaded_at_origin(const PlaneKind plane) {
   Solution<2> solution;
   solution.problem.plane = plane;
   solution.problem.thickness = 0.1;
-  solution.problem.bodies.push_back({"body", steel, {}});
+  solution.mesh = empty_mesh();
+  for (const char* const name : {"lower", "upper", "other"}) {
+    solution.problem.bodies.push_back({name, steel, {}});
+    add_rectangle(solution.mesh, name, {0., 1.}, {0., 1.},
+                  {"", "", "", std::string(name) + " side"});
+  }
   ContactResult<2> contact{};
+  contact.source = "upper side";
+  contact.target = "lower side";
   ContactNode<2> node{};
   node.pressure = 1e6;
   node.tributary = 1e-3;
@@ -126,6 +134,12 @@ TEST(ContactsOwnField, IsFlamants) {
   // the bound by sizes is that of plane stress
   const ContactsOwnField<2> strain(loaded_at_origin(PlaneKind::plane_strain));
   EXPECT_NEAR(strain.von_mises(Point<2>(0.012, -0.016), 0), radial, 1e-9 * radial);
+}
+
+TEST(ContactsOwnField, IsInTheBodiesOfTheContactOnly) {
+  const ContactsOwnField<2> stress(loaded_at_origin(PlaneKind::plane_stress));
+  EXPECT_GT(stress.von_mises(Point<2>(0.012, 0.016), 1), 0.);
+  EXPECT_EQ(stress.von_mises(Point<2>(0.012, 0.016), 2), 0.);
 }
 
 TEST(SingularPlaces, AreEndsOfSupportsBesideFreeSurfaces) {

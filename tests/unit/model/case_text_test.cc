@@ -168,7 +168,7 @@ TEST(CaseText, AnUnknownSubsectionIsRefusedWithTheNearestOrAll) {
             "'Optimisation', 'Published', 'Allowable'");
   EXPECT_EQ(refusal(mechanism_text("subsection Driver\nend\n")),
             "DIR/case.prm, line 6: there is no subsection 'Driver' in 'Mechanism'; there are "
-            "'Linkage', 'Pin', 'Pin material', 'Wheel material', 'Design'");
+            "'Linkage', 'Pin', 'Pin material', 'Stud material', 'Wheel material', 'Design'");
   EXPECT_EQ(refusal("subsection Pin material\nend\n"),
             "DIR/case.prm, line 1: the subsection 'Pin material' belongs into the subsection "
             "'Mechanism'");

@@ -124,12 +124,20 @@ TEST(Picture, IsAPngFile) {
 }
 
 TEST(ShownValues, KeepTheirDigitsWithoutPowersOfTen) {
-  EXPECT_EQ(significant(118578.3, 5), "118580");
-  EXPECT_EQ(significant(-72774.9, 5), "-72775");
-  EXPECT_EQ(significant(72774.9, 4), "72770");
+  EXPECT_EQ(significant(118578.3, 5), "118\u202f580");
+  EXPECT_EQ(significant(-72774.9, 5), "-72\u202f775");
+  EXPECT_EQ(significant(72774.9, 4), "72\u202f770");
   EXPECT_EQ(significant(0.00299231, 5), "0.0029923");
-  EXPECT_EQ(significant(5.01765e8, 5), "5.0176e+08");
+  EXPECT_EQ(significant(5.01765e8, 5), "501\u202f770\u202f000");
+  EXPECT_EQ(significant(5.01765e9, 5), "5.0176e+09");
+  EXPECT_EQ(significant(1471.34, 5), "1471.3") << "four digits stay together";
   EXPECT_EQ(significant(0., 5), "0");
+}
+
+TEST(ShownValues, AreMarkedAtRoundNumbers) {
+  EXPECT_EQ(round_numbers(0.3, 5.2, 5), (std::vector<double>{1., 2., 3., 4., 5.}));
+  EXPECT_EQ(round_numbers(-30., 40., 8),
+            (std::vector<double>{-30., -20., -10., 0., 10., 20., 30., 40.}));
 }
 
 TEST(Chart, TellsMissingValuesAsNull) {

@@ -48,7 +48,8 @@ TEST(SafetyRow, HasNoFactorWhereThePressureIsNotBounded) {
 
 TEST(SafetyLines, SayWhereTheFactorIsLeast) {
   EXPECT_EQ(safety_lines({pressure_row()}, base::UnitSystem::mm_newton),
-            "peak contact pressure: 625 of 500 MPa allowed, safety factor 0.8 at -5.7296 deg (as "
+            "peak contact pressure: 625 of 500 MPa allowed, safety factor 0.8, EXCEEDED at -5.7296 "
+            "deg (as "
             "analysed at -11.459 deg: 400, 1.25)\n");
 }
 

@@ -1,0 +1,171 @@
+#include "app/workers.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "app/exit_code.h"
+#include "app/launch.h"
+#include "base/installed_program.h"
+#include "base/output_file.h"
+
+namespace geneva::app {
+
+namespace {
+
+constexpr int signalled = 128;
+
+/// Variables by which a launcher of MPI programs tells a process its rank: a worker is alone.
+bool is_of_launcher(const std::string& variable) {
+  constexpr std::array<const char*, 4> beginnings{"OMPI_COMM_WORLD_", "PMIX_", "PMI_",
+                                                  "OMPI_MCA_ess"};
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](const char* const beginning) {
+    return variable.rfind(beginning, 0) == 0;
+  });
+}
+
+std::vector<char*> environment_of_worker() {
+  use_one_thread();
+  std::vector<char*> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (!is_of_launcher(*variable)) variables.push_back(*variable);
+  variables.push_back(nullptr);
+  return variables;
+}
+
+/// A pipe whose ends close where another program is started.
+struct Pipe {
+  std::array<int, 2> ends{-1, -1};
+
+  Pipe() {
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) base::refuse_by_system("cannot start a solver");
+  }
+  [[nodiscard]] int reading() const { return ends[0]; }
+  [[nodiscard]] int writing() const { return ends[1]; }
+};
+
+/// Only what a new process may do between fork and exec.
+[[noreturn]] void become(const char* const program, char* const* const arguments,
+                         char* const* const variables, const Pipe& requests, const Pipe& replies,
+                         const pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(1);
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  ::dup2(requests.reading(), STDIN_FILENO);
+  ::dup2(replies.writing(), STDOUT_FILENO);
+  ::execve(program, arguments, variables);
+  ::_exit(127);
+}
+
+bool write_all(const int file, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t n = ::write(file, text.data() + done, text.size() - done);
+    if (n < 0 && errno != EINTR) return false;
+    if (n > 0) done += static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+/// The exit code that a worker replies with; -1 if it has ended instead.
+int reply_from(const int file) {
+  std::string text;
+  for (;;) {
+    char letter = 0;
+    const ssize_t n = ::read(file, &letter, 1);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return -1;
+    if (letter == '\n') return std::stoi(text);
+    text += letter;
+  }
+}
+
+}  // namespace
+
+Workers::Workers() {
+  ::signal(SIGPIPE, SIG_IGN);  // a worker that has ended is noticed by its reply
+}
+
+Workers::~Workers() {
+  for (const Worker& worker : workers_)
+    if (worker.task.done) ::kill(worker.id, SIGTERM);
+  while (!workers_.empty()) dismiss(workers_.size() - 1);
+}
+
+int Workers::dismiss(const std::size_t place) {
+  const Worker worker = std::move(workers_[place]);
+  workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(place));
+  ::close(worker.requests);
+  ::close(worker.replies);
+  int status = 0;
+  while (::waitpid(worker.id, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : signalled + WTERMSIG(status);
+}
+
+std::size_t Workers::busy() const {
+  return static_cast<std::size_t>(
+      std::count_if(workers_.begin(), workers_.end(),
+                    [](const Worker& worker) { return static_cast<bool>(worker.task.done); }));
+}
+
+Workers::Worker& Workers::idle_worker() {
+  const auto idle = std::find_if(workers_.begin(), workers_.end(),
+                                 [](const Worker& worker) { return !worker.task.done; });
+  if (idle != workers_.end()) return *idle;
+  std::string solver = base::installed_program("geneva-solver").string();
+  std::string word = worker_word;
+  const std::array<char*, 3> arguments{solver.data(), word.data(), nullptr};
+  const std::vector<char*> variables = environment_of_worker();
+  const Pipe requests;
+  const Pipe replies;
+  const pid_t parent = ::getpid();
+  const pid_t child = ::fork();
+  if (child == 0)
+    become(solver.c_str(), arguments.data(), variables.data(), requests, replies, parent);
+  ::close(requests.reading());
+  ::close(replies.writing());
+  if (child < 0) base::refuse_by_system("cannot start " + solver);
+  workers_.push_back({child, requests.writing(), replies.reading(), {}});
+  return workers_.back();
+}
+
+void Workers::start(WorkerTask task) {
+  Worker& worker = idle_worker();
+  std::string request;
+  for (const std::filesystem::path& path : {task.case_directory, task.log})
+    request += path.string() + '\0';
+  worker.task = std::move(task);
+  (void)write_all(worker.requests, request);
+}
+
+void Workers::wait() {
+  std::vector<pollfd> files;
+  for (const Worker& worker : workers_) files.push_back({worker.replies, POLLIN, 0});
+  while (::poll(files.data(), files.size(), -1) < 0 && errno == EINTR) {
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].revents == 0) continue;
+    const std::function<void(int)> done = std::exchange(workers_[i].task, {}).done;
+    int code = reply_from(workers_[i].replies);
+    if (code < 0)
+      code = dismiss(i);
+    else if (code == internal_error)  // whatever state that left behind ends with it
+      dismiss(i);
+    if (done) done(code);
+    return;
+  }
+}
+
+}  // namespace geneva::app
