@@ -95,12 +95,15 @@ std::vector<Parameter> size_parameters() {
   const SectionPath section{names::mechanism};
   const QuantityRule size = positive(Dimension::length, {""});
   const std::string one_of =
-      " Exactly one of wheel diameter, crank radius and centre distance is given.";
+      " Exactly one of wheel diameter, crank radius and centre distance is given, unless the type "
+      "has a size of its own (subsections below).";
   return {
       {section, "Stations", "", whole(3, 24, "from 3 to 24"),
        "Number n of the wheel's slots: the wheel turns 1/n of a turn with each turn of the driver.",
        true},
-      {section, "Wheel diameter", "", size, "Diameter D of the wheel's rim." + one_of},
+      {section, "Wheel diameter", "", size,
+       "Diameter D of the wheel's rim; of an internal wheel the inner one, where its slots open." +
+           one_of},
       {section, "Crank radius", "", size,
        "Distance r from the driver's axis to the pin's axis: r = (D/2) tan(pi/n). Long dwell: "
        "pitch "
@@ -110,10 +113,10 @@ std::vector<Parameter> size_parameters() {
        "Distance c from the driver's axis to the wheel's axis: c = (D/2)/cos(pi/n)." + one_of},
       ruled_length("Pin diameter",
                    "Diameter d of the pin. Default: k2 D, with Johnson's k2 for the number of "
-                   "stations."),
+                   "stations; where no wheel is drawn D is twice the pin's distance at entry."),
       ruled_length("Wheel thickness",
                    "Thickness t of the wheel. Default: k3 D, with Johnson's k3 for the number of "
-                   "stations."),
+                   "stations and D as for the pin."),
       ruled_length("Slot clearance",
                    "Slot width minus pin diameter. Default: 0. Either the clearance or the width "
                    "is given.",
@@ -123,9 +126,9 @@ std::vector<Parameter> size_parameters() {
                    "clearance."),
       ruled_length(
           "Slot depth",
-          "From the rim to the lowest point of the slot's round bottom. Default: D/2 - (c "
-          "- r) + half the slot width, so that the bottom is concentric with the pin where "
-          "it is nearest the wheel's axis."),
+          "From the rim to the end of the slot's round bottom. Default: D/2 - (c "
+          "- r) + half the slot width, of an internal wheel c + r - D/2 + that, so that the bottom "
+          "is concentric with the pin where it is deepest in its slot."),
       ruled_length("Locking radius",
                    "Radius of the locking arcs between the slots. Default: k4 D, with Johnson's k4 "
                    "for the number of stations."),
@@ -136,9 +139,11 @@ std::vector<Parameter> size_parameters() {
           "Rim radius",
           "Outer radius of an internal wheel, where it is held. Default: D/2 plus the slot "
           "depth plus 0.15 D."),
-      ruled_length("Pin core radius",
-                   "Radius of the pin's core, where the driver holds it. Default: a quarter of the "
-                   "pin diameter.")};
+      ruled_length(
+          "Pin core radius",
+          "Radius of the pin's core, where the driver holds it. Default: a quarter of the "
+          "pin diameter, of a roller with a bore clearance a quarter of its stud's. In 3-D "
+          "only with Held at = core.")};
 }
 
 std::vector<Parameter> motion_parameters() {
@@ -198,22 +203,26 @@ std::vector<Parameter> pin_parameters() {
       {section, "Root gap", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
        "Free length from the wheel to where the pin is held. Default: a quarter of the pin "
-       "diameter; 0 with Held at = core. With Dimension = 2 for the root's force, moment and "
+       "diameter; with Held at = core there is none. With Dimension = 2 for the root's force, "
+       "moment and "
        "stresses only."},
       {section, "Overhang", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
-       "Length beyond the wheel at every free end. Default: a quarter of the pin diameter. Either "
-       "the overhang or the length is given."},
+       "Length beyond the wheel at every free end; none with Held at = both ends. Default: a "
+       "quarter of the pin diameter. Either the overhang or the length is given."},
       {section, "Length", "", length,
-       "Length of the pin from end to end; where it is held, from there."},
+       "Length of the pin from end to end; where it is held, from there. Not with Held at = both "
+       "ends."},
       {section, "End chamfer", "0 m", quantity(Dimension::length, zero_or_greater()),
-       "Leg of the 45 degree chamfer at the pin's free ends."},
+       "Leg of the 45 degree chamfer at the pin's free ends. Not with Held at = both ends."},
       {section, "Profile", names::cylindrical,
        ChoiceRule{{names::cylindrical, names::crown, names::logarithmic, names::table}},
        "Outline of the pin along its length: 'crown': a circular arc. 'logarithmic': by which a "
        "line contact of finite length carries its design load evenly (Lundberg; Johns and Gohar). "
        "'table': the heights of a file."},
-      {section, "Crown radius", "", length, "Radius of the arc. Only with Profile = crown."},
+      {section, "Crown radius", "", length,
+       "Radius of the arc, which reaches at least from the middle of the wheel to the pin's end. "
+       "Only with Profile = crown."},
       {section, "Profile load", names::default_word,
        positive(Dimension::force, {names::default_word}),
        "Design load of the logarithmic profile. Default: the pin force. Either the load or the "
@@ -231,7 +240,9 @@ std::vector<Parameter> pin_parameters() {
        "where the pin is held, and heights of the outline (lower where the pin is thinner). Only "
        "with Profile = table."},
       {section, "Tilt", "0 deg", quantity(Dimension::angle, tilt),
-       "By which the pin leans; positive: its free end towards the driving wall." + space},
+       "By which the pin leans; positive: its free end towards the driving wall. In a whole wheel "
+       "the 'Slot clearance' has to leave room for it." +
+           space},
       {section, "Tilt tolerance", "0 deg", quantity(Dimension::angle, tolerance),
        "By which the tilt may be more or less, for 'geneva design --crown', which looks for the "
        "profile that bears all of them best." +
@@ -281,7 +292,9 @@ std::vector<Parameter> inertia_parameters() {
        "in "
        "its bore."},
       {section, "Roller bore diameter", "", positive(Dimension::length, {""}),
-       "Diameter of the stud on which the roller turns, less than the pin diameter." + only_roller},
+       "Diameter of the bore with which the roller turns on its stud, less than the pin "
+       "diameter." +
+           only_roller},
       {section, "Roller bore friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
        "Coefficient of friction of roller and stud, for the pin force only." + only_roller},
       {section, "Roller bore clearance", "", quantity(Dimension::length, zero_or_greater(), {""}),

@@ -157,7 +157,9 @@ void check_pin(const CaseValues& values, const MechanismCase& given, const Mecha
                                  mm(reach)));
   }
   if (!slot_width) return;
-  const double room = *slot_width - sizes.pin_diameter;
+  constexpr double rounding = 1e-12;
+  const double difference = *slot_width - sizes.pin_diameter;
+  const double room = std::abs(difference) < rounding * sizes.pin_diameter ? 0. : difference;
   const double lean = std::tan(std::abs(pin.tilt) + pin.tilt_tolerance) * sizes.thickness;
   const char* const responsible = pin.tilt_tolerance == 0. ? "Tilt" : "Tilt tolerance";
   if (lean > room * (1. + 1e-9) && lean > 0.)

@@ -61,9 +61,12 @@ std::string sizes_of(const Starter& starter) {
   Lines lines(2);
   if (starter.type == "external" || starter.type == "internal") {
     lines
-        .comment(
-            "Diameter over the tips of the arms. Pin, thickness, slots and locking disc follow "
-            "from it by")
+        .comment(starter.type == "external" ? "Diameter over the tips of the arms. Pin, thickness, "
+                                              "slots and locking disc follow "
+                                              "from it by"
+                                            : "Diameter of the inner rim, where the slots open. "
+                                              "Pin, thickness and slots follow "
+                                              "from it by")
         .comment(
             "Johnson's proportions, unless they are given (Pin diameter, Wheel thickness, Slot "
             "clearance, ...).")

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "loads/contact_limits.h"
+#include "post/analysis/surface_body.h"
 
 namespace geneva::post {
 
@@ -62,6 +64,7 @@ std::optional<bool> is_line_contact(const ContactAnalysis<3>& analysis) {
 /// Limits of the peak contact pressure that follow from the materials of the bodies in contact.
 template <int dim>
 std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
+                                     const fem::ContactResult<dim>& contact,
                                      const ContactAnalysis<dim>& analysis, const RunReport& report,
                                      const SafetyRow& pressure) {
   std::vector<SafetyRow> rows;
@@ -73,7 +76,10 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
   };
   const double friction = report.mechanism ? report.mechanism->slot_friction : 0.;
   const std::optional<bool> is_line = is_line_contact(analysis);
-  for (const fem::Body<dim>& body : solution.problem.bodies) {
+  const std::set<unsigned int> touching{body_of(solution, contact.source),
+                                        body_of(solution, contact.target)};
+  for (const unsigned int touched : touching) {
+    const fem::Body<dim>& body = solution.problem.bodies[touched];
     const auto yield = report.allowed.yield_strengths.find(body.name);
     if (is_line && yield != report.allowed.yield_strengths.end()) {
       const double nu = body.material.poissons_ratio;
@@ -121,8 +127,8 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   std::vector<SafetyRow> rows;
   if (allowed.contact_pressure) rows.push_back(of_pressure);
   if (has_contact)
-    for (const SafetyRow& row :
-         material_rows(solution, results.contacts[leading], report, of_pressure))
+    for (const SafetyRow& row : material_rows(solution, solution.contacts[leading],
+                                              results.contacts[leading], report, of_pressure))
       rows.push_back(row);
   if (allowed.pressure_times_slip && mechanism) {
     const loads::PinLoad& load = mechanism->load;

@@ -38,19 +38,23 @@ std::string axis_label(const std::string& name, const CsvColumn& column) {
   return column.unit.empty() ? name : fmt::format("{} [{}]", name, column.unit);
 }
 
+/// "pin -> driving wall".
+std::string name_of_pair(const json& contact) {
+  return fmt::format("{} -> {}", contact.at("source").get<std::string>(),
+                     contact.at("target").get<std::string>());
+}
+
 /// The rows of the contact pair with the maximum pressure.
 CsvTable leading_rows(const ResultsDirectory& results, const std::string& table) {
-  const json& contact = results.document("summary")->at("contact");
-  return results.table(table)->rows_with(
-      "pair", fmt::format("{} -> {}", contact.at("source").get<std::string>(),
-                          contact.at("target").get<std::string>()));
+  return results.table(table)->rows_with("pair",
+                                         name_of_pair(results.document("summary")->at("contact")));
 }
 
 /// Hertz's pressure, p0 sqrt(1 - (x/b)^2), over twice the half-width b to either side.
-ChartSeries hertz_curve(const json& summary, const UnitSystem units, const bool is_axis) {
-  const double peak = in_units(summary.at("hertz").at("peak_pressure"), Dimension::stress, units);
+ChartSeries hertz_curve(const json& contact, const UnitSystem units, const bool is_axis) {
+  const double peak = in_units(contact.at("hertz").at("peak_pressure"), Dimension::stress, units);
   const double half_width =
-      in_units(summary.at("hertz").at("half_width"), Dimension::length, units);
+      in_units(contact.at("hertz").at("half_width"), Dimension::length, units);
   constexpr int n_per_half_width = 100;
   ChartSeries curve{"Hertz", SeriesStyle::line, {}};
   for (int i = is_axis ? 0 : -2 * n_per_half_width; i <= 2 * n_per_half_width; ++i) {
@@ -60,28 +64,35 @@ ChartSeries hertz_curve(const json& summary, const UnitSystem units, const bool 
   return curve;
 }
 
-/// Pressure along the contact of a plane model, three half-widths to either side of its middle.
-Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
-  const CsvTable contact = leading_rows(results, "contact");
-  const CsvColumn& arc = contact.column("arc_length");
-  const CsvColumn& pressure = contact.column("contact_pressure");
+/// What tells the chart of one contact from that of another.
+struct ChartOfContact {
+  const char* id;
+  const char* title;
+  const char* where;
+};
+
+/// Pressure along a contact of a plane model, two half-widths to either side of its middle.
+/// @param contact one of `contact_pairs`
+Chart pressure_chart(const ResultsDirectory& results, const json& contact,
+                     const ChartOfContact& about) {
+  const UnitSystem units = results.units();
+  const CsvTable rows = results.table("contact")->rows_with("pair", name_of_pair(contact));
+  const CsvColumn& arc = rows.column("arc_length");
+  const CsvColumn& pressure = rows.column("contact_pressure");
   double force = 0.;
   double moment = 0.;
   for (std::size_t i = 0; i < arc.values.size(); ++i) {
     force += pressure.values[i];
     moment += pressure.values[i] * arc.values[i];
   }
-  const json& summary = *results.document("summary");
-  const double half_width =
-      in_units(summary.at("contact").at("half_width"), Dimension::length, units);
+  const double half_width = in_units(contact.at("half_width"), Dimension::length, units);
   const bool is_axis = std::abs(arc.values.front()) < half_width && pressure.values.front() > 0.;
   const double middle = is_axis ? arc.values.front() : force > 0. ? moment / force : 0.;
   Chart chart{
-      "chart-pressure",
-      "Contact pressure beside Hertz's",
-      fmt::format("Contact pressure along the contact; its maximum value is {} {}",
-                  shown(summary.at("contact").at("peak_pressure"), Dimension::stress, units),
-                  pressure.unit),
+      about.id,
+      about.title,
+      fmt::format("Contact pressure along {}; its maximum value is {} {}", about.where,
+                  shown(contact.at("peak_pressure"), Dimension::stress, units), pressure.unit),
       {axis_label("distance from the middle of the contact", arc)},
       {axis_label("contact pressure", pressure)},
       {{"this program", SeriesStyle::markers, {}}}};
@@ -90,8 +101,27 @@ Chart pressure_chart(const ResultsDirectory& results, const UnitSystem units) {
     if (std::abs(at) > 2. * half_width) continue;
     chart.series[0].points.push_back({at, pressure.values[i]});
   }
-  if (summary.contains("hertz")) chart.series.push_back(hertz_curve(summary, units, is_axis));
+  constexpr std::size_t dense = 100;  // markers would hide the curve below them
+  if (chart.series[0].points.size() > dense) chart.series[0].style = SeriesStyle::line;
+  if (contact.contains("hertz")) chart.series.push_back(hertz_curve(contact, units, is_axis));
   return chart;
+}
+
+/// Of the contact with the maximum pressure and, of a roller, of its bore.
+std::vector<Chart> pressure_charts(const ResultsDirectory& results) {
+  const json& summary = *results.document("summary");
+  const std::string leading = name_of_pair(summary.at("contact"));
+  std::vector<Chart> charts;
+  for (const json& contact : summary.at("contact_pairs")) {
+    if (name_of_pair(contact) == leading)
+      charts.push_back(pressure_chart(
+          results, contact, {"chart-pressure", "Contact pressure beside Hertz's", "the contact"}));
+    if (contact.at("source") == "stud" && summary.contains("roller"))
+      charts.push_back(pressure_chart(
+          results, contact,
+          {"chart-bore", "Contact pressure in the roller's bore", "the roller's bore"}));
+  }
+  return charts;
 }
 
 Chart depth_chart(const ResultsDirectory& results) {
@@ -207,8 +237,11 @@ Chart section_pressure_chart(const ResultsDirectory& results) {
 }
 
 std::vector<Chart> contact_charts(const ResultsDirectory& results, const UnitSystem units) {
-  if (results.document("summary")->at("case").at("dimension") == 2)
-    return {pressure_chart(results, units), depth_chart(results)};
+  if (results.document("summary")->at("case").at("dimension") == 2) {
+    std::vector<Chart> charts = pressure_charts(results);
+    charts.push_back(depth_chart(results));
+    return charts;
+  }
   if (leading_rows(results, "sections").n_rows() < 2) return {};
   return {line_load_chart(results, units), section_pressure_chart(results)};
 }

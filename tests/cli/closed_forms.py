@@ -574,6 +574,7 @@ def values():
         "synthesis-nine-points": {"path.solutions": KNOWN_LINKAGE},
         "plate-with-hole": {"strength.bar.tensile": 3.15591 * 50e6},
         "shaft-fillet": {},
+        "indexing-table-roller": {},  # as indexing-table
         "indexing-table": {},  # its expectations are by hand: differences of the motion, Hertz, lever arms
         "rotating-disc": {"strength.disc.tensile": turning_disc(7850, 200 * math.pi, 0.02, 0.15, 0.3)},
         "flat-patch": {"contact.force": 100e6 * 0.04 * 1e-3, "contact.peak_pressure": 100e6},
