@@ -194,15 +194,9 @@ std::string marks(const json& view, const FlatMesh& mesh, const Window& window) 
 std::string colour_bar(const std::array<double, 2>& range, const std::string& unit,
                        const bool is_exceeded, const std::string& id) {
   const double y = top + height + 60.;
-  std::string stops;
-  for (std::size_t i = 0; i < palette().size(); ++i)
-    stops += fmt::format("<stop offset=\"{:.2f}\" stop-color=\"#{}\"/>",
-                         static_cast<double>(i) / static_cast<double>(palette().size() - 1),
-                         palette()[i]);
-  std::string result = fmt::format(
-      "<defs><linearGradient id=\"{0}\">{1}</linearGradient></defs>\n<rect x=\"{2}\" "
-      "y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
-      id, stops, left, y, width);
+  std::string result =
+      fmt::format("{1}<rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
+                  id, colour_gradient(id), left, y, width);
   for (const double at : round_numbers(range[0], range[1], 8)) {
     const double x = left + (at - range[0]) / (range[1] - range[0]) * width;
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v5\"/>\n", x, y + 16.);

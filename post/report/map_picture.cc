@@ -136,15 +136,9 @@ std::string map_axes(const MapData& map, const MapScale& x, const MapScale& y) {
 std::string map_bar(const MapData& map, const std::array<double, 2>& range, const std::string& id) {
   const MapScale scale{range[0], range[1], map_left, map_width - map_right};
   const double y = map_height - 46.;
-  std::string stops;
-  for (std::size_t i = 0; i < palette().size(); ++i)
-    stops += fmt::format("<stop offset=\"{:.2f}\" stop-color=\"#{}\"/>",
-                         static_cast<double>(i) / static_cast<double>(palette().size() - 1),
-                         palette()[i]);
-  std::string svg = fmt::format(
-      "<defs><linearGradient id=\"{0}\">{1}</linearGradient></defs>\n<rect x=\"{2}\" y=\"{3}\" "
-      "width=\"{4}\" height=\"10\" fill=\"url(#{0})\"/>\n",
-      id, stops, map_left, y, map_width - map_left - map_right);
+  std::string svg =
+      fmt::format("{1}<rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"10\" fill=\"url(#{0})\"/>\n",
+                  id, colour_gradient(id), map_left, y, map_width - map_left - map_right);
   if (range[0] < range[1])
     for (const double value : round_numbers(range[0], range[1], 5))
       svg += map_text(scale.at(value), y + 24., "middle", significant(value, 4));

@@ -22,6 +22,17 @@ using nlohmann::json;
 
 namespace {
 
+/// "t_m" with its letter lowered.
+std::string html_symbol(const std::string& symbol) {
+  std::string html;
+  for (std::size_t i = 0; i < symbol.size(); ++i)
+    if (symbol[i] == '_' && i + 1 < symbol.size())
+      html += fmt::format("<sub>{}</sub>", symbol[++i]);
+    else
+      html += symbol[i];
+  return html;
+}
+
 std::string characteristics_table(const json& kinematics, const UnitSystem units) {
   HtmlTable table{
       "Characteristic values of the motion",
@@ -34,7 +45,7 @@ std::string characteristics_table(const json& kinematics, const UnitSystem units
     table.rows.push_back({fmt::format("{}<abbr title=\"{}\">{}</abbr>", first > 0 ? "&emsp;" : "",
                                       escaped(row.value("meaning", "")),
                                       escaped(labelled(quantity.substr(first), dimension, units))),
-                          escaped(row.value("symbol", "")),
+                          html_symbol(row.value("symbol", "")),
                           shown(row.at("value"), dimension, units),
                           shown(row.at("driver_angle"), Dimension::angle, units)});
   }
@@ -93,6 +104,7 @@ Chart slip_chart(const CsvTable& table, const bool is_roller) {
   const Chart travel = column_chart(table, "driver_angle", "driver angle", "travel_speed",
                                     "speed of the pin's axis along the slot");
   chart.series.push_back({travel.series[0].name, SeriesStyle::dashed, travel.series[0].points});
+  chart.y.label = fmt::format("speed [{}]", table.column("travel_speed").unit);
   return chart;
 }
 

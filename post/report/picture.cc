@@ -1,5 +1,6 @@
 #include "post/report/picture.h"
 
+#include <fmt/format.h>
 #include <png.h>
 
 #include <algorithm>
@@ -40,6 +41,15 @@ const std::vector<std::string>& palette() {
                                                 "2a788e", "21918c", "22a884", "44bf70",
                                                 "7ad151", "bddf26", "fde725"};
   return colours;
+}
+
+std::string colour_gradient(const std::string& id) {
+  std::string stops;
+  for (std::size_t i = 0; i < palette().size(); ++i)
+    stops += fmt::format("<stop offset=\"{:.2f}\" stop-color=\"#{}\"/>",
+                         static_cast<double>(i) / static_cast<double>(palette().size() - 1),
+                         palette()[i]);
+  return fmt::format("<defs><linearGradient id=\"{}\">{}</linearGradient></defs>\n", id, stops);
 }
 
 Colour colour_of(const double value) {

@@ -16,6 +16,10 @@ const std::vector<std::string>& palette();
 /// The colour of a value between 0 and 1; beyond, that of the nearer end.
 Colour colour_of(double value);
 
+/// The colour map from left to right, for the fill of an SVG element.
+/// @param id of the gradient, unique on the page
+std::string colour_gradient(const std::string& id);
+
 /// A picture by rows from the top.
 class Picture {
  public:

@@ -598,7 +598,7 @@ class WholeReport(ReportTest):
         self.assertGreater(len(words), 8)
         for _, meaning in words:
             self.assertGreater(len(meaning), 10)
-        self.assertIn("k_t", [symbol for symbol, _ in words])
+        self.assertIn("kt", [symbol for symbol, _ in words])
 
     def test_marks_the_best_wheel(self):
         design = json.loads((self.results / "design.json").read_text())

@@ -14,6 +14,13 @@ DIAMETERS = "Mechanism/Pin diameter = 12 mm .. 18 mm, 3"
 SPEEDS = "Mechanism/Driver speed = 200 rpm; 300 rpm"
 
 
+def wait_for(condition, seconds=120):
+    """Until the condition holds, or so long."""
+    deadline = time.monotonic() + seconds
+    while not condition() and time.monotonic() < deadline:
+        time.sleep(0.02)
+
+
 class Sweep(CliTest):
 
     def call(self, *arguments):
@@ -30,6 +37,11 @@ class Sweep(CliTest):
         run = self.call("sweep", case, *options)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run
+
+    def begun_sweep(self, case):
+        """The process of a sweep of one job, which goes on beside the test."""
+        return subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
+                                env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def points(self, directory):
         return json.loads((directory / "sweep.json").read_text())["points"]
@@ -111,11 +123,8 @@ class Sweep(CliTest):
     def test_a_second_sweep_in_the_same_directory_is_refused(self):
         case = self.new_case()
         change_case(case, {"Accuracy": "0.05 %"})
-        first = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
-                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60
-        while not (case / "sweep" / "points" / "1").exists() and time.monotonic() < deadline:
-            time.sleep(0.02)
+        first = self.begun_sweep(case)
+        wait_for((case / "sweep" / "points" / "1").exists)
         second = self.call("sweep", case, "--set", SPEEDS)
         self.assertEqual(second.returncode, 1, second.stdout)
         self.assertIn("sweep directory", second.stderr)
@@ -196,18 +205,13 @@ class Sweep(CliTest):
     def test_an_interrupted_sweep_leaves_no_process_and_goes_on(self):
         case = self.new_case()
         change_case(case, {"Accuracy": "0.05 %"})
-        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
-                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        sweep = self.begun_sweep(case)
         first = case / "sweep" / "points" / "1" / "ended"
-        deadline = time.monotonic() + 120
-        while not first.exists() and time.monotonic() < deadline:
-            time.sleep(0.02)
+        wait_for(first.exists)
         sweep.send_signal(signal.SIGTERM)
         sweep.communicate(timeout=60)
         self.assertEqual(sweep.returncode, 128 + signal.SIGTERM)
-        deadline = time.monotonic() + 20
-        while self.solvers() and time.monotonic() < deadline:
-            time.sleep(0.1)
+        wait_for(lambda: not self.solvers())
         self.assertEqual(self.solvers(), [])
         done = first.stat().st_mtime_ns
         self.sweep(case, "--set", DIAMETERS)
@@ -228,11 +232,8 @@ class Sweep(CliTest):
     def test_a_solver_that_is_killed_is_told_and_ends_no_other_point(self):
         case = self.new_case()
         change_case(case, {"Accuracy": "0.05 %"})
-        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
-                                 env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 60
-        while not (case / "sweep" / "points" / "1" / "log.txt").exists() and time.monotonic() < deadline:
-            time.sleep(0.02)
+        sweep = self.begun_sweep(case)
+        wait_for((case / "sweep" / "points" / "1" / "log.txt").exists)
         (solver,) = self.solvers()
         os.kill(solver, signal.SIGKILL)
         sweep.communicate(timeout=120)
@@ -245,8 +246,7 @@ class Sweep(CliTest):
 
     def test_one_solver_does_all_the_points_of_one_job(self):
         case = self.new_case()
-        sweep = subprocess.Popen([self.program, "sweep", case, "-j", "1", "--set", DIAMETERS], cwd=self.directory,
-                                 env=environment(), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        sweep = self.begun_sweep(case)
         seen = set()
         while sweep.poll() is None:
             seen.update(self.solvers())
