@@ -19,10 +19,21 @@
 
 namespace geneva::app {
 
-bool is_launched_as_first_rank() {
+namespace {
+
+/// The rank that a launcher of MPI programs gave this process; null without one.
+const char* rank_of_launcher() {
   for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (const char* const rank = std::getenv(name)) return std::string(rank) == "0";
-  return true;
+    if (const char* const rank = std::getenv(name)) return rank;
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_launched_by_mpi() { return rank_of_launcher() != nullptr; }
+
+bool is_launched_as_first_rank() {
+  return !is_launched_by_mpi() || std::string(rank_of_launcher()) == "0";
 }
 
 bool is_launched_with_others() {

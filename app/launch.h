@@ -8,6 +8,9 @@ namespace geneva::app {
 /// is known before MPI is.
 bool is_launched_as_first_rank();
 
+/// Whether a launcher of parallel programs started this process.
+bool is_launched_by_mpi();
+
 /// Whether that launcher has started other ranks as well.
 bool is_launched_with_others();
 

@@ -70,7 +70,7 @@ class Runs {
       if (is_done(i, *cases[i].given) && has_figures(i))
         take(i, stored_code(i));
       else
-        start(i, *cases[i].given);
+        try_to_start(i, *cases[i].given);
     }
     while (workers_.busy() > 0) workers_.wait();
   }
@@ -111,6 +111,16 @@ class Runs {
     }
   } catch (const fs::filesystem_error& error) {
     throw base::InputError(error.what());
+  }
+
+  /// A point whose directory cannot be made is told, and ends no other.
+  void try_to_start(const std::size_t point, const Case& given) try {
+    start(point, given);
+  } catch (const base::InputError& error) {
+    report_.points[point].exit_code = wrong_input;
+    report_.points[point].message = error.what();
+    ++done_;
+    tell(report_.points[point]);
   }
 
   void start(const std::size_t point, const Case& given) {

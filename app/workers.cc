@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "app/exit_code.h"
@@ -26,18 +27,20 @@ constexpr int signalled = 128;
 
 /// Variables by which a launcher of MPI programs tells a process its rank: a worker is alone.
 bool is_of_launcher(const std::string& variable) {
-  constexpr std::array<const char*, 4> beginnings{"OMPI_COMM_WORLD_", "PMIX_", "PMI_",
-                                                  "OMPI_MCA_ess"};
-  return std::any_of(beginnings.begin(), beginnings.end(), [&](const char* const beginning) {
+  constexpr std::array<const char*, 3> beginnings{"OMPI_", "PMIX_", "PMI_"};
+  const auto begins = [&](const char* const beginning) {
     return variable.rfind(beginning, 0) == 0;
-  });
+  };
+  return std::any_of(beginnings.begin(), beginnings.end(), begins) &&
+         !begins("OMPI_ALLOW_RUN_AS_ROOT");
 }
 
 std::vector<char*> environment_of_worker() {
   use_one_thread();
   std::vector<char*> variables;
+  const bool is_launched = is_launched_by_mpi();
   for (char** variable = environ; *variable != nullptr; ++variable)
-    if (!is_of_launcher(*variable)) variables.push_back(*variable);
+    if (!is_launched || !is_of_launcher(*variable)) variables.push_back(*variable);
   variables.push_back(nullptr);
   return variables;
 }
@@ -78,15 +81,21 @@ bool write_all(const int file, const std::string& text) {
   return true;
 }
 
-/// The exit code that a worker replies with; -1 if it has ended instead.
-int reply_from(const int file) {
+struct Reply {
+  int code;
+  bool goes_on;
+};
+
+/// What a worker replies; nothing if it has ended instead.
+std::optional<Reply> reply_from(const int file) {
   std::string text;
   for (;;) {
     char letter = 0;
     const ssize_t n = ::read(file, &letter, 1);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return -1;
-    if (letter == '\n') return std::stoi(text);
+    if (n <= 0) return std::nullopt;
+    if (letter == '\n')
+      return Reply{std::stoi(text), text.find(worker_goes_on) != std::string::npos};
     text += letter;
   }
 }
@@ -158,12 +167,10 @@ void Workers::wait() {
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].revents == 0) continue;
     const std::function<void(int)> done = std::exchange(workers_[i].task, {}).done;
-    int code = reply_from(workers_[i].replies);
-    if (code < 0)
-      code = dismiss(i);
-    else if (code == internal_error)  // whatever state that left behind ends with it
-      dismiss(i);
-    if (done) done(code);
+    const std::optional<Reply> reply = reply_from(workers_[i].replies);
+    const bool goes_on = reply && reply->goes_on && reply->code != internal_error;
+    const int code_of_end = goes_on ? 0 : dismiss(i);
+    if (done) done(reply ? reply->code : code_of_end);
     return;
   }
 }

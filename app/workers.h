@@ -13,6 +13,10 @@ namespace geneva::app {
 /// Word on geneva-solver's command line that makes it a worker.
 constexpr const char* worker_word = "--worker";
 
+/// How a worker's reply ends.
+constexpr const char* worker_goes_on = "next";
+constexpr const char* worker_is_used_up = "end";
+
 /// A case that a worker solves as `geneva run` does.
 struct WorkerTask {
   std::filesystem::path case_directory;

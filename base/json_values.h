@@ -24,6 +24,8 @@ struct CaseHeader {
   UnitSystem units;  ///< of the other files
   std::string
       content;  ///< mark of what the case is about; documents with equal ones belong together
+  std::string project = {};
+  std::string author = {};
 };
 
 /// Section "case" of a document.

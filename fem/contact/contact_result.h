@@ -51,9 +51,9 @@ struct ContactResult {
   /// Solution::correction
   double peak_pressure;
   std::vector<ContactInterval> intervals;  ///< in the plane
-  double half_width;                       ///< of the widest interval, in the plane [m]
-  bool symmetric;                          ///< whether that one ends at a plane or axis of symmetry
-  double max_penetration;                  ///< maximum overlap left between inactive nodes [m]
+  double half_width;       ///< of the interval with the peak pressure, in the plane [m]
+  bool symmetric;          ///< whether that one ends at a plane or axis of symmetry
+  double max_penetration;  ///< maximum overlap left between inactive nodes [m]
   unsigned int active_nodes;
   int source_circle;      ///< circle of the source surface where the pressure peaks; -1: straight
   int target_circle;      ///< the same of the target

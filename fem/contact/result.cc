@@ -214,10 +214,14 @@ ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std:
   return result;
 }
 
+/// Of the interval with the peak pressure: a slack ring may touch over a wider one elsewhere.
 void take_half_width(ContactResult<2>& result) {
   result.half_width = 0.;
+  const auto peak = std::max_element(
+      result.nodes.begin(), result.nodes.end(),
+      [](const auto& one, const auto& other) { return one.pressure < other.pressure; });
   for (const ContactInterval& interval : result.intervals)
-    if (interval.half_width() > result.half_width) {
+    if (interval.begin <= peak->arc_length && peak->arc_length <= interval.end) {
       result.half_width = interval.half_width();
       result.symmetric = interval.symmetric;
     }

@@ -32,7 +32,8 @@ Loop guided_circle(const Point& centre, const double radius, const bool clockwis
   return loop;
 }
 
-void check(const Stud& stud) {
+/// @param diameter of the roller [m]
+void check(const Stud& stud, const double diameter) {
   require_not_negative("bore clearance of the roller", stud.clearance, "m");
   constexpr double loosest = 0.1;
   if (stud.clearance > loosest * stud.bore_diameter)
@@ -40,6 +41,12 @@ void check(const Stud& stud) {
         "bore clearance of the roller is {:.6g} mm: it may be a tenth of its bore at most, {:.6g} "
         "mm",
         mm(stud.clearance), mm(loosest * stud.bore_diameter));
+  constexpr double widest = 0.95;
+  if (stud.bore_diameter > widest * diameter)
+    refuse(
+        "bore diameter of the roller is {:.6g} mm: a ring of {:.6g} mm is too thin to be modelled; "
+        "give {:.6g} mm at most, or no bore clearance",
+        mm(stud.bore_diameter), mm(diameter), mm(widest * diameter));
   const double radius = 0.5 * (stud.bore_diameter - stud.clearance);
   if (stud.core_radius >= radius)
     refuse(
@@ -51,10 +58,10 @@ void check(const Stud& stud) {
 }  // namespace
 
 std::vector<Outline> roller_outlines(const Outline& pin, const Stud& stud) {
-  check(stud);
   const Segment& first = pin.loops.front().front();
   const Point centre = first.centre;
   const double radius = std::hypot(first.start.x - centre.x, first.start.y - centre.y);
+  check(stud, 2. * radius);
   const double stud_radius = 0.5 * (stud.bore_diameter - stud.clearance);
   const Point of_stud{centre.x, centre.y + 0.5 * stud.clearance};
   return {{pin.name,

@@ -19,8 +19,8 @@ struct Stud {
 /// Surfaces: "pin", "roller bore", "roller guide" (narrow strips of both on the far side, where the
 /// ring, which nothing else keeps from turning, is guided), "stud", "pin core".
 /// @param pin as pin_outline() draws it
-/// @throws base::InputError unless the clearance is 0 to a tenth of the bore, and the core lies
-/// inside the stud
+/// @throws base::InputError unless the bore is at most 95 % of the roller, the clearance 0 to a
+/// tenth of the bore, and the core lies inside the stud
 std::vector<Outline> roller_outlines(const Outline& pin, const Stud& stud);
 
 }  // namespace geneva::loads

@@ -239,6 +239,8 @@ Case case_of(const ParameterText& text, const fs::path& directory) {
 
   const CaseSection general(values, {});
   result.title = base::without_controls(general.text("Title"));
+  result.project = base::without_controls(general.text("Project"));
+  result.author = base::without_controls(general.text("Author"));
   result.units = base::unit_system_named(general.text("Output units"));
   if (model == "synthesis") {
     result.synthesis = read_synthesis(values, result.directory);
@@ -273,9 +275,13 @@ std::string name_of(const Case& given) {
 }
 
 base::CaseHeader header_of(const Case& given) {
-  return {name_of(given), given.title,
-          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))), given.units,
-          given.content};
+  return {name_of(given),
+          given.title,
+          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))),
+          given.units,
+          given.content,
+          given.project,
+          given.author};
 }
 
 void refuse_model(const Case& given, const std::string& reason, const std::string& command,

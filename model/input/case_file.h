@@ -143,6 +143,8 @@ enum class Checkpoints {
 struct Case {
   std::filesystem::path directory;
   std::string title;
+  std::string project;
+  std::string author;
   base::UnitSystem units;
   int dimension;           ///< 2 or 3
   fem::Settings settings;  ///< the defaults, if the model is a synthesis

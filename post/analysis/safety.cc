@@ -66,7 +66,7 @@ template <int dim>
 std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
                                      const fem::ContactResult<dim>& contact,
                                      const ContactAnalysis<dim>& analysis, const RunReport& report,
-                                     const SafetyRow& pressure) {
+                                     const SafetyRow& pressure, const std::string& of) {
   std::vector<SafetyRow> rows;
   const auto add = [&](const std::string& name, const double allowed, const std::string& meaning) {
     rows.push_back(pressure);
@@ -85,17 +85,41 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
       const double nu = body.material.poissons_ratio;
       const loads::ContactLimits limits =
           *is_line ? loads::line_contact_limits(nu, friction) : loads::point_contact_limits(nu);
-      add("contact, first yield, " + body.name, limits.first_yield * yield->second,
+      add(of + ", first yield, " + body.name, limits.first_yield * yield->second,
           "below it no point of the material yields");
-      add("contact, shakedown, " + body.name, limits.shakedown * yield->second,
+      add(of + ", shakedown, " + body.name, limits.shakedown * yield->second,
           "below it the material yields at first and is elastic again under any number of passes");
     }
     if (const auto flank = report.allowed.flank_pressures.find(body.name);
-        flank != report.allowed.flank_pressures.end())
+        of == "contact" && flank != report.allowed.flank_pressures.end())
       add("contact, as gear flanks, " + body.name, flank->second,
           "below it the flanks of gears of this material bear any number of passes without pits");
   }
   return rows;
+}
+
+/// Limits of the pressure in a roller's bore; over the cycle it goes with the root of the force, as
+/// Hertz's does.
+template <int dim>
+std::vector<SafetyRow> bore_rows(const fem::Solution<dim>& solution, const Results<dim>& results,
+                                 const RunReport& report) {
+  if (!report.mechanism || !report.mechanism->roller) return {};
+  const loads::PinLoad& load = report.mechanism->load;
+  const loads::PlacedPeak& greatest = report.mechanism->cycle_force;
+  for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
+    const fem::ContactResult<dim>& bore = solution.contacts[i];
+    if (bore.source != "stud") continue;
+    const SafetyRow pressure{"",
+                             Dimension::stress,
+                             bore.peak_pressure,
+                             0.,
+                             load.driver_angle,
+                             CycleValue{bore.peak_pressure * std::sqrt(greatest.value / load.force),
+                                        greatest.driver_angle},
+                             ""};
+    return material_rows(solution, bore, results.contacts[i], report, pressure, "roller bore");
+  }
+  return {};
 }
 
 }  // namespace
@@ -127,9 +151,11 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   std::vector<SafetyRow> rows;
   if (allowed.contact_pressure) rows.push_back(of_pressure);
   if (has_contact)
-    for (const SafetyRow& row : material_rows(solution, solution.contacts[leading],
-                                              results.contacts[leading], report, of_pressure))
+    for (const SafetyRow& row :
+         material_rows(solution, solution.contacts[leading], results.contacts[leading], report,
+                       of_pressure, "contact"))
       rows.push_back(row);
+  for (const SafetyRow& row : bore_rows(solution, results, report)) rows.push_back(row);
   if (allowed.pressure_times_slip && mechanism) {
     const loads::PinLoad& load = mechanism->load;
     rows.push_back({mechanism->roller ? "mean bore pressure times sliding speed"

@@ -51,6 +51,8 @@ std::array<double, 2> map_range(const std::vector<double>& values) {
       range[0] = std::min(range[0], value);
       range[1] = std::max(range[1], value);
     }
+  constexpr double noise = 1e-6;  // a figure that the parameters do not change has one colour
+  if (range[1] - range[0] < noise * std::abs(range[1])) range[1] = range[0];
   return range;
 }
 

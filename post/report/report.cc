@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "base/errors.h"
-#include "post/report/case_inputs.h"
 #include "post/report/comparison_section.h"
 #include "post/report/crown_section.h"
 #include "post/report/estimate_section.h"
@@ -55,9 +55,9 @@ std::string head(const ResultsDirectory& results) {
                               document.at("versions").at(library).get<std::string>());
   const std::string date = about.at("date");
   std::string block = title_entry("Case", escaped(about.at("name")));
-  for (const CaseInput& input : case_inputs(results.case_text))
-    if ((input.name == "Project" || input.name == "Author") && !input.value.empty())
-      block += title_entry(input.name, escaped(input.value));
+  for (const auto& [key, name] : {std::pair("project", "Project"), std::pair("author", "Author")})
+    if (const std::string value = about.value(key, ""); !value.empty())
+      block += title_entry(name, escaped(value));
   block += title_entry("Date", fmt::format("<time datetime=\"{}\">{} {}</time>", date,
                                            date.substr(0, 10), date.substr(11, 5))) +
            title_entry("Units", escaped(about.at("output_units"))) +

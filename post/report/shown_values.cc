@@ -19,6 +19,8 @@ constexpr const char* thin_space = "\u202f";  ///< narrow, without a line break
 }  // namespace
 
 std::vector<double> round_numbers(const double from, const double to, const int count) {
+  constexpr double rounding = 1e-9;  // between numbers that differ by less there is none
+  if (!(to - from > rounding * std::max(std::abs(from), std::abs(to)))) return {};
   const double raw = (to - from) / count;
   const double power = std::pow(10., std::floor(std::log10(raw)));
   const double step = power * (raw / power < 1.5   ? 1.
@@ -26,8 +28,9 @@ std::vector<double> round_numbers(const double from, const double to, const int 
                                : raw / power < 7.5 ? 5.
                                                    : 10.);
   std::vector<double> numbers;
-  for (int i = static_cast<int>(std::ceil(from / step)); i * step <= to; ++i)
-    numbers.push_back(i * step);
+  for (auto i = static_cast<long long>(std::ceil(from / step)); static_cast<double>(i) * step <= to;
+       ++i)
+    numbers.push_back(static_cast<double>(i) * step);
   return numbers;
 }
 

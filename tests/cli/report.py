@@ -784,6 +784,8 @@ end
         page = read_report(case / "results" / "report.html")
         for words in ("Project press <line> 4", "Author A. Designer", "Case filed", "Units in-lbf"):
             self.assertIn(words, page.text, words)
+        self.assertEqual(self.geneva("kinematics", case, "--output", "motion").code, 0)
+        self.assertIn("Author A. Designer", read_report(self.directory / "motion" / "report.html").text)
 
     def test_refuses_to_compare_what_is_no_run(self):
         results = self.results_of()

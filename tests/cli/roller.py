@@ -80,6 +80,20 @@ class Roller(CliTest):
         mean = look_up(summary, "roller.mean_bore_pressure.value")
         self.assertTrue(mean < pressures[-1] < 3. * mean, pressures[-1] / mean)
 
+    def test_a_slack_thin_ring_tells_the_contact_that_carries(self):
+        """Without clearance a thin ring touches its stud on the far side, too, over a wide angle and with hardly any pressure."""
+        widths = [number(self.bore(self.solved(f"thin{i}", clearance="0 mm", changes={"Mechanism/Roller bore diameter": f"{bore} mm"}))
+                         ["half_width"]) / (bore / 2e3) for i, bore in enumerate((10, 11, 12, 13))]
+        self.assertEqual(widths, sorted(widths, reverse=True), "a thinner ring bears over a narrower angle")
+
+    def test_limits_of_the_stud_are_those_of_its_own_contact(self):
+        summary = self.solved(changes={"Mechanism/Stud material/Yield strength": "250 MPa"})
+        rows = {row["quantity"]: row for row in summary["safety"]}
+        self.assertNotIn("contact, first yield, stud", rows)
+        row = rows["roller bore, first yield, stud"]
+        self.assert_close(row["factor"], number(row["allowed"]) / number(self.bore(summary)["peak_pressure"]), 1e-9, "factor")
+        self.assertGreater(row["factor"], 5.)
+
     def test_the_figures_do_not_depend_on_ranks(self):
         case = self.case()
         alone = self.run_case(case)
@@ -125,6 +139,7 @@ class Roller(CliTest):
                 ({"Mechanism/Roller bore clearance": "-0.1 mm"}, ("Roller bore clearance", "-0.1")),
                 ({"Mechanism/Pin core radius": "3 mm"}, ("core", "stud of radius")),
                 ({"Mechanism/Roller bore diameter": "15 mm"}, ("less than the roller's own",)),
+                ({"Mechanism/Roller bore diameter": "13.5 mm"}, ("too thin to be modelled", "13.3 mm")),
                 ({"Dimension": "3"}, ("Roller bore clearance", "Dimension")),
                 ({"Mechanism/Pin type": "fixed"}, ("Pin type = roller only",))):
             with self.subTest(changes):

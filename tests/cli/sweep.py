@@ -265,6 +265,29 @@ class Sweep(CliTest):
         self.assertEqual(drawn.count('class="exceeded"'), sum(factor < 1 for factor in factors))
         self.assertTrue(0 < drawn.count('class="exceeded"') < len(factors), factors)
 
+    def test_a_figure_that_does_not_change_has_a_map_of_one_colour(self):
+        case = self.new_case()
+        moduli = "Mechanism/{} material/Young's modulus = 200 GPa; 207 GPa; 210 GPa"
+        self.sweep(case, "--set", moduli.format("Wheel"), "--set", moduli.format("Pin"))
+        report = (case / "sweep" / "report.html").read_text()
+        (drawn,) = re.findall(r'<svg class="map"[^>]*aria-label="contact force[^>]*>(.*?)</svg>', report, re.S)
+        self.assertEqual(len(set(re.findall(r'fill="(#[0-9a-f]{6})"', drawn))), 1)
+
+    def test_a_point_that_cannot_be_written_ends_no_other(self):
+        case = self.new_case()
+        (case / "sweep" / "points").mkdir(parents=True)
+        (case / "sweep" / "points" / "1").write_text("")
+        self.sweep(case, "--set", DIAMETERS, code=2)
+        first, *others = self.points(case / "sweep")
+        self.assertEqual((first["exit_code"], [point["exit_code"] for point in others]), (1, [0, 0]))
+        self.assertIn("points/1", first["message"])
+
+    def test_works_where_a_launcher_of_mpi_programs_started_it(self):
+        case = self.new_case()
+        run = self.geneva("sweep", case, "--set", SPEEDS, ranks=2)
+        self.assertEqual(run.code, 0, run.describe())
+        self.assertEqual([point["exit_code"] for point in self.points(case / "sweep")], [0, 0])
+
     def test_no_map_of_few_values(self):
         case = self.new_case()
         self.sweep(case, "--with", "kinematics", "--set", DIAMETERS, "--set", SPEEDS, "-o", self.directory / "few")

@@ -12,6 +12,7 @@ window.genevaNumber = function (value, digits) {
 // Multiples of a round step that cover a range, about so many.
 window.genevaMarks = function (low, high, count) {
   "use strict";
+  if (!(high - low > 1e-9 * Math.max(Math.abs(low), Math.abs(high)))) return [];
   const raw = (high - low) / count;
   const power = Math.pow(10, Math.floor(Math.log10(raw)));
   const step = power * [1, 2, 2.5, 5, 10].find((factor) => raw <= factor * power * (1 + 1e-9));

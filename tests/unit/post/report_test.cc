@@ -134,6 +134,11 @@ TEST(ShownValues, KeepTheirDigitsWithoutPowersOfTen) {
   EXPECT_EQ(significant(0., 5), "0");
 }
 
+TEST(ShownValues, HaveNoMarksBetweenNumbersThatDifferByRounding) {
+  EXPECT_TRUE(round_numbers(655.44, 655.44 * (1. + 1e-15), 5).empty());
+  EXPECT_TRUE(round_numbers(1., 1., 5).empty());
+}
+
 TEST(ShownValues, AreMarkedAtRoundNumbers) {
   EXPECT_EQ(round_numbers(0.3, 5.2, 5), (std::vector<double>{1., 2., 3., 4., 5.}));
   EXPECT_EQ(round_numbers(-30., 40., 8),
