@@ -145,6 +145,11 @@ class Search {
   [[nodiscard]] Case case_at(const Place& place) const {
     std::vector<std::string> values;
     for (std::size_t i = 0; i < place.size(); ++i) values.push_back(text_at(place, i));
+    return case_with(values);
+  }
+
+  /// The case with these values of its free dimensions.
+  [[nodiscard]] Case case_with(const std::vector<std::string>& values) const {
     return model::case_of(model::varied(text_, variations_, values), directory_);
   }
 
@@ -383,23 +388,28 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
   const model::OptimisationCase& wanted = *given.optimisation;
   Search search(given, wants_slot_bottom(given) ? slot_bottom : nullptr);
   const Place best = search.best();
-  Optimum optimum{given, search.case_at(best), {}};
+  Optimum optimum{given, given, {}};
   const model::ParameterText text = model::read_parameter_text(given.directory / "case.prm");
   post::OptimumReport& report = optimum.report;
   report.about = model::header_of(given);
   report.geneva_version = version;
   report.goal = name_of(wanted.goal);
   constexpr double on_bound = 1e-3;
+  std::vector<std::string> values;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const model::FreeDimension& free = wanted.free[i];
     const model::Assignment* const own = text.find(free.section, free.name);
-    report.dimensions.push_back({free.name, own == nullptr ? "" : own->value,
-                                 search.text_at(best, i),
-                                 best[i] < on_bound        ? "lower"
+    const bool has_effect = search.has_effect(best, i);
+    const bool stays = !has_effect && own != nullptr;
+    values.push_back(stays ? own->value : search.text_at(best, i));
+    report.dimensions.push_back({free.name, own == nullptr ? "" : own->value, values.back(),
+                                 !has_effect               ? ""
+                                 : best[i] < on_bound      ? "lower"
                                  : best[i] > 1. - on_bound ? "upper"
                                                            : "",
-                                 search.has_effect(best, i)});
+                                 has_effect});
   }
+  optimum.best = search.case_with(values);
   report.figures =
       report_figures(wanted, figures_before(search, given), search.figures(optimum.best));
   report.trials = search.trials();

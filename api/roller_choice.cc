@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "api/mechanism_picture.h"
+#include "base/errors.h"
 #include "loads/pin/pin_beam.h"
 #include "model/mechanism_state.h"
 #include "model/pin_in_space.h"
@@ -38,9 +39,14 @@ std::vector<post::PinChoiceRow> roller_choice(const model::MechanismCase& mechan
   if (!mechanism.roller) return {};
   const model::MechanismCase alternative = as_fixed(mechanism);
   const model::MechanismDynamics dynamics = model::mechanism_dynamics(alternative);
-  const loads::Characteristics fixed = loads::characteristics(
-      dynamics.driven, dynamics.train, pin_contact(alternative, dynamics.sizes));
   const loads::WheelTrain train = model::mechanism_dynamics(mechanism).train;
+  loads::Characteristics fixed{};
+  try {
+    fixed = loads::characteristics(dynamics.driven, dynamics.train,
+                                   pin_contact(alternative, dynamics.sizes));
+  } catch (const base::InputError&) {
+    return {};  // with so much friction a fixed pin would jam
+  }
   std::vector<post::PinChoiceRow> rows{
       {"friction along the wall over the pin force", Dimension::dimensionless,
        loads::friction_along_wall(train), loads::friction_along_wall(dynamics.train)},

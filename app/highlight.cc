@@ -43,9 +43,8 @@ std::string in_colour(const std::string& line) {
 std::string highlighted(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
-  for (std::string line; std::getline(lines, line);)
-    result += (result.empty() ? "" : "\n") + in_colour(line);
-  if (!text.empty() && text.back() == '\n') result += '\n';
+  for (std::string line; std::getline(lines, line);) result += in_colour(line) + "\n";
+  if (!text.empty() && text.back() != '\n') result.pop_back();
   return result;
 }
 

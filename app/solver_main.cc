@@ -34,13 +34,14 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
 
 /// Solves what another process asks for, until it ends this one or asks no more.
 int worker(int argc, char** argv) {
+  std::FILE* const replies = take_replies();
   check_address_space();
   watch_for_interruption(other_ranks());
   watch_for_termination("run");
   EarlyMesher mesher;
   const geneva::Session session(argc, argv);
   const Ending ending(MPI_COMM_WORLD);
-  return work([&](const std::filesystem::path& directory) {
+  return work(replies, [&](const std::filesystem::path& directory) {
     return run_case(MPI_COMM_WORLD, directory, {}, mesher.on_rank_zero());
   });
 }

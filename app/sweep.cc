@@ -102,6 +102,7 @@ class Runs {
   void prepare(const std::size_t point, const Case& given) const try {
     fs::create_directories(place(point));
     fs::remove(place(point) / "ended");
+    fs::remove(place(point) / "log.txt");
     fs::remove_all(place(point) / "results");
     base::replace_file(place(point) / "case.prm", given.completed);
     for (const fs::path& file : companions(given)) {
@@ -129,9 +130,14 @@ class Runs {
                     [this, point](const int code) { end(point, code); }});
   }
 
+  /// Without the mark that cannot be written the point is solved again next time.
   void end(const std::size_t point, const int code) {
-    if (code == 0 || code == not_converged)
-      base::replace_file(place(point) / "ended", mark_of(code));
+    try {
+      if (code == 0 || code == not_converged)
+        base::replace_file(place(point) / "ended", mark_of(code));
+    } catch (const base::InputError& error) {
+      std::cerr << "geneva: " << error.what() << '\n';
+    }
     take(point, code);
   }
 

@@ -32,13 +32,19 @@ void print_into(const std::string& file) {
   ::dup2(log, STDOUT_FILENO);
   ::dup2(log, STDERR_FILENO);
   ::close(log);
+  std::cout.clear();  // of a log that could not be written whole
 }
 
 }  // namespace
 
-int work(const std::function<int(const std::filesystem::path&)>& run) {
+std::FILE* take_replies() {
   std::FILE* const replies = ::fdopen(::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3), "w");
   if (replies == nullptr) base::refuse_by_system("cannot answer");
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+  return replies;
+}
+
+int work(std::FILE* const replies, const std::function<int(const std::filesystem::path&)>& run) {
   constexpr double most_growth =
       1e8;  // what is left of a large case counts for the next one's limit
   const double at_start = resident_memory();
@@ -50,6 +56,7 @@ int work(const std::function<int(const std::filesystem::path&)>& run) {
     };
     const int code = with_output_checked(exit_code_of(solve, "run " + directory, say_failure));
     std::cerr.flush();
+    print_into("/dev/null");  // what comes between two cases belongs to neither
     ::malloc_trim(0);
     const bool is_used_up = resident_memory() > at_start + most_growth;
     std::fprintf(replies, "%d %s\n", code, is_used_up ? worker_is_used_up : worker_goes_on);

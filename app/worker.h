@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 
@@ -9,8 +10,14 @@ namespace geneva::app {
 /// Reads from standard input the directory of a case and the file of its log, each ended by a zero;
 /// answers on what was standard output with the exit code, whether it goes on
 /// (worker_goes_on) or has kept too much memory, and a new line.
+/// @param replies to the other process, as take_replies() gives it
 /// @param run solves one case
 /// @return exit code
-int work(const std::function<int(const std::filesystem::path&)>& run);
+int work(std::FILE* replies, const std::function<int(const std::filesystem::path&)>& run);
+
+/// Standard output for replies alone; what else is printed there from now on goes to standard
+/// error.
+/// @throws base::InputError if there is none
+std::FILE* take_replies();
 
 }  // namespace geneva::app

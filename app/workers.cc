@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -45,15 +46,35 @@ std::vector<char*> environment_of_worker() {
   return variables;
 }
 
-/// A pipe whose ends close where another program is started.
-struct Pipe {
-  std::array<int, 2> ends{-1, -1};
-
+/// A pipe whose ends close where another program is started; none of them is a standard stream,
+/// also where the user has closed those.
+class Pipe {
+ public:
   Pipe() {
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) base::refuse_by_system("cannot start a solver");
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) base::refuse_by_system("cannot start a solver");
+    constexpr int first_beyond_standard = 3;
+    for (int& end : ends_) {
+      if (end >= first_beyond_standard) continue;
+      const int moved = ::fcntl(end, F_DUPFD_CLOEXEC, first_beyond_standard);
+      ::close(end);
+      end = moved;
+    }
   }
-  [[nodiscard]] int reading() const { return ends[0]; }
-  [[nodiscard]] int writing() const { return ends[1]; }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    for (const int end : ends_)
+      if (end >= 0) ::close(end);
+  }
+
+  [[nodiscard]] int reading() const { return ends_[0]; }
+  [[nodiscard]] int writing() const { return ends_[1]; }
+  /// The caller closes it from now on.
+  int take_reading() { return std::exchange(ends_[0], -1); }
+  int take_writing() { return std::exchange(ends_[1], -1); }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
 };
 
 /// Only what a new process may do between fork and exec.
@@ -86,7 +107,7 @@ struct Reply {
   bool goes_on;
 };
 
-/// What a worker replies; nothing if it has ended instead.
+/// What a worker replies; nothing if it has ended instead, or writes something else.
 std::optional<Reply> reply_from(const int file) {
   std::string text;
   for (;;) {
@@ -94,9 +115,14 @@ std::optional<Reply> reply_from(const int file) {
     const ssize_t n = ::read(file, &letter, 1);
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) return std::nullopt;
-    if (letter == '\n')
-      return Reply{std::stoi(text), text.find(worker_goes_on) != std::string::npos};
-    text += letter;
+    if (letter != '\n') {
+      text += letter;
+      continue;
+    }
+    int code = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), code);
+    if (read.ec != std::errc()) return std::nullopt;
+    return Reply{code, text.find(worker_goes_on) != std::string::npos};
   }
 }
 
@@ -137,16 +163,14 @@ Workers::Worker& Workers::idle_worker() {
   std::string word = worker_word;
   const std::array<char*, 3> arguments{solver.data(), word.data(), nullptr};
   const std::vector<char*> variables = environment_of_worker();
-  const Pipe requests;
-  const Pipe replies;
+  Pipe requests;
+  Pipe replies;
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child == 0)
     become(solver.c_str(), arguments.data(), variables.data(), requests, replies, parent);
-  ::close(requests.reading());
-  ::close(replies.writing());
   if (child < 0) base::refuse_by_system("cannot start " + solver);
-  workers_.push_back({child, requests.writing(), replies.reading(), {}});
+  workers_.push_back({child, requests.take_writing(), replies.take_reading(), {}});
   return workers_.back();
 }
 
@@ -170,7 +194,8 @@ void Workers::wait() {
     const std::optional<Reply> reply = reply_from(workers_[i].replies);
     const bool goes_on = reply && reply->goes_on && reply->code != internal_error;
     const int code_of_end = goes_on ? 0 : dismiss(i);
-    if (done) done(reply ? reply->code : code_of_end);
+    const int without_reply = code_of_end == 0 ? int{internal_error} : code_of_end;
+    if (done) done(reply ? reply->code : without_reply);
     return;
   }
 }

@@ -220,11 +220,15 @@ void take_half_width(ContactResult<2>& result) {
   const auto peak = std::max_element(
       result.nodes.begin(), result.nodes.end(),
       [](const auto& one, const auto& other) { return one.pressure < other.pressure; });
-  for (const ContactInterval& interval : result.intervals)
-    if (interval.begin <= peak->arc_length && peak->arc_length <= interval.end) {
-      result.half_width = interval.half_width();
-      result.symmetric = interval.symmetric;
-    }
+  const auto distance = [&](const ContactInterval& interval) {
+    return std::max({0., interval.begin - peak->arc_length, peak->arc_length - interval.end});
+  };
+  const auto nearest = std::min_element(
+      result.intervals.begin(), result.intervals.end(),
+      [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  if (nearest == result.intervals.end()) return;
+  result.half_width = nearest->half_width();
+  result.symmetric = nearest->symmetric;
 }
 
 void add_faces(const ContactInterface<3>& interface, ContactResult<3>& result) {

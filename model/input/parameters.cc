@@ -296,7 +296,10 @@ std::vector<Parameter> inertia_parameters() {
        "diameter." +
            only_roller},
       {section, "Roller bore friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
-       "Coefficient of friction of roller and stud, for the pin force only." + only_roller},
+       "Coefficient of friction of roller and stud, for the pin force and for the limits of the "
+       "bore's "
+       "pressure." +
+           only_roller},
       {section, "Roller bore clearance", "", quantity(Dimension::length, zero_or_greater(), {""}),
        "Bore diameter less the stud's, at most a tenth of the bore; if given, roller and stud are "
        "bodies of their own with a contact between them, in the plane (Dimension = 2)." +

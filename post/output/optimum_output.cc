@@ -75,10 +75,10 @@ std::string optimum_csv(const OptimumReport& report, const UnitSystem units) {
 }
 
 std::string optimum_table(const OptimumReport& report, const UnitSystem units) {
-  std::string text = fmt::format("least {}, {} candidates\n\n{:<44}{:>14}{:>14}\n", report.goal,
+  std::string text = fmt::format("least {}, {} candidates\n\n{:<44} {:>17} {:>17}\n", report.goal,
                                  report.trials, "", "as it is", "best");
   for (const OptimumDimension& dimension : report.dimensions)
-    text += fmt::format("{:<44}{:>14}{:>14}\n", dimension.name,
+    text += fmt::format("{:<44} {:>17} {:>17}\n", dimension.name,
                         dimension.before.empty() ? "by rule" : dimension.before, dimension.after) +
             (dimension.has_effect ? "" : "  has no effect: any value is as good\n");
   text += fmt::format("\n{:<44}{:>14}{:>14}{:>14}{:>18}\n", "", "as it is", "best", "limit",

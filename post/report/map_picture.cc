@@ -93,7 +93,7 @@ std::string map_cell(const MapCell& cell) {
         "{:.1f}m0 {:.1f}l{:.1f} {:.1f}\"/>\n",
         ink, x, y, wide, high, -high, -wide, high);
   constexpr double digit = 8.;
-  if (wide > digit * static_cast<double>(cell.number.size()) && high > 2. * digit)
+  if (wide > digit * static_cast<double>(n_letters(cell.number)) && high > 2. * digit)
     svg += fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" style=\"fill:{}\">{}</text>\n",
         x + 0.5 * wide, y + 0.5 * high + 5., ink, cell.number);

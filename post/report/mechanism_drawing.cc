@@ -200,7 +200,7 @@ std::string driver(const json& mechanism, const json& step, const Projection& pr
 
 /// A text in the middle of a ground that interrupts the lines below it.
 std::string label_at(const std::string& id, const Pixel& at, const std::string& content) {
-  const double wide = 7.4 * static_cast<double>(content.size()) + 6.;
+  const double wide = 7.4 * static_cast<double>(n_letters(content)) + 6.;
   return fmt::format(
       "<g{} class=\"label\" transform=\"translate({:.2f} {:.2f})\">"
       "<rect x=\"{:.2f}\" y=\"-9\" width=\"{:.2f}\" height=\"18\"/>"

@@ -38,9 +38,17 @@ std::string significant(const double value, const int digits) {
   const double size = std::abs(value);
   if (size < 1e-12) return "0";
   const double whole = std::pow(10., digits);
-  if (!(size >= whole && size < 1e9)) return grouped(fmt::format("{:.{}g}", value, digits));
+  if (!(size >= whole - 0.5 && size < 1e9)) return grouped(fmt::format("{:.{}g}", value, digits));
   const double unit = std::pow(10., std::floor(std::log10(size)) + 1. - digits);
   return grouped(fmt::format("{:.0f}", unit * std::round(value / unit)));
+}
+
+std::size_t n_letters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](const char byte) {
+    constexpr unsigned int kind = 0xc0;
+    constexpr unsigned int continuation = 0x80;
+    return (static_cast<unsigned char>(byte) & kind) != continuation;
+  }));
 }
 
 std::string grouped(const std::string& number) {

@@ -23,6 +23,9 @@ std::vector<double> round_numbers(double from, double to, int count);
 /// of ten between 1e-4 and 1e9, and without the roundings and the sign of what is 0.
 std::string significant(double value, int digits);
 
+/// Letters of a text in UTF-8, of which some take several bytes.
+std::size_t n_letters(const std::string& text);
+
 /// The digits before the point in groups of three from five of them on: "41 140".
 std::string grouped(const std::string& number);
 

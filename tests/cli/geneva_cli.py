@@ -88,10 +88,10 @@ class CliTest(unittest.TestCase):
 
 
 def environment():
-    """The environment of a run: MPI also as root and on fewer cores than ranks, no colours by chance."""
+    """The environment of a run: MPI also as root and on fewer cores than ranks, colours as on any terminal."""
     allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1", "LC_ALL": "C.UTF-8"}
-    return {**os.environ, **allowed}
+    return {**{name: value for name, value in os.environ.items() if name != "NO_COLOR"}, **allowed}
 
 
 def main(prepare=lambda source: None):

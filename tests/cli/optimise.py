@@ -121,6 +121,13 @@ class Optimise(CliTest):
                          [False, True])
         self.assertIn("has no effect", printed)
 
+    def test_a_dimension_without_effect_stays_as_the_case_gives_it(self):
+        case = self.case("core", Free="Pin core radius: 1 mm .. 3 mm; Pin diameter: 8 mm .. 20 mm")
+        change_case(case, {"Mechanism/Pin core radius": "2 mm"})
+        optimum, _ = self.optimum(case)
+        self.assertEqual(self.dimension(optimum, "Pin core radius")["after"], "2 mm")
+        self.assertRegex((case / "results" / "optimum.prm").read_text(), r"Pin core radius\s*= 2 mm")
+
     def test_what_cannot_be_is_said(self):
         bare = self.copy_case("indexing-table", "bare")
         for case, words in (

@@ -386,6 +386,7 @@ class Output(FinishedRuns):
                 code, output = self.run_on_terminal("run", str(case), **variables)
                 self.assertEqual(code, 0, output)
                 self.assertIn("EXCEEDED", output)
+                self.assertRegex(output.replace("\r", ""), r"\n\n +this program", "a blank line before the table")
                 self.assertEqual(colour in output, is_coloured, output)
                 self.assertEqual("\x1b[3" in output, is_coloured, output)
                 self.assertNotIn("\x1b[3", (case / "results" / "log.txt").read_text())

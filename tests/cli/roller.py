@@ -87,12 +87,14 @@ class Roller(CliTest):
         self.assertEqual(widths, sorted(widths, reverse=True), "a thinner ring bears over a narrower angle")
 
     def test_limits_of_the_stud_are_those_of_its_own_contact(self):
-        summary = self.solved(changes={"Mechanism/Stud material/Yield strength": "250 MPa"})
+        summary = self.solved(changes={"Mechanism/Stud material/Yield strength": "250 MPa",
+                                       "Mechanism/Roller bore friction": "0.5"})
         rows = {row["quantity"]: row for row in summary["safety"]}
         self.assertNotIn("contact, first yield, stud", rows)
         row = rows["roller bore, first yield, stud"]
         self.assert_close(row["factor"], number(row["allowed"]) / number(self.bore(summary)["peak_pressure"]), 1e-9, "factor")
-        self.assertGreater(row["factor"], 5.)
+        self.assertGreater(row["factor"], 4.)
+        self.assert_close(number(rows["roller bore, shakedown, stud"]["allowed"]), 250e6 / 3**0.5 / 0.5, 1e-3, "k/mu")
 
     def test_the_figures_do_not_depend_on_ranks(self):
         case = self.case()
@@ -153,7 +155,6 @@ class Roller(CliTest):
     def test_a_stud_belongs_to_a_roller(self):
         case = self.copy_case("johnson-optimum-wheel")
         text = (case / "case.prm").read_text().rstrip()
-        self.assertTrue(text.endswith("end") or "subsection Mechanism" in text)
         (case / "case.prm").write_text(text + "\nsubsection Mechanism\n  subsection Stud material\n    set Young's modulus = 70 GPa\n  end\nend\n")
         run = self.geneva("run", case)
         self.assertEqual(run.code, 1, run.describe())

@@ -45,7 +45,7 @@
   }
 
   // The pin's diameter stands beside the pin where no other label is, and away from the force.
-  const labels = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")].map((label) => label.getBoundingClientRect && boxOf(label));
+  const labels = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")].map(boxOf);
   function boxOf(label) {
     const { x, y, width, height } = label.getBBox();
     const { e, f } = label.transform.baseVal.consolidate().matrix;
