@@ -37,6 +37,7 @@ ContactsOwnField<dim>::ContactsOwnField(const Solution<dim>& solution)
       of_contact.push_back({{}, node.pressure * node.tributary / thickness});
       for (unsigned int i = 0; i < dim; ++i) of_contact.back().place[i] = node.position[i];
     }
+    if (of_contact.empty()) continue;
     contacts_.push_back({bodies_of(solution.mesh, contact), gathered_up(std::move(of_contact))});
   }
 }
@@ -79,8 +80,11 @@ double ContactsOwnField<dim>::von_mises(const dealii::Point<dim>& place,
   constexpr double of_a_line = 0.4;
   dealii::SymmetricTensor<2, 3> stress;
   double sum = 0.;
+  const bool is_pressed =
+      std::any_of(contacts_.begin(), contacts_.end(),
+                  [&](const ContactForces& contact) { return contact.bodies.count(body) > 0; });
   for (const ContactForces& contact : contacts_) {
-    if (contact.bodies.count(body) == 0) continue;
+    if (is_pressed && contact.bodies.count(body) == 0) continue;
     for (const PointForce& force : contact.forces) {
       const dealii::Tensor<1, dim> radius = place - force.place;
       const double r = std::max(radius.norm(), 1e-300);

@@ -15,7 +15,8 @@ namespace geneva::fem {
 /// The forces are those of the nodes, each on a half-space straight below it: in the plane 2 P/(pi
 /// r) along the radius (Flamant 1892; Johnson, Contact Mechanics, 2.2), in 3-D and around an axis
 /// 3 F/(2 pi r^2) (Boussinesq at nu = 1/2; 3.2). Under and beside the contact, where they come from
-/// all directions, their sizes add up. They act in the bodies of their contact only.
+/// all directions, their sizes add up. They act in the bodies of their contact only;
+/// in a body that no contact presses all of them, since it has but the rounding of stresses.
 template <int dim>
 class ContactsOwnField {
  public:
