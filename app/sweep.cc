@@ -67,7 +67,7 @@ class Runs {
       if (!cases[i].given) continue;
       while (workers_.busy() >= jobs_) workers_.wait();
       report_.points[i].directory = fmt::format("points/{}", i + 1);
-      if (is_done(i, *cases[i].given) && has_figures(i))
+      if (is_done(i, *cases[i].given) && read_figures(i))
         take(i, stored_code(i));
       else
         try_to_start(i, *cases[i].given);
@@ -142,7 +142,8 @@ class Runs {
   }
 
   /// Reads a point's figures; a run that met a limit on its first mesh has none.
-  bool has_figures(const std::size_t point) {
+  /// @return whether there are any
+  bool read_figures(const std::size_t point) {
     try {
       report_.points[point].figures = figures_of_run(place(point) / "results");
       return true;
@@ -157,7 +158,8 @@ class Runs {
     result.exit_code = code;
     result.message.clear();
     const bool ended = code == 0 || code == not_converged;
-    if (ended && !has_figures(point) && code == 0) result.exit_code = internal_error;
+    const bool is_read = !result.figures.empty() || (ended && read_figures(point));
+    if (!is_read && code == 0) result.exit_code = internal_error;
     if (code != 0) result.message = complaint_in(place(point) / "log.txt");
     if (code != 0 && result.message.empty())
       result.message = fmt::format("ended with exit code {}", code);

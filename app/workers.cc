@@ -11,7 +11,6 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -58,6 +57,7 @@ class Pipe {
       const int moved = ::fcntl(end, F_DUPFD_CLOEXEC, first_beyond_standard);
       ::close(end);
       end = moved;
+      if (end < 0) base::refuse_by_system("cannot start a solver");
     }
   }
   Pipe(const Pipe&) = delete;

@@ -2,7 +2,6 @@
 
 #include <sys/types.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <string>
