@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <new>
 #include <unordered_map>
 #include <utility>
@@ -93,21 +94,9 @@ struct Malloc {
   bool operator!=(const Malloc& /*other*/) const { return false; }
 };
 
-struct Count {
-  ~Count() {
-    if (const char* const file = std::getenv("GENEVA_FAULT_COUNT")) {
-      const long all = calls;
-      const long news = allocations;
-      if (std::FILE* const stream = std::fopen(file, "a")) {
-        std::fprintf(stream, "%ld %ld\n", all, news);
-        std::fclose(stream);
-      }
-    }
-  }
-} count;
-
 /// Where the program allocates, by the return addresses of its innermost calls; kept without
-/// operator new, which it is called from.
+/// operator new, which it is called from, and never destroyed: what libraries destroy after main()
+/// allocates, too.
 class Places {
  public:
   void note(const long n) {
@@ -117,11 +106,13 @@ class Places {
     std::size_t hash = 0;
     for (int i = 1; i < found; ++i)
       hash = (hash ^ reinterpret_cast<std::size_t>(calls[i])) * 0x9E3779B97F4A7C15;
+    const std::lock_guard<std::mutex> lock(mutex_);
     places_.try_emplace(hash, n);
   }
 
-  ~Places() {
+  void write() {
     if (file_ == nullptr) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (std::FILE* const stream = std::fopen(file_, "a")) {
       for (const auto& [hash, first] : places_) std::fprintf(stream, "%ld\n", first);
       std::fclose(stream);
@@ -132,10 +123,30 @@ class Places {
 
  private:
   const char* file_ = std::getenv("GENEVA_FAULT_PLACES");
+  std::mutex mutex_;
   std::unordered_map<std::size_t, long, std::hash<std::size_t>, std::equal_to<>,
                      Malloc<std::pair<const std::size_t, long>>>
       places_;
 };
+
+Places& places() {
+  static Places* const all = new (std::malloc(sizeof(Places))) Places;
+  return *all;
+}
+
+struct Count {
+  ~Count() {
+    if (const char* const file = std::getenv("GENEVA_FAULT_COUNT")) {
+      const long all = calls;
+      const long news = allocations;
+      if (std::FILE* const stream = std::fopen(file, "a")) {
+        std::fprintf(stream, "%ld %ld\n", all, news);
+        std::fclose(stream);
+      }
+    }
+    places().write();
+  }
+} count;
 
 }  // namespace
 
@@ -195,16 +206,27 @@ bool is_meant() {
   return std::strcmp(::basename(path), wanted) == 0;
 }
 
+/// A program that crashes says where.
+void tell_crash(const int signal) {
+  void* calls[64];
+  ::backtrace_symbols_fd(calls, ::backtrace(calls, 64), STDERR_FILENO);
+  ::raise(signal);
+}
+
 int watched_main(int argc, char** argv, char** environment) {
+  struct sigaction crash = {};
+  crash.sa_handler = tell_crash;
+  crash.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+  for (const int signal : {SIGSEGV, SIGBUS}) ::sigaction(signal, &crash, nullptr);
   is_in_main = is_meant();
+  std::atexit([] { is_in_main = false; });  // nothing can be said of what libraries allocate then
   return real_main(argc, argv, environment);
 }
 
 void note_allocation() {
   static const long at = number("GENEVA_FAULT_NEW");
-  static Places places;
   const long now = ++allocations;
-  if (places.are_wanted()) places.note(now);
+  if (places().are_wanted()) places().note(now);
   if (now != at || is_where_nothing_may_fail()) return;
   if (const std::new_handler handler = std::get_new_handler()) handler();
   throw std::bad_alloc();
