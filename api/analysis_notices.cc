@@ -183,8 +183,11 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
                                     const post::Results<dim>& results) {
   std::vector<std::string> notices = validity_notices(solution);
   for (const std::string& notice : impact_notices(given)) notices.push_back(notice);
+  const char* const left_out = given.allowed.yield_strengths.empty()
+                                   ? ""
+                                   : "; so are the limits of first yield and shakedown";
   for (const post::ContactAnalysis<dim>& contact : results.contacts)
-    if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection);
+    if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection + left_out);
   for (const std::string& notice : strength_notices(given, solution)) notices.push_back(notice);
   for (const std::string& notice : material_notices(given)) notices.push_back(notice);
   if (!given.mechanism) return notices;

@@ -13,6 +13,7 @@
 #include "api/version.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/launch.h"
 #include "app/workers.h"
 #include "base/directory_lock.h"
 #include "base/directory_replacement.h"
@@ -220,6 +221,7 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
       request.output.empty() ? sweep.given.directory / "sweep" : request.output;
   base::check_replaceable(directory);
   if (request.command == "run") {
+    check_address_space();  // of the solvers, whose every point would fail
     fs::create_directories(directory);
     const base::DirectoryLock lock(directory / ".sweeping",
                                    "sweep directory " + directory.string());

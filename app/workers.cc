@@ -161,6 +161,7 @@ Workers::Worker& Workers::idle_worker() {
   if (idle != workers_.end()) return *idle;
   std::string solver = base::installed_program("geneva-solver").string();
   std::string word = worker_word;
+  if (::access(solver.c_str(), X_OK) != 0) base::refuse_by_system("cannot start " + solver);
   const std::array<char*, 3> arguments{solver.data(), word.data(), nullptr};
   const std::vector<char*> variables = environment_of_worker();
   Pipe requests;

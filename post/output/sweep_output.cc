@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace geneva::post {
@@ -92,6 +94,42 @@ json point_section(const SweepPoint& point) {
           {"figures", figures}};
 }
 
+/// How much a figure changes over the points: its range over its greatest size; 0 to 2.
+double change_of(const SweepReport& report, const std::string& quantity) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const SweepPoint& point : report.points) {
+    const SweepFigure* const figure = find(point, quantity);
+    if (figure == nullptr || !figure->value) continue;
+    least = std::min(least, *figure->value);
+    most = std::max(most, *figure->value);
+  }
+  const double size = std::max(std::abs(least), std::abs(most));
+  return std::isfinite(size) && size > 0. ? (most - least) / size : 0.;
+}
+
+/// The figures that the terminal has room for: the first peak pressure, the least safety factor,
+/// and those that change most, in the order of the report.
+std::vector<std::string> told_quantities(const SweepReport& report) {
+  constexpr std::size_t most_figures = 6;
+  const std::vector<std::string> all = sweep_quantities(report);
+  const auto rank = [&](const std::string& quantity) {
+    constexpr double always = 3.;
+    constexpr double single_factors = -1.;  // the least one stands for them
+    if (quantity == "peak contact pressure" || quantity == "least safety factor") return always;
+    if (quantity.rfind("safety factor: ", 0) == 0) return single_factors;
+    return change_of(report, quantity);
+  };
+  std::vector<std::string> ranked = all;
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [&](const std::string& a, const std::string& b) { return rank(a) > rank(b); });
+  ranked.resize(std::min(ranked.size(), most_figures));
+  std::vector<std::string> told;
+  for (const std::string& quantity : all)
+    if (std::find(ranked.begin(), ranked.end(), quantity) != ranked.end()) told.push_back(quantity);
+  return told;
+}
+
 /// Exit code, message and figures of a point, separated by commas.
 std::string point_fields(const SweepReport& report, const SweepPoint& point,
                          const UnitSystem units) {
@@ -168,9 +206,7 @@ std::string sweep_csv(const SweepReport& report, const UnitSystem units) {
 }
 
 std::string sweep_table(const SweepReport& report, const UnitSystem units) {
-  constexpr std::size_t most_figures = 5;
-  std::vector<std::string> quantities = sweep_quantities(report);
-  if (quantities.size() > most_figures) quantities.resize(most_figures);
+  const std::vector<std::string> quantities = told_quantities(report);
   std::vector<std::vector<std::string>> columns;
   for (std::size_t i = 0; i < report.parameters.size(); ++i) {
     ParameterColumn column = column_of(report, i);

@@ -119,11 +119,24 @@ std::string map_cells(const MapData& map, const MapScale& x, const MapScale& y,
   return svg;
 }
 
+/// The values that have room at an axis, the first one always.
+/// @param room of a number [pixels]
+std::vector<double> with_room(const std::vector<double>& values, const MapScale& scale,
+                              const double room) {
+  std::vector<double> kept;
+  for (const double value : values)
+    if (kept.empty() || std::abs(scale.at(value) - scale.at(kept.back())) >= room)
+      kept.push_back(value);
+  return kept;
+}
+
 std::string map_axes(const MapData& map, const MapScale& x, const MapScale& y) {
+  constexpr double width_of_number = 52.;
+  constexpr double height_of_number = 15.;
   std::string svg;
-  for (const double value : map.x)
+  for (const double value : with_room(map.x, x, width_of_number))
     svg += map_text(x.at(value), map_height - map_bottom + 18., "middle", significant(value, 4));
-  for (const double value : map.y)
+  for (const double value : with_room(map.y, y, height_of_number))
     svg += map_text(map_left - 8., y.at(value) + 5., "end", significant(value, 4));
   return svg +
          map_text(0.5 * (map_left + map_width - map_right), map_height - map_bottom + 38., "middle",

@@ -133,12 +133,6 @@ std::string field_script(const json& view, const std::string& graphics) {
          script(std::string(report_assets::field));
 }
 
-[[noreturn]] void refuse_damaged(const std::string& where, const std::exception& error) {
-  throw base::InputError(
-      fmt::format("the results in {} lack something that a report needs ({}); make them again",
-                  where, error.what()));
-}
-
 }  // namespace
 
 Report make_report(const ResultsDirectory& results, const Libraries& libraries) try {
@@ -159,9 +153,9 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
   report.html = page(page_title(results.about()), head(results), part, libraries, scripts);
   return report;
 } catch (const json::exception& error) {
-  refuse_damaged(results.path.string(), error);
+  refuse_incomplete("the results in " + results.path.string(), error.what());
 } catch (const std::out_of_range& error) {
-  refuse_damaged(results.path.string(), error);
+  refuse_incomplete("the results in " + results.path.string(), error.what());
 }
 
 std::string make_comparison(const std::vector<ResultsDirectory>& all,
@@ -174,9 +168,9 @@ std::string make_comparison(const std::vector<ResultsDirectory>& all,
                   all.size(), escaped(names), name_of(all.front().units()));
   return page("Comparison: " + names, header, comparison_part(all), libraries, "");
 } catch (const json::exception& error) {
-  refuse_damaged("one of the directories", error);
+  refuse_incomplete("the results in one of the directories", error.what());
 } catch (const std::out_of_range& error) {
-  refuse_damaged("one of the directories", error);
+  refuse_incomplete("the results in one of the directories", error.what());
 }
 
 }  // namespace geneva::post

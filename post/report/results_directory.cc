@@ -112,9 +112,18 @@ ResultsDirectory read_results(const fs::path& directory) try {
   }
   return results;
 } catch (const json::exception& error) {
-  throw base::InputError(
-      fmt::format("the results in {} lack something that a report needs ({}); make them again",
-                  directory.string(), error.what()));
+  refuse_incomplete("the results in " + directory.string(), error.what());
+}
+
+void refuse_incomplete(const std::string& what, const std::string& complaint) {
+  const std::size_t begin = complaint.find("key '");
+  const std::size_t end = complaint.rfind('\'');
+  const std::string lacking =
+      begin == std::string::npos
+          ? "do not hold what a report needs"
+          : "lack '" + complaint.substr(begin + 5, end - begin - 5) + "', which a report needs";
+  throw base::InputError(fmt::format(
+      "{} {}: they are damaged, or an earlier geneva wrote them; make them again", what, lacking));
 }
 
 }  // namespace geneva::post

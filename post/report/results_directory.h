@@ -34,4 +34,10 @@ struct ResultsDirectory {
 /// or damaged, or if one was written in another format than this program's
 ResultsDirectory read_results(const std::filesystem::path& directory);
 
+/// Refuses results that lack something.
+/// @param what results, at the beginning of a sentence's plural
+/// @param complaint of the reader, with the name between quotes where it knows it
+/// @throws base::InputError always
+[[noreturn]] void refuse_incomplete(const std::string& what, const std::string& complaint);
+
 }  // namespace geneva::post

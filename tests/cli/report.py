@@ -823,8 +823,8 @@ end
         whole = json.loads((results / "summary.json").read_text())
         for key in ("case", "comparison", "solver"):
             (results / "summary.json").write_text(json.dumps({k: v for k, v in whole.items() if k != key}))
-            self.assert_refused(results, "lack something", "make them again")
-            self.assert_refused([results, results], "lack something")
+            self.assert_refused(results, "an earlier geneva wrote them; make them again")
+            self.assert_refused([results, results], "an earlier geneva wrote them")
         (results / "summary.json").write_text(json.dumps(whole))
         view = json.loads((results / "view.json").read_text())
         view["meshes"][0]["points"] = ""

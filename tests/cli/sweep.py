@@ -248,9 +248,12 @@ class Sweep(CliTest):
         case = self.new_case()
         sweep = self.begun_sweep(case)
         seen = set()
-        while sweep.poll() is None:
+
+        def ended():
             seen.update(self.solvers())
-            time.sleep(0.02)
+            return sweep.poll() is not None
+
+        wait_for(ended)
         self.assertEqual(sweep.returncode, 0, sweep.communicate()[1])
         self.assertEqual(len(seen), 1)
 
