@@ -6,20 +6,20 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "post/report/comparison_section.h"
-#include "post/report/crown_section.h"
-#include "post/report/estimate_section.h"
-#include "post/report/field_section.h"
-#include "post/report/html.h"
-#include "post/report/mechanism_drawing.h"
-#include "post/report/mechanism_section.h"
-#include "post/report/motion_section.h"
-#include "post/report/optimum_section.h"
-#include "post/report/picture.h"
+#include "post/report/html/html.h"
+#include "post/report/pictures/mechanism_drawing.h"
+#include "post/report/pictures/picture.h"
 #include "post/report/report_assets.h"
-#include "post/report/run_section.h"
-#include "post/report/sweep_section.h"
-#include "post/report/verdict_section.h"
+#include "post/report/sections/comparison_section.h"
+#include "post/report/sections/crown_section.h"
+#include "post/report/sections/estimate_section.h"
+#include "post/report/sections/field_section.h"
+#include "post/report/sections/mechanism_section.h"
+#include "post/report/sections/motion_section.h"
+#include "post/report/sections/optimum_section.h"
+#include "post/report/sections/run_section.h"
+#include "post/report/sections/sweep_section.h"
+#include "post/report/sections/verdict_section.h"
 
 namespace geneva::post {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "post/report/library.h"
-#include "post/report/results_directory.h"
+#include "post/report/html/library.h"
+#include "post/report/results/results_directory.h"
 
 namespace geneva::post {
 

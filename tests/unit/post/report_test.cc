@@ -5,11 +5,11 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "post/report/chart.h"
-#include "post/report/csv_table.h"
-#include "post/report/html.h"
-#include "post/report/picture.h"
-#include "post/report/shown_values.h"
+#include "post/report/html/html.h"
+#include "post/report/html/shown_values.h"
+#include "post/report/pictures/chart.h"
+#include "post/report/pictures/picture.h"
+#include "post/report/results/csv_table.h"
 #include "post/view/encoded_numbers.h"
 #include "post/view/hexahedron_cut.h"
 

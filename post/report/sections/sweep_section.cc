@@ -1,0 +1,238 @@
+#include "post/report/sections/sweep_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "post/report/html/html.h"
+#include "post/report/html/shown_values.h"
+#include "post/report/pictures/map_picture.h"
+
+namespace geneva::post {
+
+using nlohmann::json;
+
+namespace {
+
+/// The number that a value begins with.
+double number_in(const std::string& text) {
+  double number = 0.;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+/// The last part of "Mechanism/Pin diameter".
+std::string short_name(const std::string& parameter) {
+  return parameter.substr(parameter.rfind('/') + 1);
+}
+
+struct Quantity {
+  std::string name;
+  base::Dimension dimension;
+};
+
+std::vector<Quantity> quantities_of(const json& points) {
+  std::vector<Quantity> quantities;
+  for (const json& point : points)
+    for (const json& figure : point.at("figures")) {
+      const std::string name = figure.at("quantity");
+      const bool is_new = std::none_of(quantities.begin(), quantities.end(),
+                                       [&](const Quantity& known) { return known.name == name; });
+      // Of the safety factors the least one is shown; sweep.csv holds all.
+      if (is_new && name.rfind("safety factor: ", 0) != 0)
+        quantities.push_back({name, base::dimension_named(figure.at("dimension"))});
+    }
+  return quantities;
+}
+
+const json* figure_of(const json& point, const std::string& quantity) {
+  for (const json& figure : point.at("figures"))
+    if (figure.at("quantity") == quantity) return &figure;
+  return nullptr;
+}
+
+std::string values_table(const json& sweep, const std::vector<Quantity>& quantities,
+                         const base::UnitSystem units) {
+  HtmlTable table{"Every point", {"point"}, {}};
+  for (const json& parameter : sweep.at("parameters"))
+    table.headings.push_back(escaped(short_name(parameter)));
+  for (const Quantity& quantity : quantities)
+    table.headings.push_back(escaped(labelled(quantity.name, quantity.dimension, units)));
+  table.headings.emplace_back("remark");
+  int number = 0;
+  for (const json& point : sweep.at("points")) {
+    std::vector<std::string> row{std::to_string(++number)};
+    for (const json& value : point.at("values")) row.push_back(escaped(value));
+    for (const Quantity& quantity : quantities) {
+      const json* const figure = figure_of(point, quantity.name);
+      row.push_back(figure == nullptr ? "–"
+                                      : shown(figure->at("value"), quantity.dimension, units));
+    }
+    row.push_back(escaped(point.at("message")));
+    table.rows.push_back(row);
+  }
+  return table.html();
+}
+
+/// The other parameters' values of a point, in words.
+std::string others_of(const json& sweep, const json& point, const std::size_t across) {
+  std::string text;
+  for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
+    if (i == across) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_name(sweep.at("parameters")[i]),
+                        point.at("values")[i].get<std::string>());
+  }
+  return text;
+}
+
+/// The parameters whose values are numbers of one unit, and more than one.
+std::vector<std::size_t> numeric_parameters(const json& sweep) {
+  std::vector<std::size_t> found;
+  const json& points = sweep.at("points");
+  for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
+    const bool varies = std::any_of(points.begin(), points.end(), [&](const json& point) {
+      return point.at("values")[i] != points.at(0).at("values")[i];
+    });
+    if (!sweep.at("units")[i].is_null() && varies) found.push_back(i);
+  }
+  return found;
+}
+
+std::string parameter_label(const json& sweep, const std::size_t parameter) {
+  const std::string name = short_name(sweep.at("parameters")[parameter]);
+  const std::string unit = sweep.at("units")[parameter];
+  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+}
+
+/// Values of a parameter in ascending order.
+std::vector<double> grid_of(const json& sweep, const std::size_t parameter) {
+  std::set<double> values;
+  for (const json& point : sweep.at("points"))
+    values.insert(number_in(point.at("values")[parameter]));
+  return {values.begin(), values.end()};
+}
+
+std::size_t place_in(const std::vector<double>& grid, const double value) {
+  return static_cast<std::size_t>(std::lower_bound(grid.begin(), grid.end(), value) - grid.begin());
+}
+
+/// A safety factor keeps its limit above it, everything else below.
+bool is_exceeded(const std::string& quantity, const json& figure) {
+  if (figure.at("limit").is_null() || figure.at("value").is_null()) return false;
+  const double value = number_of(figure.at("value"));
+  const double limit = number_of(figure.at("limit"));
+  return quantity.find("safety factor") != std::string::npos ? value < limit : value > limit;
+}
+
+/// A figure over the only two parameters that vary.
+MapData map_of(const json& sweep, const Quantity& quantity,
+               const std::vector<std::size_t>& parameters, const base::UnitSystem units) {
+  MapData map{labelled(quantity.name, quantity.dimension, units),
+              parameter_label(sweep, parameters[0]),
+              parameter_label(sweep, parameters[1]),
+              grid_of(sweep, parameters[0]),
+              grid_of(sweep, parameters[1]),
+              {},
+              {}};
+  map.values.assign(map.x.size() * map.y.size(), std::nan(""));
+  map.exceeds.assign(map.values.size(), false);
+  for (const json& point : sweep.at("points")) {
+    const json* const figure = figure_of(point, quantity.name);
+    if (figure == nullptr || figure->at("value").is_null()) continue;
+    const auto place = [&](const std::vector<double>& grid, const std::size_t parameter) {
+      return place_in(grid, number_in(point.at("values")[parameter]));
+    };
+    const std::size_t at = place(map.y, parameters[1]) * map.x.size() + place(map.x, parameters[0]);
+    map.values[at] = in_units(figure->at("value"), quantity.dimension, units);
+    map.exceeds[at] = is_exceeded(quantity.name, *figure);
+  }
+  return map;
+}
+
+/// Maps of the figures where two parameters alone vary, in three values each or more.
+std::string maps(const json& sweep, const std::vector<Quantity>& quantities,
+                 const base::UnitSystem units) {
+  const std::vector<std::size_t> parameters = numeric_parameters(sweep);
+  constexpr std::size_t fewest = 3;
+  const bool is_grid =
+      parameters.size() == 2 && sweep.at("parameters").size() == 2 &&
+      std::all_of(parameters.begin(), parameters.end(), [&](const std::size_t parameter) {
+        return grid_of(sweep, parameter).size() >= fewest;
+      });
+  if (!is_grid) return "";
+  std::string text;
+  int number = 0;
+  for (const Quantity& quantity : quantities) {
+    const MapData map = map_of(sweep, quantity, parameters, units);
+    if (std::any_of(map.values.begin(), map.values.end(),
+                    [](const double value) { return std::isfinite(value); }))
+      text += fmt::format("<figure>\n{}<figcaption>{}{}</figcaption>\n</figure>\n",
+                          map_picture(map, fmt::format("colours-of-map-{}", number++)),
+                          escaped(quantity.name),
+                          std::count(map.exceeds.begin(), map.exceeds.end(), true) > 0
+                              ? "; crossed out where its limit is exceeded"
+                              : "");
+  }
+  return "<div class=\"charts\">\n" + text + "</div>\n";
+}
+
+/// A figure against the parameter, a curve for each combination of the others, and the limit.
+Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t across,
+               const base::UnitSystem units, const std::size_t number) {
+  const double factor = base::output_unit(units, quantity.dimension).factor;
+  const std::string name = short_name(sweep.at("parameters")[across]);
+  std::map<std::string, std::vector<std::array<double, 2>>> curves;
+  std::vector<std::string> order;
+  std::vector<std::array<double, 2>> limit;
+  for (const json& point : sweep.at("points")) {
+    const json* const figure = figure_of(point, quantity.name);
+    if (figure == nullptr || figure->at("value").is_null()) continue;
+    const double x = number_in(point.at("values")[across]);
+    const std::string others = others_of(sweep, point, across);
+    if (curves.count(others) == 0) order.push_back(others);
+    curves[others].push_back({x, number_of(figure->at("value")) * factor});
+    if (!figure->at("limit").is_null())
+      limit.push_back({x, number_of(figure->at("limit")) * factor});
+  }
+  Chart chart{fmt::format("chart-sweep-{}", number),
+              quantity.name,
+              fmt::format("{} against {}", quantity.name, name),
+              {parameter_label(sweep, across)},
+              {labelled(quantity.name, quantity.dimension, units)},
+              {}};
+  for (const std::string& others : order)
+    chart.series.emplace_back(others.empty() ? quantity.name : others, SeriesStyle::line,
+                              curves[others]);
+  if (limit.empty()) return chart;
+  std::sort(limit.begin(), limit.end());
+  chart.series.emplace_back("allowed", SeriesStyle::dashed, limit);
+  return chart;
+}
+
+}  // namespace
+
+ReportPart sweep_part(const ResultsDirectory& results) {
+  const json& sweep = *results.document("sweep");
+  const std::vector<Quantity> quantities = quantities_of(sweep.at("points"));
+  std::vector<Chart> charts;
+  const std::vector<std::size_t> numeric = numeric_parameters(sweep);
+  if (!numeric.empty())
+    for (const Quantity& quantity : quantities) {
+      Chart chart = chart_of(sweep, quantity, numeric.front(), results.units(), charts.size());
+      if (!chart.series.empty()) charts.push_back(std::move(chart));
+    }
+  const std::string head = fmt::format("<p>'geneva {}' for {} combinations.</p>\n",
+                                       escaped(sweep.at("command")), sweep.at("points").size());
+  return {html_section("sweep", "Sweep",
+                       head + html(charts) + maps(sweep, quantities, results.units()) +
+                           values_table(sweep, quantities, results.units())),
+          charts};
+}
+
+}  // namespace geneva::post

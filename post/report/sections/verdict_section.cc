@@ -1,0 +1,197 @@
+#include "post/report/sections/verdict_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "post/report/html/html.h"
+#include "post/report/html/shown_values.h"
+#include "post/report/results/case_inputs.h"
+
+namespace geneva::post {
+
+using base::Dimension;
+using base::dimension_named;
+using base::output_unit;
+using base::OutputUnit;
+using base::UnitSystem;
+
+using nlohmann::json;
+
+namespace {
+
+std::string percent(const double ratio) {
+  const double value = 100. * ratio;
+  return std::abs(value) < 0.005 ? "0.00 %" : fmt::format("{:+.2f} %", value);
+}
+
+std::string difference(const json& row) {
+  const json& computed = row.at("computed");
+  const json& form = row.at("closed_form");
+  const bool is_comparable = row.at("bounded") == true && !computed.is_null() && !form.is_null();
+  if (!is_comparable || number_of(form) == 0.) return "–";
+  return percent(number_of(computed) / number_of(form) - 1.);
+}
+
+std::string verdict_table(const json& summary, const UnitSystem units) {
+  HtmlTable table{"This program beside closed forms and published values",
+                  {"quantity", "this program", "± error", "closed form", "published", "difference"},
+                  {}};
+  for (const json& row : summary.at("comparison")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    const auto cell = [&](const char* key) { return shown(row.at(key), dimension, units); };
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+                          row.at("bounded") == true ? cell("computed") : "not bounded",
+                          shown_error(row.at("error")), cell("closed_form"), cell("published"),
+                          difference(row)});
+  }
+  return table.html();
+}
+
+/// Whether the result is as accurate as wanted, in a sentence.
+std::string verdict_sentence(const json& summary) {
+  const json& solver = summary.at("solver");
+  const double error = summary.at("accuracy").at("error_estimate");
+  const std::string of = summary.at("accuracy").at("of");
+  const std::string estimate =
+      error < 1. ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
+                 : fmt::format("The error of the {} is not known", of);
+  std::string text = fmt::format("<p class=\"verdict\">{}; {:.2g} % was asked for.</p>\n", estimate,
+                                 100. * summary.at("accuracy").at("wanted").get<double>());
+  const std::string message = solver.at("message");
+  if (!message.empty())
+    text += fmt::format(
+        "<p class=\"warning\"><strong>{}</strong> {}</p>\n",
+        solver.at("converged").get<bool>() ? "Warning:" : "Not converged:", escaped(message));
+  return text;
+}
+
+/// The figure that the case is about, in large type: "peak contact pressure 177.84 MPa ± 0.16 %".
+std::string main_figure(const json& summary, const UnitSystem units) {
+  const json* main = nullptr;
+  for (const json& row : summary.at("comparison"))
+    if (main == nullptr || row.at("quantity") == "peak contact pressure") main = &row;
+  if (main == nullptr) return "";
+  const Dimension dimension = dimension_named(main->at("dimension"));
+  const std::string unit = base::output_unit(units, dimension).name;
+  const bool is_bounded = main->at("bounded") == true;
+  return fmt::format("<p class=\"answer\"><span>{}</span> <strong>{} {}</strong> {}</p>\n",
+                     escaped(main->at("quantity")),
+                     is_bounded ? shown(main->at("computed"), dimension, units) : "not bounded",
+                     is_bounded ? escaped(unit) : "",
+                     is_bounded ? shown_error(main->at("error")) : "");
+}
+
+/// The limit that is nearest, with its verdict; empty where there is none.
+std::string nearest_limit(const json& summary, const UnitSystem units) {
+  const json* nearest = nullptr;
+  for (const json& row : summary.at("safety")) {
+    const bool is_nearer =
+        nearest == nullptr || (!nearest->at("factor").is_null() &&
+                               (row.at("factor").is_null() ||
+                                number_of(row.at("factor")) < number_of(nearest->at("factor"))));
+    if (is_nearer) nearest = &row;
+  }
+  if (nearest == nullptr) return "";
+  const json& factor = nearest->at("factor");
+  const bool is_kept = !factor.is_null() && number_of(factor) >= 1.;
+  const std::string at =
+      nearest->at("driver_angle").is_null()
+          ? ""
+          : fmt::format(", at a driver angle of {} {}",
+                        shown(nearest->at("driver_angle"), Dimension::angle, units),
+                        base::output_unit(units, Dimension::angle).name);
+  return fmt::format(
+      "<p class=\"answer\"><span>least safety factor</span> <strong>{}</strong> {} {}{}</p>\n",
+      factor.is_null() ? "–" : significant(number_of(factor), 3),
+      is_kept ? "<span class=\"pass\">✓ pass</span>" : "<span class=\"fail\">✗ EXCEEDED</span>",
+      escaped(nearest->at("quantity")), escaped(at));
+}
+
+std::string notices(const json& summary) {
+  std::string text;
+  for (const json& notice : summary.at("notices"))
+    text += fmt::format("<p class=\"warning\"><strong>Note:</strong> {}</p>\n",
+                        escaped(notice.get<std::string>()));
+  return text;
+}
+
+std::string checks_table(const json& summary) {
+  HtmlTable table{"What must be small in a sound result",
+                  {"check", "value", "limit", "verdict", "meaning"},
+                  {}};
+  for (const json& check : summary.at("checks")) {
+    const bool is_passed = check.at("passed");
+    table.rows.push_back({escaped(check.at("name")),
+                          check.at("value").is_null()
+                              ? "not known"
+                              : fmt::format("{:.2g}", check.at("value").get<double>()),
+                          fmt::format("{:.2g}", check.at("limit").get<double>()),
+                          is_passed ? "<span class=\"pass\">✓ passed</span>"
+                                    : "<span class=\"fail\">✗ failed</span>",
+                          escaped(check.at("meaning"))});
+  }
+  return table.html();
+}
+
+/// How near the limits are; empty if the case gives none.
+std::string safety_table(const json& summary, const UnitSystem units) {
+  if (summary.at("safety").empty()) return "";
+  HtmlTable table{"How near to the limits that the case gives",
+                  {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
+                   labelled("driver angle", Dimension::angle, units), "verdict"},
+                  {}};
+  for (const json& row : summary.at("safety")) {
+    const Dimension dimension = dimension_named(row.at("dimension"));
+    const bool is_known = !row.at("factor").is_null();
+    const double factor = number_of(row.at("factor"));
+    const std::string meaning = row.value("meaning", "");
+    table.rows.push_back(
+        {escaped(labelled(row.at("quantity"), dimension, units)) +
+             (meaning.empty() ? "" : "<br><small>" + escaped(meaning) + "</small>"),
+         is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
+         shown(row.at("cycle"), dimension, units), shown(row.at("allowed"), dimension, units),
+         is_known ? significant(factor, 3) : "–",
+         shown(row.at("driver_angle"), Dimension::angle, units),
+         is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
+                                  : "<span class=\"fail\">✗ exceeded</span>"});
+  }
+  return table.html();
+}
+
+std::string inputs_table(const std::vector<CaseInput>& inputs, const bool is_given) {
+  HtmlTable table{is_given ? "What the case gives" : "What it leaves at the default",
+                  {"parameter", "value"},
+                  {}};
+  for (const CaseInput& input : inputs)
+    if (input.is_given == is_given && !input.value.empty())
+      table.rows.push_back({escaped(input.name), escaped(input.value)});
+  return table.rows.empty() ? "" : table.html();
+}
+
+/// Every input; the defaults folded. Empty where the case file is not there.
+std::string inputs_section(const std::string& case_text) {
+  const std::vector<CaseInput> inputs = case_inputs(case_text);
+  if (inputs.empty()) return "";
+  return html_section("inputs", "Inputs",
+                      inputs_table(inputs, true) +
+                          "<details>\n<summary>Everything else is at its default</summary>\n" +
+                          inputs_table(inputs, false) + "</details>\n");
+}
+
+}  // namespace
+
+ReportPart verdict_part(const ResultsDirectory& results) {
+  const json& summary = *results.document("summary");
+  return {html_section("verdict", "Verdict",
+                       main_figure(summary, results.units()) +
+                           nearest_limit(summary, results.units()) + verdict_sentence(summary) +
+                           notices(summary) + verdict_table(summary, results.units()) +
+                           safety_table(summary, results.units())) +
+              inputs_section(results.case_text) +
+              html_section("checks", "Is it right?", checks_table(summary)),
+          {}};
+}
+
+}  // namespace geneva::post

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "post/report/results/results_directory.h"
+#include "post/report/sections/report_part.h"
+
+namespace geneva::post {
+
+/// What `geneva run` found: the figure that the case is about and the nearest limit, the table
+/// beside closed forms and published values, warnings, limits, inputs and checks.
+ReportPart verdict_part(const ResultsDirectory& results);
+
+}  // namespace geneva::post
