@@ -56,7 +56,8 @@ nlohmann::json sweep_summary(const SweepReport& report);
 /// What sweep.csv says: a row for each point, the units in the headings.
 std::string sweep_csv(const SweepReport& report, base::UnitSystem units);
 
-/// Table of the points: the parameters and the first figures.
+/// Table of the points: the parameters, the peak pressure, the least safety factor, and the figures
+/// that change most.
 std::string sweep_table(const SweepReport& report, base::UnitSystem units);
 
 }  // namespace geneva::post
