@@ -16,6 +16,9 @@ struct NodeContact {
   NodeStatus status;
   Components<dim> gap;       ///< > 0 when open, then the slip of the source
   Components<dim> traction;  ///< on the source: pressure, >= 0 in compression, then friction
+  /// Unit vector along the tangents in which the source slides on the target; 0 if it does not, or
+  /// where that is not known.
+  Components<dim> sliding{};
 };
 
 /// Gaps and pressures that are not told from 0.
@@ -26,7 +29,8 @@ struct ContactRounding {
 
 /// Conditions of contact at one node, in equations that are linear as long as its status stays:
 /// residual + by_gap d(gap) + by_traction d(traction) = 0. An equation without by_traction is a
-/// constraint, one without by_gap sets a traction.
+/// constraint; one without by_gap binds the traction of its direction, with a coefficient of 1, to
+/// those of constraints.
 template <int dim>
 struct ContactEquations {
   using Matrix = std::array<Components<dim>, static_cast<std::size_t>(dim)>;
@@ -49,6 +53,14 @@ class ContactLaw {
   [[nodiscard]] virtual NodeStatus next_status(const NodeContact<dim>& node,
                                                const ContactRounding& rounding) const = 0;
 
+  /// The direction in which a node that slips slides from now on, as NodeContact::sliding.
+  [[nodiscard]] virtual Components<dim> next_sliding(const NodeContact<dim>& node) const {
+    return node.sliding;
+  }
+
+  /// The status of a node that begins to touch.
+  [[nodiscard]] virtual NodeStatus touching() const { return NodeStatus::slip; }
+
   /// The equations of the node's status.
   [[nodiscard]] virtual ContactEquations<dim> equations(const NodeContact<dim>& node) const = 0;
 };
@@ -59,6 +71,39 @@ class Frictionless : public ContactLaw<dim> {
  public:
   [[nodiscard]] NodeStatus next_status(const NodeContact<dim>& node,
                                        const ContactRounding& rounding) const override;
+  [[nodiscard]] ContactEquations<dim> equations(const NodeContact<dim>& node) const override;
+};
+
+/// Coulomb's friction of surfaces that slide everywhere in a direction that is known: on the source
+/// it is mu times the pressure against NodeContact::sliding.
+template <int dim>
+class Sliding : public ContactLaw<dim> {
+ public:
+  /// @param coefficient mu, >= 0
+  explicit Sliding(double coefficient);
+
+  [[nodiscard]] NodeStatus next_status(const NodeContact<dim>& node,
+                                       const ContactRounding& rounding) const override;
+  [[nodiscard]] ContactEquations<dim> equations(const NodeContact<dim>& node) const override;
+
+ protected:
+  [[nodiscard]] double coefficient() const { return coefficient_; }
+
+ private:
+  double coefficient_;
+};
+
+/// Coulomb's friction: the source sticks as long as the friction stays below mu times the pressure,
+/// and slides against it beyond that (Hueber, Stadler and Wohlmuth 2008, 3).
+template <int dim>
+class Coulomb : public Sliding<dim> {
+ public:
+  using Sliding<dim>::Sliding;
+
+  [[nodiscard]] NodeStatus next_status(const NodeContact<dim>& node,
+                                       const ContactRounding& rounding) const override;
+  [[nodiscard]] Components<dim> next_sliding(const NodeContact<dim>& node) const override;
+  [[nodiscard]] NodeStatus touching() const override { return NodeStatus::stick; }
   [[nodiscard]] ContactEquations<dim> equations(const NodeContact<dim>& node) const override;
 };
 

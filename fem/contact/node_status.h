@@ -6,8 +6,9 @@ namespace geneva::fem {
 
 /// What a node of a contact's source does.
 enum class NodeStatus {
-  open,  ///< does not touch the target
-  slip   ///< touches it and may slide along it
+  open,   ///< does not touch the target
+  stick,  ///< touches it and is held by friction
+  slip    ///< touches it and may slide along it
 };
 
 constexpr bool is_closed(const NodeStatus status) { return status != NodeStatus::open; }
