@@ -3,6 +3,7 @@
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -31,8 +32,22 @@ constexpr double loose_reduction = 0.02;
 /// pressure, and the sets would move for ever.
 constexpr unsigned int most_loose_steps = 6;
 
+/// Maximum change of the direction in which a node slides that slipped and goes on to slip.
+template <int dim>
+double maximum_turn(const ContactInterface<dim>& interface, const std::vector<NodeStatus>& next,
+                    const std::vector<Components<dim>>& sliding) {
+  double turn = 0.;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (interface.status[i] != NodeStatus::slip || next[i] != NodeStatus::slip) continue;
+    for (std::size_t component = 1; component < dim; ++component)
+      turn = std::max(turn, std::abs(sliding[i][component] - interface.sliding_at(i)[component]));
+  }
+  return turn;
+}
+
 /// The active sets seen on one mesh. A set that has been there before means cycling: from then on
-/// nodes only close, so that the iteration ends, and the next mesh starts from there.
+/// nodes only close, or begin to slip, so that the iteration ends, and the next mesh starts from
+/// there.
 class ActiveSetSearch {
  public:
   /// Takes over the next active sets.
@@ -41,18 +56,24 @@ class ActiveSetSearch {
   /// @return whether they changed
   template <int dim>
   bool advance(Level<dim>& level, const std::vector<ContactState>& states, const bool is_exact) {
+    constexpr double same_direction = 1e-6;
     const auto before = active_sets(level);
     seen_.insert(before);
+    double turn = 0.;
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
       ContactInterface<dim>& interface = level.interfaces[i];
       std::vector<NodeStatus> next = updated(interface, states[i]);
       if (only_closes_)
         for (std::size_t j = 0; j < next.size(); ++j)
-          if (!is_closed(next[j])) next[j] = interface.status[j];
-      if (is_exact || std::any_of(next.begin(), next.end(), is_closed)) interface.status = next;
+          if (next[j] < interface.status[j]) next[j] = interface.status[j];
+      if (!is_exact && std::none_of(next.begin(), next.end(), is_closed)) continue;
+      const auto sliding = next_sliding(interface, states[i]);
+      turn = std::max(turn, maximum_turn(interface, next, sliding));
+      interface.status = next;
+      interface.sliding = sliding;
     }
     const auto after = active_sets(level);
-    if (after == before) return false;
+    if (after == before) return turn > same_direction;
     if (seen_.count(after) > 0) only_closes_ = true;
     return true;
   }

@@ -3,7 +3,9 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -113,6 +115,33 @@ dealii::Tensor<1, dim> approach_of(const mesh::MeshData<dim>& mesh, const Proble
 }
 
 template <int dim>
+std::shared_ptr<const ContactLaw<dim>> law_of(const Friction& friction) {
+  if (friction.coefficient == 0.) return std::make_shared<const Frictionless<dim>>();
+  if (friction.slides()) return std::make_shared<const Sliding<dim>>(friction.coefficient);
+  return std::make_shared<const Coulomb<dim>>(friction.coefficient);
+}
+
+/// The directions along the surfaces in which the source slides everywhere.
+template <int dim>
+std::vector<Components<dim>> sliding_of(const std::vector<ContactRow<dim>>& rows,
+                                        const Friction& friction) {
+  std::vector<Components<dim>> sliding(rows.size());
+  if (!friction.slides()) return sliding;
+  dealii::Tensor<1, dim> velocity;
+  for (unsigned int i = 0; i < dim; ++i) velocity[i] = friction.sliding[i];
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    double square = 0.;
+    for (std::size_t i = 1; i < dim; ++i) {
+      sliding[row][i] = velocity * rows[row].frame.tangents[i - 1];
+      square += sliding[row][i] * sliding[row][i];
+    }
+    if (square > 0.)
+      for (double& component : sliding[row]) component /= std::sqrt(square);
+  }
+  return sliding;
+}
+
+template <int dim>
 std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary,
                                                    const mesh::MeshData<dim>& mesh,
                                                    const Problem<dim>& problem,
@@ -132,6 +161,8 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
                                                  source_share(mesh, problem, problem.pairs[i]),
                                                  problem.pairs[i].clearance, communicator});
     interface.approach = approach_of(mesh, problem, problem.pairs[i]);
+    interface.law = law_of<dim>(problem.pairs[i].friction);
+    interface.sliding = sliding_of(interface.rows, problem.pairs[i].friction);
     interface.status = first_touch(interface);
     interfaces.push_back(std::move(interface));
   }
@@ -205,14 +236,22 @@ dealii::AffineConstraints<double> lasting_constraints(const Level<dim>& level) {
 }
 
 template <int dim>
-dealii::AffineConstraints<double> constraints(const Level<dim>& level) {
+SystemConstraints constraints(const Level<dim>& level) {
   std::vector<ConstraintLine> lines = lasting_lines(level);
+  std::vector<ConstraintLine> virtual_lines = lines;
   std::set<global_dof_index> held = level.held;
+  bool are_equal = true;
   for (const ContactInterface<dim>& interface : level.interfaces) {
-    const auto contact = contact_lines(interface, held);
-    lines.insert(lines.end(), contact.begin(), contact.end());
+    const ContactLines contact = contact_lines(interface, held);
+    lines.insert(lines.end(), contact.displacement.begin(), contact.displacement.end());
+    virtual_lines.insert(virtual_lines.end(), contact.virtual_displacement.begin(),
+                         contact.virtual_displacement.end());
+    are_equal &= contact.are_equal;
   }
-  return make_constraints(level.hanging_nodes, lines);
+  SystemConstraints result{make_constraints(level.hanging_nodes, lines)};
+  if (!are_equal)
+    result.virtual_displacement = make_constraints(level.hanging_nodes, virtual_lines);
+  return result;
 }
 
 template Level<2> make_level(const dealii::DoFHandler<2>&, const mesh::MeshData<2>&,
@@ -225,7 +264,7 @@ template void set_load(Level<3>&, const dealii::DoFHandler<3>&, const mesh::Mesh
                        const Problem<3>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<2>&);
 template dealii::AffineConstraints<double> lasting_constraints(const Level<3>&);
-template dealii::AffineConstraints<double> constraints(const Level<2>&);
-template dealii::AffineConstraints<double> constraints(const Level<3>&);
+template SystemConstraints constraints(const Level<2>&);
+template SystemConstraints constraints(const Level<3>&);
 
 }  // namespace geneva::fem

@@ -51,6 +51,6 @@ dealii::AffineConstraints<double> lasting_constraints(const Level<dim>& level);
 
 /// Those, and contact with the level's active sets.
 template <int dim>
-dealii::AffineConstraints<double> constraints(const Level<dim>& level);
+SystemConstraints constraints(const Level<dim>& level);
 
 }  // namespace geneva::fem

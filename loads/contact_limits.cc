@@ -16,8 +16,14 @@ constexpr HertzLine unit_contact{1., 1., 0., 0.};
 /// k over Y by von Mises.
 const double shear_yield = 1. / std::sqrt(3.);
 
+struct PlacedMaximum {
+  double value;
+  double depth;
+};
+
 /// Maximum over |x| <= 2, 0 < z <= 2: a grid, and finer ones around its best point.
-double maximum_below(const std::function<double(double, double)>& value, const double least_depth) {
+PlacedMaximum maximum_below(const std::function<double(double, double)>& value,
+                            const double least_depth) {
   constexpr int steps = 40;
   constexpr int zooms = 8;
   double x = 0., z = 1., reach_x = 2., reach_z = 1.;
@@ -38,7 +44,7 @@ double maximum_below(const std::function<double(double, double)>& value, const d
     reach_x *= 0.1;
     reach_z *= 0.1;
   }
-  return best;
+  return {best, z};
 }
 
 double von_mises(const ContactStress& stress, const double poissons_ratio) {
@@ -66,18 +72,34 @@ ContactStress sliding_stress(const HertzLine& contact, const double friction, co
           normal.zz + friction * normal.xz, normal.xz + friction * normal.xx};
 }
 
+DeepStress maximum_sliding_shear(const HertzLine& contact, const double friction) {
+  if (friction == 0.) return {contact.max_shear, contact.max_shear_depth};
+  const PlacedMaximum maximum = maximum_below(
+      [&](const double x, const double z) {
+        const ContactStress stress = sliding_stress(unit_contact, friction, x, z);
+        return std::hypot((stress.xx - stress.zz) / 2., stress.xz);
+      },
+      0.);
+  return {maximum.value * contact.peak_pressure, maximum.depth * contact.half_width};
+}
+
 ContactLimits line_contact_limits(const double poissons_ratio, const double friction) {
   require_not_negative("coefficient of friction", friction, "");
   if (friction > 1.) throw base::InputError("coefficient of friction: at most 1 is known here");
   const auto stress = [&](const double x, const double z) {
     return sliding_stress(unit_contact, friction, x, z);
   };
-  const double mises = maximum_below(
-      [&](const double x, const double z) { return von_mises(stress(x, z), poissons_ratio); }, 0.);
+  const double mises =
+      maximum_below(
+          [&](const double x, const double z) { return von_mises(stress(x, z), poissons_ratio); },
+          0.)
+          .value;
   // At the surface the shear is mu p everywhere.
   constexpr double below_surface = 0.05;
-  const double shear = maximum_below(
-      [&](const double x, const double z) { return std::abs(stress(x, z).xz); }, below_surface);
+  const double shear =
+      maximum_below([&](const double x, const double z) { return std::abs(stress(x, z).xz); },
+                    below_surface)
+          .value;
   return {1. / mises, shear_yield / std::max(shear, friction)};
 }
 

@@ -11,6 +11,11 @@ namespace geneva::loads {
 /// @param x along the contact, z >= 0 into the body [m]
 ContactStress sliding_stress(const HertzLine& contact, double friction, double x, double z);
 
+/// Maximum in-plane shear of a line contact that slides; from mu = 0.44 on it is that of the
+/// surface, mu p0 (facts of Smith and Liu's field).
+/// @param friction coefficient mu >= 0
+DeepStress maximum_sliding_shear(const HertzLine& contact, double friction);
+
 /// Peak pressures of a contact up to which a material that yields at the von Mises stress Y stands
 /// it, over Y.
 struct ContactLimits {

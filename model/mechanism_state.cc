@@ -78,10 +78,12 @@ MechanismState mechanism_state(const MechanismCase& mechanism) {
   const double angle = analysed_angle(mechanism, state.driven, state.train);
   state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);
   if (state.load.force <= 0.) refuse_braking(state.load, state);
+  // What a roller's friction carries of the moment is not in the contact with the wall.
+  const double arm =
+      mechanism.roller ? state.load.pin_distance : state.load.moment / state.load.force;
   state.load.force = mechanism.pin_force.value_or(state.load.force);
-  // What slot friction carries of the moment is not in the contact, which has none.
-  state.expected_bore_torque = state.load.force * state.load.pin_distance -
-                               state.train.wheel_inertia * state.load.wheel_acceleration;
+  state.expected_bore_torque =
+      state.load.force * arm - state.train.wheel_inertia * state.load.wheel_acceleration;
   return state;
 }
 

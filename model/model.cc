@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -30,6 +31,15 @@ namespace {
 /// the contact's source: with a stiff one the conjugate gradients take hundreds of iterations.
 bool is_on_soft_wheel(const MechanismCase& mechanism) {
   return mechanism.pin.youngs_modulus > fem::very_stiff * mechanism.wheel.youngs_modulus;
+}
+
+/// Between the wall and a pin that is fixed to its carrier, which slides along x all over; none
+/// where it only rolls. A roller's friction acts in its bore.
+fem::Friction wall_friction(const MechanismCase& mechanism, const MechanismState& state,
+                            const std::string& source) {
+  const double of_source = source == "pin" ? 1. : -1.;
+  if (mechanism.roller || state.load.slip_speed == 0.) return {};
+  return {mechanism.slot_friction, {std::copysign(1., of_source * state.load.slip_speed), 0., 0.}};
 }
 
 /// The wheel is held where it drives its load, and its inertia is spread over it; a block has none.
@@ -67,6 +77,7 @@ fem::Problem<dim> mechanism_problem(const MechanismCase& mechanism, const Mechan
   problem.pairs.push_back(dim == 3 && is_on_soft_wheel(mechanism)
                               ? fem::ContactPair{"driving wall", "pin"}
                               : fem::ContactPair{"pin", "driving wall"});
+  problem.pairs.back().friction = wall_friction(mechanism, state, problem.pairs.back().source);
   if constexpr (dim == 2)
     if (mechanism.bore_clearance) {
       problem.supports.push_back({"roller guide", {0., std::nullopt}});

@@ -45,9 +45,10 @@ double way_to_touch(const ContactRow<dim>& row, const dealii::Tensor<1, dim>& ap
 }
 
 template <int dim>
-NodeContact<dim> node_contact(const NodeStatus status, const ContactState& state,
+NodeContact<dim> node_contact(const ContactInterface<dim>& interface, const ContactState& state,
                               const std::size_t row) {
-  NodeContact<dim> node{status, {state.gap[row]}, {state.pressure[row]}};
+  NodeContact<dim> node{
+      interface.status[row], {state.gap[row]}, {state.pressure[row]}, interface.sliding_at(row)};
   for (std::size_t i = 1; i < dim; ++i) {
     node.gap[i] = state.slip[row][i - 1];
     node.traction[i] = state.friction[row][i - 1];
@@ -55,7 +56,10 @@ NodeContact<dim> node_contact(const NodeStatus status, const ContactState& state
   return node;
 }
 
-NodeStatus touching(const bool touches) { return touches ? NodeStatus::slip : NodeStatus::open; }
+template <int dim>
+NodeStatus status_of(const ContactInterface<dim>& interface, const bool touches) {
+  return touches ? interface.law->touching() : NodeStatus::open;
+}
 
 }  // namespace
 
@@ -88,8 +92,8 @@ std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface) {
   std::vector<NodeStatus> status;
   status.reserve(interface.rows.size());
   for (const ContactRow<dim>& row : interface.rows)
-    status.push_back(
-        touching(way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length));
+    status.push_back(status_of(
+        interface, way_to_touch(row, approach) <= smallest + 1e-9 * interface.source.length));
   return status;
 }
 
@@ -101,7 +105,8 @@ std::vector<NodeStatus> inherited(const ContactInterface<2>& interface,
   status.reserve(interface.rows.size());
   for (const ContactRow<2>& row : interface.rows) {
     const double at = interface.source.nodes[row.node].arc_length;
-    status.push_back(touching(
+    status.push_back(status_of(
+        interface,
         std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& interval) {
           return at >= interval.begin / length - slack && at <= interval.end / length + slack;
         })));
@@ -126,12 +131,12 @@ std::vector<NodeStatus> inherited(const ContactInterface<3>& interface,
     double distance = std::numeric_limits<double>::max();
     for (const std::size_t node : nearest)
       distance = std::min(distance, place.distance(places[node]));
-    status.push_back(
-        touching(!nearest.empty() &&
-                 std::all_of(nearest.begin(), nearest.end(), [&](const std::size_t node) {
-                   return is_closed(nodes[node].status) ||
-                          place.distance(places[node]) > (1. + 1e-6) * distance;
-                 })));
+    status.push_back(status_of(
+        interface, !nearest.empty() &&
+                       std::all_of(nearest.begin(), nearest.end(), [&](const std::size_t node) {
+                         return is_closed(nodes[node].status) ||
+                                place.distance(places[node]) > (1. + 1e-6) * distance;
+                       })));
   }
   return std::none_of(status.begin(), status.end(), is_closed) ? first_touch(interface) : status;
 }
@@ -156,7 +161,8 @@ std::vector<NodeStatus> active_at(const ContactInterface<dim>& interface,
     const dealii::Point<dim>& place = interface.source.nodes[row.node].position;
     std::vector<std::size_t> nearest;
     tree.query(boost::geometry::index::nearest(place, 1), std::back_inserter(nearest));
-    status.push_back(touching(!nearest.empty() && place.distance(places[nearest.front()]) < same));
+    status.push_back(
+        status_of(interface, !nearest.empty() && place.distance(places[nearest.front()]) < same));
   }
   if (std::count_if(status.begin(), status.end(), is_closed) !=
       static_cast<std::ptrdiff_t>(places.size()))
@@ -177,15 +183,26 @@ std::vector<NodeStatus> updated(const ContactInterface<dim>& interface, const Co
   std::vector<NodeStatus> status;
   status.reserve(interface.rows.size());
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
-    status.push_back(
-        interface.law->next_status(node_contact<dim>(interface.status[i], state, i), rounding));
+    status.push_back(interface.law->next_status(node_contact(interface, state, i), rounding));
   return status;
+}
+
+template <int dim>
+std::vector<Components<dim>> next_sliding(const ContactInterface<dim>& interface,
+                                          const ContactState& state) {
+  std::vector<Components<dim>> sliding;
+  sliding.reserve(interface.rows.size());
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    sliding.push_back(interface.law->next_sliding(node_contact(interface, state, i)));
+  return sliding;
 }
 
 template bool is_pulled_apart(const ContactInterface<2>&);
 template bool is_pulled_apart(const ContactInterface<3>&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<2>&);
 template std::vector<NodeStatus> updated(const ContactInterface<2>&, const ContactState&);
+template std::vector<Components<2>> next_sliding(const ContactInterface<2>&, const ContactState&);
+template std::vector<Components<3>> next_sliding(const ContactInterface<3>&, const ContactState&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<3>&);
 template std::vector<NodeStatus> updated(const ContactInterface<3>&, const ContactState&);
 template std::vector<dealii::Point<2>> active_places(const ContactInterface<2>&);

@@ -49,4 +49,9 @@ std::vector<bool> active_nodes(const ContactInterface<dim>& interface);
 template <int dim>
 std::vector<NodeStatus> updated(const ContactInterface<dim>& interface, const ContactState& state);
 
+/// The directions of sliding that the pair's law gives the nodes next.
+template <int dim>
+std::vector<Components<dim>> next_sliding(const ContactInterface<dim>& interface,
+                                          const ContactState& state);
+
 }  // namespace geneva::fem

@@ -10,15 +10,19 @@ namespace {
 
 /// The component to solve a line for; none if all are held.
 /// @param direction of the relative displacement that the line constrains
+/// @param force_direction of the traction that does it
 template <int dim>
-int pivot_component(const dealii::Tensor<1, dim>& direction, const SurfaceNode<dim>& node,
+int pivot_component(const dealii::Tensor<1, dim>& direction,
+                    const dealii::Tensor<1, dim>& force_direction, const SurfaceNode<dim>& node,
                     const std::set<global_dof_index>& held) {
+  constexpr double negligible = 1e-12;
   int pivot = -1;
+  double maximum = negligible;
   for (unsigned int component = 0; component < dim; ++component) {
-    const double share = std::abs(direction[component]);
-    if (held.count(node.dofs[component]) == 0 && share > 1e-6 &&
-        (pivot < 0 || share > std::abs(direction[static_cast<unsigned int>(pivot)])))
-      pivot = static_cast<int>(component);
+    const double share = std::abs(direction[component] * force_direction[component]);
+    if (held.count(node.dofs[component]) > 0 || share <= maximum) continue;
+    maximum = share;
+    pivot = static_cast<int>(component);
   }
   return pivot;
 }
@@ -100,38 +104,73 @@ double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
 }
 
-/// None where a support holds a component, whose force it takes.
+/// Of the components that no support holds.
 template <int dim>
 Tangential friction_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
                        const SurfaceForces& forces, const std::set<global_dof_index>& held) {
   dealii::Tensor<1, dim> force;
-  for (unsigned int component = 0; component < dim; ++component) {
-    if (held.count(node.dofs[component]) > 0) return {};
-    force[component] = forces(node.dofs[component]);
-  }
+  for (unsigned int component = 0; component < dim; ++component)
+    if (held.count(node.dofs[component]) == 0) force[component] = forces(node.dofs[component]);
   return tangential(row.frame, force / row.weight);
+}
+
+/// What one equation of a node's law makes of its relative displacement.
+template <int dim>
+struct Constraint {
+  dealii::Tensor<1, dim> direction;        ///< that it constrains
+  dealii::Tensor<1, dim> force_direction;  ///< of the traction that does it
+  double constant;                         ///< direction . (D u_j - sum_k M_jk u_k) + constant = 0
+};
+
+/// The constraints among a law's equations; where all directions are constrained, along the axes,
+/// so that none follows another.
+template <int dim>
+std::vector<Constraint<dim>> constraints_of(const ContactRow<dim>& row,
+                                            const ContactEquations<dim>& equations) {
+  std::vector<Constraint<dim>> result;
+  for (std::size_t e = 0; e < dim; ++e) {
+    const Components<dim>& by_gap = equations.by_gap[e];
+    if (is_zero<dim>(by_gap) || !is_zero<dim>(equations.by_traction[e])) continue;
+    Components<dim> traction{};  // that the others bind to the one of this constraint
+    traction[e] = 1.;
+    for (std::size_t other = 0; other < dim; ++other)
+      if (other != e) traction[other] -= equations.by_traction[other][e];
+    result.push_back({vector_along(row.frame, by_gap), vector_along(row.frame, traction),
+                      by_gap[0] * row.initial_gap + row.weight * equations.residual[e]});
+  }
+  if (result.size() < dim) return result;
+  std::vector<Constraint<dim>> along_axes(dim);
+  for (unsigned int axis = 0; axis < dim; ++axis) {
+    along_axes[axis].direction[axis] = along_axes[axis].force_direction[axis] = 1.;
+    along_axes[axis].constant = 0.;
+    for (const Constraint<dim>& along_frame : result)
+      along_axes[axis].constant += along_frame.constant * along_frame.direction[axis];
+  }
+  return along_axes;
 }
 
 }  // namespace
 
 template <int dim>
-std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
-                                          std::set<global_dof_index>& held) {
-  std::vector<ConstraintLine> lines;
+ContactLines contact_lines(const ContactInterface<dim>& interface,
+                           std::set<global_dof_index>& held) {
+  ContactLines lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     const ContactRow<dim>& row = interface.rows[i];
     // the equations are linear: it does not matter where they are taken
-    const auto equations = interface.law->equations({interface.status[i], {}, {}});
-    for (std::size_t e = 0; e < dim; ++e) {
-      const Components<dim>& by_gap = equations.by_gap[e];
-      if (is_zero<dim>(by_gap) || !is_zero<dim>(equations.by_traction[e])) continue;
-      const dealii::Tensor<1, dim> direction = vector_along(row.frame, by_gap);
-      const int pivot = pivot_component(direction, interface.source.nodes[row.node], held);
+    const auto equations =
+        interface.law->equations({interface.status[i], {}, {}, interface.sliding_at(i)});
+    for (const Constraint<dim>& constraint : constraints_of(row, equations)) {
+      const int pivot = pivot_component(constraint.direction, constraint.force_direction,
+                                        interface.source.nodes[row.node], held);
       if (pivot < 0) continue;
-      const double constant = by_gap[0] * row.initial_gap + row.weight * equations.residual[e];
-      lines.push_back(
-          contact_line(interface, row, direction, constant, static_cast<unsigned int>(pivot)));
-      held.insert(lines.back().dof);
+      const auto component = static_cast<unsigned int>(pivot);
+      lines.displacement.push_back(
+          contact_line(interface, row, constraint.direction, constraint.constant, component));
+      lines.virtual_displacement.push_back(
+          contact_line(interface, row, constraint.force_direction, 0., component));
+      lines.are_equal &= constraint.direction == constraint.force_direction;
+      held.insert(lines.displacement.back().dof);
     }
   }
   return lines;
@@ -157,12 +196,10 @@ ContactState evaluate(const ContactInterface<dim>& interface, const Vector& disp
   return state;
 }
 
-template std::vector<ConstraintLine> contact_lines(const ContactInterface<2>&,
-                                                   std::set<global_dof_index>&);
+template ContactLines contact_lines(const ContactInterface<2>&, std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<2>&, const Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
-template std::vector<ConstraintLine> contact_lines(const ContactInterface<3>&,
-                                                   std::set<global_dof_index>&);
+template ContactLines contact_lines(const ContactInterface<3>&, std::set<global_dof_index>&);
 template ContactState evaluate(const ContactInterface<3>&, const Vector&, const SurfaceForces&,
                                const std::set<global_dof_index>&);
 

@@ -10,14 +10,25 @@
 
 namespace geneva::fem {
 
+/// What the nodes in contact constrain.
+struct ContactLines {
+  std::vector<ConstraintLine> displacement;
+  /// Of the virtual displacements on which the tractions do no work: of the same unknowns, tilted
+  /// by the friction of nodes that slip.
+  std::vector<ConstraintLine> virtual_displacement;
+  bool are_equal = true;  ///< whether the two are, but for inhomogeneities
+};
+
 /// The equations of the pair's law that are constraints, such as gap_j(u) = 0, solved for the
 /// displacement component with the maximum share of their direction that no support holds. Those
-/// whose components are all held are left out.
+/// whose components are all held are left out. With friction mu along t the tractions of a node
+/// that slips are p (n + mu t), so that virtual displacements have (n + mu t) . (D v_j - sum_k M_jk
+/// v_k) = 0 (Hueber, Stadler and Wohlmuth 2008).
 /// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
 /// are added
 template <int dim>
-std::vector<ConstraintLine> contact_lines(const ContactInterface<dim>& interface,
-                                          std::set<global_dof_index>& held);
+ContactLines contact_lines(const ContactInterface<dim>& interface,
+                           std::set<global_dof_index>& held);
 
 /// Gap and slip from the displacement; pressure and friction from the forces K u - f, divided by D
 /// (no differentiation).

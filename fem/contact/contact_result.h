@@ -22,6 +22,8 @@ struct ContactNode {
   double initial_gap;        ///< before loading [m]
   double tributary;          ///< D_j: the area that the node stands for [m^2]
   NodeStatus status;
+  Components<dim> friction{};  ///< traction on the source along the surface [Pa]
+  Components<dim> slip{};      ///< of the source against the target along the surface [m]
 };
 
 /// A stretch of the source surface in contact, by its arc lengths [m].
@@ -42,7 +44,8 @@ struct ContactResult {
   std::vector<ContactNode<dim>> nodes;  ///< in the plane in the order of the arc length
   /// Faces (indices into nodes) of the source whose nodes all face the target; in 3-D.
   std::vector<std::array<std::size_t, 4>> faces;
-  Components<dim> force;  ///< resultant of the pressure on the source body [N]
+  Components<dim> force;             ///< resultant of the pressure on the source body [N]
+  Components<dim> friction_force{};  ///< resultant of the friction on the source body [N]
   /// What the pressure adds up to along the normals of planes of symmetry, or along the radius of a
   /// body of revolution, and what is balanced there [N]; not in `force`
   Components<dim> lateral_force;

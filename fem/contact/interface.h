@@ -26,7 +26,11 @@ struct ContactInterface {
   dealii::Tensor<1, dim> approach = {};  ///< unit vector along which loads push the source to the
                                          ///< target; 0 if not known
   std::shared_ptr<const ContactLaw<dim>> law = std::make_shared<const Frictionless<dim>>();
-  std::vector<Components<dim>> sliding = {};  ///< by row, see NodeContact
+  std::vector<Components<dim>> sliding = {};  ///< by row, see NodeContact; empty: not known
+
+  [[nodiscard]] Components<dim> sliding_at(const std::size_t row) const {
+    return sliding.empty() ? Components<dim>{} : sliding[row];
+  }
 };
 
 /// Along the tangents of a frame; in the plane the second is 0.

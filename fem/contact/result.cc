@@ -206,10 +206,17 @@ ContactNode<dim> contact_node(const ContactInterface<dim>& interface, const std:
                           state.gap[row_index] * scales.length,
                           row.initial_gap / row.weight * scales.length,
                           row.weight * scales.length * scales.length,
-                          interface.status[row_index]};
+                          interface.status[row_index],
+                          {},
+                          {}};
   for (unsigned int component = 0; component < dim; ++component) {
     result.position[component] = node.position[component] * scales.length;
     result.normal[component] = row.frame.normal[component];
+    for (std::size_t i = 0; i < row.frame.tangents.size(); ++i) {
+      const double along = row.frame.tangents[i][component];
+      result.friction[component] += state.friction[row_index][i] * along * scales.stress;
+      result.slip[component] += state.slip[row_index][i] * along * scales.length;
+    }
   }
   return result;
 }
@@ -260,6 +267,7 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
       force[component] = node.pressure * node.tributary * node.normal[component];
       arm[component] = node.position[component];
       result.force[component] += force[component];
+      result.friction_force[component] += node.friction[component] * node.tributary;
     }
     result.moment += moment_of<dim>(arm, force);
     if (is_closed(node.status))

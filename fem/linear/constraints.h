@@ -4,6 +4,7 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -26,6 +27,14 @@ template <int dim>
 std::vector<ConstraintLine> support_lines(const Boundary<dim>& boundary,
                                           const std::vector<Support<dim>>& supports,
                                           const std::vector<std::string>& surfaces);
+
+/// The constraints of one system, closed.
+struct SystemConstraints {
+  dealii::AffineConstraints<double> displacement;
+  /// Homogeneous, of the same unknowns: where friction acts the virtual displacements on which
+  /// tractions do no work are others than the displacements. None: they are the same.
+  std::optional<dealii::AffineConstraints<double>> virtual_displacement = std::nullopt;
+};
 
 /// A rigid tie's lines, and the unknown that carries its motion and force.
 struct TieLines {

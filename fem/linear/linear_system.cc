@@ -2,6 +2,7 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,18 @@ class Jacobi {
  private:
   std::vector<double> diagonal_;
 };
+
+/// Generalised minimum residuals (Saad and Schultz 1986) of a system that is not symmetric,
+/// preconditioned from the right, so that the residual is that of the system.
+template <typename Matrix, typename Preconditioning>
+void minimise_residual(dealii::SolverControl& control, const Matrix& matrix,
+                       const Preconditioning& preconditioner, Vector& solution,
+                       const Vector& right_hand_side) {
+  constexpr unsigned int most_vectors = 60;
+  const dealii::SolverGMRES<Vector>::AdditionalData from_the_right(most_vectors, true);
+  dealii::SolverGMRES<Vector>(control, from_the_right)
+      .solve(matrix, solution, right_hand_side, preconditioner);
+}
 
 /// The lines of constraints that others have not.
 std::map<int, Shares> lines_beyond(const dealii::AffineConstraints<double>& others,
@@ -63,11 +76,15 @@ LinearSystem<dim>::LinearSystem(const dealii::DoFHandler<dim>& dof_handler,
   zero_with_ghosts_.reinit(owned_, ghosts, communicator_);
 }
 
-/// With u = E v + g the load is E^T (f - A g).
+/// With u = E v + g the load is W^T (f - A g), W = E without friction.
 template <int dim>
-void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& constraints) {
-  constraints_.copy_from(constraints);
+void LinearSystem<dim>::constrain(const SystemConstraints& constraints) {
+  constraints_.copy_from(constraints.displacement);
   matrix_.eliminate(lines_beyond(lasting_constraints_, constraints_));
+  frictional_.reset();
+  if (constraints.virtual_displacement)
+    frictional_.emplace(matrix_,
+                        lines_beyond(lasting_constraints_, *constraints.virtual_displacement));
   Vector whole_load(load_);
   whole_load.copy_locally_owned_data_from(whole_load_);
   Vector prescribed(load_);
@@ -76,7 +93,7 @@ void LinearSystem<dim>::constrain(const dealii::AffineConstraints<double>& const
     prescribed.begin()[line.unknown] = constraints_.get_inhomogeneity(
         owned_.nth_index_in_set(static_cast<unsigned int>(line.unknown)));
   matrix_.whole().residual(load_, prescribed, whole_load);
-  matrix_.elimination().collect(load_);
+  (frictional_ ? frictional_->virtual_elimination() : matrix_.elimination()).collect(load_);
   if (preconditioner_) preconditioner_->renew();
 }
 
@@ -95,7 +112,11 @@ unsigned int LinearSystem<dim>::smooth(Vector& displacement) const {
   constexpr unsigned int n_iterations = 15;
   dealii::IterationNumberControl control(n_iterations, 0.);
   constraints_.set_zero(displacement);
-  dealii::SolverCG<Vector>(control).solve(matrix_, displacement, load_, Jacobi(matrix_.diagonal()));
+  const Jacobi jacobi(matrix_.diagonal());
+  if (frictional_)
+    minimise_residual(control, *frictional_, jacobi, displacement, load_);
+  else
+    dealii::SolverCG<Vector>(control).solve(matrix_, displacement, load_, jacobi);
   distribute(displacement);
   return control.last_step();
 }
@@ -111,13 +132,18 @@ unsigned int LinearSystem<dim>::solve(Vector& displacement, const double toleran
   constraints_.set_zero(displacement);
   const std::vector<double> diagonal = matrix_.diagonal();
   dealii::SolverControl control(most_iterations, std::max(goal, rounding(displacement, diagonal)));
-  dealii::SolverCG<Vector> solver(control);
   // The first guess may know nothing yet of how far a body moves.
-  solver.connect([&](const unsigned int, const double, const Vector& iterate) {
+  const auto renew_goal = [&](const unsigned int, const double, const Vector& iterate) {
     control.set_tolerance(std::max(goal, rounding(iterate, diagonal)));
     return dealii::SolverControl::success;  // the control decides
-  });
-  solver.solve(matrix_, displacement, load_, *preconditioner_);
+  };
+  if (frictional_) {
+    minimise_residual(control, *frictional_, *preconditioner_, displacement, load_);
+  } else {
+    dealii::SolverCG<Vector> solver(control);
+    solver.connect(renew_goal);
+    solver.solve(matrix_, displacement, load_, *preconditioner_);
+  }
   distribute(displacement);
   return control.last_step();
 }
@@ -141,7 +167,10 @@ double LinearSystem<dim>::residual_norm(const Vector& displacement) const {
   Vector free(displacement);
   constraints_.set_zero(free);
   Vector residual(displacement);
-  matrix_.residual(residual, free, load_);
+  if (frictional_)
+    frictional_->residual(residual, free, load_);
+  else
+    matrix_.residual(residual, free, load_);
   return residual.l2_norm();
 }
 

@@ -6,10 +6,13 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "fem/discretisation/vector.h"
 #include "fem/elasticity/cell_systems.h"
+#include "fem/linear/constraints.h"
+#include "fem/linear/frictional_matrix.h"
 #include "fem/linear/multigrid/condensed_matrix.h"
 #include "fem/linear/multigrid/preconditioner.h"
 
@@ -28,8 +31,9 @@ enum class Method {
   library_multigrid  ///< Trilinos' ML
 };
 
-/// Condensed stiffness system K u = f on one mesh: symmetric and positive definite. It is assembled
-/// with the constraints that hold for all active sets; those of one active set are eliminated.
+/// Condensed stiffness system K u = f on one mesh: symmetric and positive definite without
+/// friction. It is assembled with the constraints that hold for all active sets; those of one
+/// active set are eliminated.
 template <int dim>
 class LinearSystem {
  public:
@@ -41,9 +45,9 @@ class LinearSystem {
                const std::vector<NodalForce>& nodal_forces);
 
   /// Goes over to other constraints. Our multigrid keeps its coarse levels.
-  /// @param constraints closed: those that the system was assembled with, and more of unknowns that
-  /// they leave free
-  void constrain(const dealii::AffineConstraints<double>& constraints);
+  /// @param constraints those that the system was assembled with, and more of unknowns that they
+  /// leave free
+  void constrain(const SystemConstraints& constraints);
 
   /// Sets up a preconditioner for the constraints of now.
   void set_up(const dealii::DoFHandler<dim>& dof_handler, Method method);
@@ -53,9 +57,9 @@ class LinearSystem {
   /// @return number of iterations
   unsigned int smooth(Vector& displacement) const;
 
-  /// Preconditioned conjugate gradients from the given first guess until the residual is below
-  /// tolerance times the load, below reduction times that of the first guess, or what roundings
-  /// leave of it.
+  /// Preconditioned conjugate gradients, with friction generalised minimum residuals, from the
+  /// given first guess until the residual is below tolerance times the load, below reduction times
+  /// that of the first guess, or what roundings leave of it.
   /// @param displacement in: first guess; out: solution, with the constraints distributed (no
   /// ghosts)
   /// @return number of iterations
@@ -78,6 +82,7 @@ class LinearSystem {
   dealii::AffineConstraints<double> constraints_;
   Vector whole_load_;  ///< before unknowns are eliminated
   CondensedMatrix<dim> matrix_;
+  std::optional<FrictionalMatrix<dim>> frictional_;  ///< where virtual displacements are others
   Vector load_;
   Vector zero_with_ghosts_;  ///< copies of it need no communication, new vectors do
   std::unique_ptr<Preconditioner> preconditioner_;

@@ -89,13 +89,24 @@ struct RigidTie {
   double force;               ///< [N], in the direction
 };
 
-/// Frictionless contact of two surfaces; the source carries the pressure unknowns.
+/// Coulomb's friction: along the surfaces the source is held back by mu times the pressure at most.
+struct Friction {
+  double coefficient = 0.;  ///< mu, >= 0
+  /// Velocity of the source against the target where all of it slides, of any length; in the plane
+  /// the third is 0. Zeros: it sticks and slides as the loads have it.
+  std::array<double, 3> sliding{};
+
+  [[nodiscard]] bool slides() const { return sliding != std::array<double, 3>{}; }
+};
+
+/// Contact of two surfaces; the source carries the pressure unknowns.
 struct ContactPair {
   std::string source;
   std::string target;
   /// In 3-D: what crowning, tilt and edge breaks, which the mesh does not show, add to the gap
   /// [m] at a place z [m]; may be empty.
   std::function<double(double)> clearance = {};
+  Friction friction = {};
 };
 
 /// "'source -> target'".
@@ -118,6 +129,12 @@ struct Problem {
 template <int dim>
 bool has_contact(const Problem<dim>& problem) {
   return !problem.pairs.empty();
+}
+
+template <int dim>
+bool has_friction(const Problem<dim>& problem) {
+  return std::any_of(problem.pairs.begin(), problem.pairs.end(),
+                     [](const ContactPair& pair) { return pair.friction.coefficient > 0.; });
 }
 
 /// Whether a support moves, so that not loads alone decide the forces.

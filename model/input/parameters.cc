@@ -282,9 +282,10 @@ std::vector<Parameter> inertia_parameters() {
       {section, "External torque", "0 N.m", quantity(Dimension::moment),
        "Torque of the driven machine on the wheel's axis, against its motion; negative: with it."},
       {section, "Slot friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
-       "Coefficient of friction between slot wall and a pin that is fixed to its carrier, for the "
+       "Coefficient of friction between slot wall and a pin that is fixed to its carrier, in the "
        "pin "
-       "force only: the contact itself is computed without friction. Only with Pin type = fixed."},
+       "force and in the contact, where the pin slides along the wall. Only with Pin type = "
+       "fixed."},
       {section, "Pin type", names::fixed, ChoiceRule{{names::fixed, names::roller}},
        "'fixed': the pin is one with what carries it (crank, chain link, coupler) and slides on "
        "the "

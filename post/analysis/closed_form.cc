@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "loads/contact_limits.h"
 #include "post/analysis/surface_body.h"
 
 namespace geneva::post {
@@ -15,6 +16,18 @@ namespace {
 bool on_axis(const fem::Solution<2>& solution, const int circle) {
   return circle < 0 || std::abs(solution.mesh.circles[static_cast<std::size_t>(circle)].centre[0]) <
                            1e-9 * solution.scales.length;
+}
+
+/// See ClosedForm::friction; 0 where the contact does not slide everywhere.
+double sliding_friction(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
+                        const PressureCentre& centre) {
+  for (const fem::ContactPair& pair : solution.problem.pairs) {
+    if (pair.source != contact.source || pair.target != contact.target) continue;
+    const Tensor<1, 2> velocity({pair.friction.sliding[0], pair.friction.sliding[1]});
+    const double along = velocity * Tensor<1, 2>({-centre.normal[1], centre.normal[0]});
+    return along == 0. ? 0. : std::copysign(pair.friction.coefficient, along);
+  }
+  return 0.;
 }
 
 }  // namespace
@@ -87,12 +100,15 @@ std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
   form.centre = centre.place;
   form.centre_arc_length = centre.arc_length;
   form.normal = centre.normal;
-  if (axisymmetric)
+  form.friction = sliding_friction(solution, contact, centre);
+  if (axisymmetric) {
     form.point = loads::hertz_point(form.force, form.relative_radius, form.contact_modulus,
                                     std::min(source.poissons_ratio, target.poissons_ratio));
-  else
-    form.line = loads::hertz_line(form.force / solution.problem.thickness, form.relative_radius,
-                                  form.contact_modulus);
+    return form;
+  }
+  form.line = loads::hertz_line(form.force / solution.problem.thickness, form.relative_radius,
+                                form.contact_modulus);
+  form.sliding_shear = loads::maximum_sliding_shear(*form.line, std::abs(form.friction));
   return form;
 }
 
@@ -104,7 +120,8 @@ std::optional<fem::PlaneStress> mcewen_stress(const ClosedForm& form, const fem:
   const double signed_depth = (place - form.centre) * form.normal;
   const double z = std::abs(signed_depth);
   if (std::abs(x) >= 4. * b || z >= 6. * b) return std::nullopt;
-  const loads::ContactStress local = form.line->stress(x, z);
+  const double traction = (signed_depth < 0. ? 1. : -1.) * form.friction;
+  const loads::ContactStress local = loads::sliding_stress(*form.line, traction, x, z);
   const Tensor<1, 2> tangent({-form.normal[1], form.normal[0]});
   const Tensor<1, 2> inward = (signed_depth < 0. ? -1. : 1.) * form.normal;
   fem::PlaneStress result;

@@ -22,6 +22,10 @@ struct ClosedForm {
   dealii::Point<2> centre;                 ///< centre of pressure [m]
   double centre_arc_length;                ///< the same on the source surface [m]
   dealii::Tensor<1, 2> normal;             ///< target's outward unit normal there
+  /// mu of a contact that slides everywhere, > 0 where the target's traction points along the
+  /// normal turned counter-clockwise
+  double friction;
+  loads::DeepStress sliding_shear;  ///< of lines: maximum in-plane shear with that friction
 
   [[nodiscard]] double peak_pressure() const {
     return line ? line->peak_pressure : point->peak_pressure;
@@ -29,9 +33,9 @@ struct ClosedForm {
   [[nodiscard]] double half_width() const {
     return line ? line->half_width : point->contact_radius;
   }
-  [[nodiscard]] double max_shear() const { return line ? line->max_shear : point->max_shear; }
+  [[nodiscard]] double max_shear() const { return line ? sliding_shear.value : point->max_shear; }
   [[nodiscard]] double max_shear_depth() const {
-    return line ? line->max_shear_depth : point->max_shear_depth;
+    return line ? sliding_shear.depth : point->max_shear_depth;
   }
   /// Pressure at an arc length of the source surface [Pa].
   [[nodiscard]] double pressure(double arc_length) const;
@@ -56,8 +60,8 @@ PressureCentre pressure_centre(const fem::Solution<2>& solution,
 std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
                                       const fem::ContactResult<2>& contact);
 
-/// McEwen's stress [Pa] at a place within a body with the given Poisson's ratio; lines in plane
-/// models only.
+/// McEwen's stress [Pa] at a place within a body with the given Poisson's ratio, with that of the
+/// friction (Smith and Liu 1953) where the contact slides; lines in plane models only.
 /// @return nothing outside |x| < 4 b, 0 <= z < 6 b
 std::optional<fem::PlaneStress> mcewen_stress(const ClosedForm& form, fem::PlaneKind plane,
                                               double poissons_ratio, const dealii::Point<2>& place);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "post/analysis/friction.h"
 #include "post/analysis/roller_rows.h"
 #include "post/analysis/safety.h"
 #include "post/analysis/strength_rows.h"
@@ -287,6 +288,11 @@ std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
       row_of("contact force", Dimension::force, parts * fem::magnitude(contact.force),
              mechanism ? std::optional(mechanism->load.force) : std::nullopt,
              value_of(errors, Figure::force))};
+  if (const auto friction = friction_figures(solution, contact, mechanism))
+    rows.push_back(row_of(
+        "friction force", Dimension::force, parts * friction->force,
+        mechanism ? std::optional(friction->coefficient * mechanism->load.force) : std::nullopt,
+        value_of(errors, Figure::force)));
   const bool has_pin = mechanism && mechanism->pin;
   const std::optional<PinLineReport> line = has_pin ? mechanism->pin->line : std::nullopt;
   append(rows, contact_rows(solution, contact, analysis, errors, line));

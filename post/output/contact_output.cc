@@ -27,10 +27,36 @@ struct ContactColumn {
   std::vector<double> values;
 };
 
+/// Open, in contact; with friction open, sticking, slipping.
+double status_number(const fem::NodeStatus status, const bool has_friction) {
+  if (!is_closed(status)) return 0.;
+  return has_friction && status == fem::NodeStatus::slip ? 2. : 1.;
+}
+
+/// Traction on the source, and slip where it is not imposed.
+template <int dim>
+void add_friction_columns(const fem::ContactResult<dim>& contact, const UnitSystem units,
+                          std::vector<ContactColumn>& columns) {
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  for (std::size_t i = 0; i < dim; ++i) {
+    columns.push_back({std::string("friction_") + axes[i], stress.name, {}});
+    for (const fem::ContactNode<dim>& node : contact.nodes)
+      columns.back().values.push_back(node.friction[i] * stress.factor);
+  }
+  for (std::size_t i = 0; i < dim; ++i) {
+    columns.push_back({std::string("slip_") + axes[i], length.name, {}});
+    for (const fem::ContactNode<dim>& node : contact.nodes)
+      columns.back().values.push_back(node.slip[i] * length.factor);
+  }
+}
+
+/// @param has_friction whether any pair has
 template <int dim>
 std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contact,
                                            const ContactAnalysis<dim>& analysis,
-                                           const UnitSystem units) {
+                                           const bool has_friction, const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
   std::vector<ContactColumn> columns;
@@ -45,11 +71,12 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contac
     std::vector<double> row;
     if (dim == 2) row.push_back(node.arc_length * length.factor);
     for (const double component : node.position) row.push_back(component * length.factor);
-    row.insert(row.end(),
-               {node.pressure * stress.factor, node.gap * length.factor,
-                is_closed(node.status) ? 1. : 0., hertz_pressure(analysis, node) * stress.factor});
+    row.insert(row.end(), {node.pressure * stress.factor, node.gap * length.factor,
+                           status_number(node.status, has_friction),
+                           hertz_pressure(analysis, node) * stress.factor});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
+  if (has_friction) add_friction_columns(contact, units, columns);
   return columns;
 }
 
@@ -172,7 +199,8 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
   std::vector<ContactColumn> all;
   std::size_t n_points = 0;
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
-    const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair], units);
+    const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair],
+                                         fem::has_friction(solution.problem), units);
     if (all.empty()) all.assign(columns.begin(), columns.end());
     if (pair > 0)
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -225,7 +253,8 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
   write_csv(
       solution,
       [&](const std::size_t pair) {
-        return contact_columns(solution.contacts[pair], results.contacts[pair], units);
+        return contact_columns(solution.contacts[pair], results.contacts[pair],
+                               fem::has_friction(solution.problem), units);
       },
       own_file(directory, "contact.csv"));
   write_contact_vtu(solution, results, units, own_file(directory, "contact.vtu"));

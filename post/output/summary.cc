@@ -10,6 +10,7 @@
 #include "base/json_values.h"
 #include "post/analysis/checks.h"
 #include "post/analysis/comparison.h"
+#include "post/analysis/friction.h"
 #include "post/analysis/safety.h"
 #include "post/analysis/strength_rows.h"
 
@@ -96,6 +97,15 @@ void add_shear_errors(json& section, const fem::Solution<dim>& solution, const F
   section["max_shear_error"] = is_finite ? error_value(errors, Figure::max_shear) : json();
   section["max_shear_depth_error"] =
       is_finite ? error_value(errors, Figure::max_shear_depth) : json();
+}
+
+/// Of a pair with friction.
+/// @param parts of the whole over the modelled one
+json friction_section(const FrictionFigures& friction, const double parts) {
+  json section{{"coefficient", friction.coefficient},
+               {"force", quantity(parts * friction.force, "N")}};
+  if (friction.speed) section["power"] = quantity(parts * friction.force * *friction.speed, "W");
+  return section;
 }
 
 template <int dim>
@@ -433,6 +443,10 @@ void add_contacts(json& result, const fem::Solution<dim>& solution, const Result
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
     pairs.push_back(contact_section(solution, solution.contacts[i], results.contacts[i],
                                     report.errors.contacts[i], parts));
+    if (const auto friction = friction_figures(solution, solution.contacts[i], report.mechanism)) {
+      pairs.back()["friction"] = friction_section(*friction, parts);
+      if (i == leading) result["contact"]["friction"] = pairs.back()["friction"];
+    }
     if (results.contacts[i].hertz)
       pairs.back()["hertz"] = hertz_section(*results.contacts[i].hertz);
   }

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "fem/linear/frictional_matrix.h"
 #include "tests/unit/fem/coupled_matrix.h"
 
 namespace geneva::fem::test {
@@ -34,8 +35,8 @@ CondensedMatrix<3> condensed() {
 }
 
 /// E v, from the values that all ranks know.
-Vector distributed(const std::function<double(int)>& value) {
-  const auto all = lines();
+Vector distributed(const std::function<double(int)>& value,
+                   const std::map<int, Shares>& all = lines()) {
   return vector_of([&](const int unknown) {
     const auto line = all.find(unknown);
     if (line == all.end()) return value(unknown);
@@ -53,6 +54,40 @@ TEST(CondensedMatrix, DoesTheWorkOfTheWholeMatrixOnDistributedVectors) {
   whole().vmult(whole_product, distributed(some));
   EXPECT_NEAR(vector_of(other) * product, distributed(other) * whole_product, 1e-12);
   EXPECT_GT(std::abs(vector_of(other) * product), 0.1);
+}
+
+/// Other shares than lines() for the same unknowns.
+std::map<int, Shares> virtual_lines() {
+  std::map<int, Shares> result = lines();
+  for (auto& line : result)
+    for (auto& share : line.second) share.second += 0.1 * std::sin(line.first + share.first);
+  return result;
+}
+
+/// w . W^T A E v = (W w) . A (E v)
+TEST(FrictionalMatrix, DoesTheWorkOfTheWholeMatrixOnVirtualDisplacements) {
+  const CondensedMatrix<3> matrix = condensed();
+  const FrictionalMatrix<3> frictional(matrix, virtual_lines());
+  Vector product(vector_of(some));
+  frictional.vmult(product, vector_of(some));
+  Vector whole_product(product);
+  whole().vmult(whole_product, distributed(some));
+  EXPECT_NEAR(vector_of(other) * product, distributed(other, virtual_lines()) * whole_product,
+              1e-12);
+  Vector residual(product);
+  frictional.residual(residual, vector_of(some), product);
+  EXPECT_LT(residual.linfty_norm(), 1e-13);
+}
+
+TEST(FrictionalMatrix, IsTheCondensedOneWithoutFriction) {
+  const CondensedMatrix<3> matrix = condensed();
+  const FrictionalMatrix<3> frictional(matrix, lines());
+  Vector product(vector_of(some));
+  matrix.vmult(product, vector_of(some));
+  Vector same(product);
+  frictional.vmult(same, vector_of(some));
+  same -= product;
+  EXPECT_EQ(same.linfty_norm(), 0.);
 }
 
 TEST(CondensedMatrix, DoesNotSeeWhatFollows) {

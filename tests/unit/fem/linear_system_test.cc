@@ -57,7 +57,7 @@ class TiedSector {
 
   /// Assembled without ties, which are put in later.
   void constrain(LinearSystem<3>& system, const Lines& ties) const {
-    system.constrain(constraints(ties));
+    system.constrain({constraints(ties)});
   }
 
   [[nodiscard]] Vector solved(LinearSystem<3>& system) const {
