@@ -9,6 +9,7 @@
 #include "fem/adaptivity/stopping_rule.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact/zone.h"
+#include "fem/load_path.h"
 #include "fem/mesh_result.h"
 
 namespace geneva::fem {
@@ -83,7 +84,7 @@ bool AccuracyLoop<dim>::advance() {
                       solution_.dof_handler->n_dofs(), step, iterations});
   };
   tell(0, 0);
-  auto result = equilibrium_->advance(state_, {}, settings_, tell);
+  auto result = walk(*equilibrium_, state_, solution_.problem, settings_, tell, solution_.instants);
   if (auto* const found = std::get_if<LevelState>(&result)) {
     found_.emplace(std::move(*found));
     return true;

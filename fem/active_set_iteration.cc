@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -45,6 +46,34 @@ double maximum_turn(const ContactInterface<dim>& interface, const std::vector<No
   return turn;
 }
 
+/// Of what the law wants only nodes that close, or that begin to slip.
+void only_close(const std::vector<NodeStatus>& now, std::vector<NodeStatus>& next) {
+  for (std::size_t i = 0; i < next.size(); ++i) next[i] = std::max(next[i], now[i]);
+}
+
+/// If no node is to stick any more, the one that is nearest to it goes on: without it the system
+/// would be singular.
+/// @return whether that was so
+template <int dim>
+bool keep_one_stuck(const Level<dim>& level, const std::vector<ContactState>& states, Sets& next) {
+  NodeStatus* kept = nullptr;
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < next.size(); ++i)
+    for (std::size_t row = 0; row < next[i].size(); ++row) {
+      if (next[i][row] == NodeStatus::stick) return false;
+      if (level.interfaces[i].status[row] != NodeStatus::stick || !is_closed(next[i][row]))
+        continue;
+      const Tangential& friction = states[i].friction[row];
+      const double share = std::hypot(friction[0], friction[1]) /
+                           std::max(states[i].pressure[row], std::numeric_limits<double>::min());
+      if (share >= least) continue;
+      least = share;
+      kept = &next[i][row];
+    }
+  if (kept != nullptr) *kept = NodeStatus::stick;
+  return kept != nullptr;
+}
+
 /// The active sets seen on one mesh. A set that has been there before means cycling: from then on
 /// nodes only close, or begin to slip, so that the iteration ends, and the next mesh starts from
 /// there.
@@ -60,12 +89,15 @@ class ActiveSetSearch {
     const auto before = active_sets(level);
     seen_.insert(before);
     double turn = 0.;
+    Sets all_next;
+    for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+      all_next.push_back(updated(level.interfaces[i], states[i]));
+      if (only_closes_) only_close(level.interfaces[i].status, all_next.back());
+    }
+    slides_ = level.is_held_by_friction && keep_one_stuck(level, states, all_next);
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
       ContactInterface<dim>& interface = level.interfaces[i];
-      std::vector<NodeStatus> next = updated(interface, states[i]);
-      if (only_closes_)
-        for (std::size_t j = 0; j < next.size(); ++j)
-          if (next[j] < interface.status[j]) next[j] = interface.status[j];
+      const std::vector<NodeStatus>& next = all_next[i];
       if (!is_exact && std::none_of(next.begin(), next.end(), is_closed)) continue;
       const auto sliding = next_sliding(interface, states[i]);
       turn = std::max(turn, maximum_turn(interface, next, sliding));
@@ -85,10 +117,13 @@ class ActiveSetSearch {
   }
 
   [[nodiscard]] bool only_closes() const { return only_closes_; }
+  /// Whether one node is kept from sliding, since nothing else would hold the bodies.
+  [[nodiscard]] bool slides() const { return slides_; }
 
  private:
   std::set<Sets> seen_;
   bool only_closes_ = false;
+  bool slides_ = false;
 };
 
 std::size_t n_active(const Sets& sets) {
@@ -242,6 +277,7 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
     state.assemble_and_solve_seconds = systems.assembly_seconds() + solve_timer.wall_time();
     observer(step, state.linear_iterations.back());
     state.cycled = search.only_closes();
+    state.slides = search.slides();
     if (!changed) return state;
   }
   return std::nullopt;

@@ -35,6 +35,40 @@ std::optional<std::size_t> open_pair(const Level<dim>& level) {
   return std::nullopt;
 }
 
+/// Whether a pair has friction that does not slide everywhere.
+template <int dim>
+bool may_stick(const Level<dim>& level) {
+  return std::any_of(level.interfaces.begin(), level.interfaces.end(),
+                     [](const ContactInterface<dim>& interface) {
+                       return interface.law->touching() == NodeStatus::stick;
+                     });
+}
+
+/// Of the pair whose friction would have to exceed its bound most [N].
+template <int dim>
+Stop sliding_stop(const Level<dim>& level, const LevelState& state, const Problem<dim>& problem,
+                  const Scales& scales) {
+  Stop stop{Outcome::slides};
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    const ContactInterface<dim>& interface = level.interfaces[i];
+    dealii::Tensor<1, dim> friction;
+    double bound = 0.;
+    for (std::size_t row = 0; row < interface.rows.size(); ++row) {
+      const ContactRow<dim>& contact = interface.rows[row];
+      bound +=
+          contact.weight * problem.pairs[i].friction.coefficient * state.contacts[i].pressure[row];
+      for (std::size_t t = 0; t < contact.frame.tangents.size(); ++t)
+        friction += contact.weight * state.contacts[i].friction[row][t] * contact.frame.tangents[t];
+    }
+    const double force = scales.stress * scales.length * scales.length;
+    if (force * (friction.norm() - bound) <= stop.needed - stop.limit) continue;
+    stop.needed = force * friction.norm();
+    stop.limit = force * bound;
+    stop.pair = i;
+  }
+  return stop;
+}
+
 }  // namespace
 
 Solved with_fallback(const Settings& settings,
@@ -60,6 +94,9 @@ Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<
       mesh_(communicator, mesh, scales.length) {
   make_level({});
   check_rigid_motions(level_, problem_);
+  is_held_by_friction_ =
+      may_stick(level_) && has_free_motion(level_, problem_, TakenAsClosed::all_nodes_sliding);
+  level_.is_held_by_friction = is_held_by_friction_;
   check_approach(level_, scaled_problem_, scales_, communicator_);
   check_that_loads_close();
 }
@@ -72,6 +109,7 @@ void Equilibrium<dim>::make_level(const State<dim>& state) {
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
     level_.interfaces[i].status =
         inherited_status(level_.interfaces[i], state.contacts[i], scales_.length);
+  level_.is_held_by_friction = is_held_by_friction_;
   set_smooth(state.smooth);
 }
 
@@ -111,6 +149,7 @@ Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
                                const StepObserver& observer) {
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
+    if (state && state->slides) return sliding_stop(level_, *state, problem_, scales_);
     if (state) return std::move(*state);
     return stop_at_limit(Outcome::active_set_limit, settings.max_active_set_steps + 1.,
                          settings.max_active_set_steps, n_unknowns_);
@@ -176,6 +215,17 @@ State<dim> Equilibrium<dim>::end_of_instant(State<dim> before, const LevelState&
                               found.displacement, before.history);
   before.displacement = without_ghosts(found.displacement);
   return before;
+}
+
+template <int dim>
+void Equilibrium<dim>::remember_slip(const LevelState& found) {
+  for (std::size_t i = 0; i < level_.interfaces.size(); ++i)
+    level_.interfaces[i].slip_before = found.contacts[i].slip;
+}
+
+template <int dim>
+void Equilibrium<dim>::forget_slip() {
+  for (ContactInterface<dim>& interface : level_.interfaces) interface.slip_before.clear();
 }
 
 template <int dim>

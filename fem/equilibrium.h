@@ -73,6 +73,11 @@ class Equilibrium {
   /// @param found its equilibrium
   [[nodiscard]] State<dim> end_of_instant(State<dim> before, const LevelState& found) const;
 
+  /// Slip counts from this state on.
+  void remember_slip(const LevelState& found);
+  /// Slip counts from the undisplaced bodies on.
+  void forget_slip();
+
   /// A vector with ghosts.
   [[nodiscard]] Vector ghosted(const Vector& displacement) const;
 
@@ -81,6 +86,7 @@ class Equilibrium {
 
   [[nodiscard]] const Level<dim>& level() const { return level_; }
   [[nodiscard]] const RefinedMesh<dim>& mesh() const { return mesh_; }
+  [[nodiscard]] const Scales& scales() const { return scales_; }
   /// Where contact surfaces that are closed are cut open.
   [[nodiscard]] const SurfaceOrigins<dim>& origins() const { return *origins_; }
 
@@ -99,6 +105,7 @@ class Equilibrium {
   RefinedMesh<dim> mesh_;
   std::optional<SurfaceOrigins<dim>> origins_;
   std::size_t n_unknowns_ = 0;
+  bool is_held_by_friction_ = false;
   Load load_;  ///< of the level
   Level<dim> level_;
 };

@@ -23,6 +23,7 @@ struct Level {
   std::vector<ContactInterface<dim>> interfaces;
   CellSystems cells;
   bool is_factorised = false;                 ///< see is_factorised()
+  bool is_held_by_friction = false;           ///< a body moves freely if nothing sticks
   std::vector<ConstraintLine> hanging_lines;  ///< of boundary dofs
   std::vector<ConstraintLine> held_lines;     ///< supports and ties
   std::set<global_dof_index> held;            ///< dofs of those lines

@@ -91,6 +91,20 @@ class RigidMotions {
   std::map<global_dof_index, Component<dim>> components_;
 };
 
+/// A contact's relative displacement in a direction under the rigid motions.
+template <int dim>
+Eigen::VectorXd contact_row(const ContactInterface<dim>& interface, const ContactRow<dim>& contact,
+                            const dealii::Tensor<1, dim>& along, const RigidMotions<dim>& motions) {
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
+  for (unsigned int direction = 0; direction < dim; ++direction) {
+    motions.add(interface.source.nodes[contact.node].dofs[direction], along[direction], row);
+    for (const auto& [node, coupling] : contact.coupling)
+      motions.add(interface.target.nodes[node].dofs[direction],
+                  -coupling * along[direction] / contact.weight, row);
+  }
+  return row;
+}
+
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
 template <int dim>
@@ -107,16 +121,15 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
   for (const ContactInterface<dim>& interface : level.interfaces)
     for (std::size_t i = 0; i < interface.rows.size(); ++i) {
       if (closed == TakenAsClosed::active_nodes && !is_closed(interface.status[i])) continue;
-      const ContactRow<dim>& contact = interface.rows[i];
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
-      for (unsigned int direction = 0; direction < dim; ++direction) {
-        motions.add(interface.source.nodes[contact.node].dofs[direction],
-                    contact.frame.normal[direction], row);
-        for (const auto& [node, coupling] : contact.coupling)
-          motions.add(interface.target.nodes[node].dofs[direction],
-                      -coupling * contact.frame.normal[direction] / contact.weight, row);
-      }
-      rows.push_back(row);
+      const ContactFrame<dim>& frame = interface.rows[i].frame;
+      rows.push_back(contact_row(interface, interface.rows[i], frame.normal, motions));
+      const bool sticks = closed == TakenAsClosed::active_nodes
+                              ? interface.status[i] == NodeStatus::stick
+                              : closed == TakenAsClosed::all_nodes &&
+                                    interface.law->touching() == NodeStatus::stick;
+      if (!sticks) continue;
+      for (const dealii::Tensor<1, dim>& tangent : frame.tangents)
+        rows.push_back(contact_row(interface, interface.rows[i], tangent, motions));
     }
   return rows;
 }

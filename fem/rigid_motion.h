@@ -5,8 +5,13 @@
 
 namespace geneva::fem {
 
-/// Which nodes of the contact pairs are taken as closed.
-enum class TakenAsClosed { all_nodes, active_nodes };
+/// Which nodes of the contact pairs are taken as closed; those that stick, or may, hold a body
+/// along the surface, too.
+enum class TakenAsClosed {
+  all_nodes,
+  all_nodes_sliding,  ///< without friction
+  active_nodes
+};
 
 /// Whether supports, ties and contact pairs leave a body free to move rigidly.
 template <int dim>

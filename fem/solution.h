@@ -15,6 +15,7 @@
 #include "fem/body_strength.h"
 #include "fem/contact/contact_result.h"
 #include "fem/discretisation/vector.h"
+#include "fem/instant.h"
 #include "fem/problem/moment.h"
 #include "fem/problem/problem.h"
 #include "fem/problem/scaling.h"
@@ -44,6 +45,7 @@ struct Solution {
   Vector displacement;  ///< ghosted
 
   std::vector<ContactResult<dim>> contacts;
+  std::vector<Instant<dim>> instants;        ///< by load step, of the last mesh
   std::vector<Reaction<dim>> reactions;      ///< of supports, then ties
   Components<dim> applied_force{};           ///< of body forces and surface loads [N]
   Moment<dim> applied_moment{};              ///< about the origin [N m]

@@ -57,6 +57,13 @@ std::string message_of(const fem::Stop& stop) {
           "the active set did not settle within {:.0f} steps on a mesh of {} unknowns; raise "
           "'Maximum active-set steps', or check that supports and contact pairs hold every body",
           stop.limit, stop.unknowns);
+    case Outcome::slides:
+      return fmt::format(
+          "everything slides in load step {}: to hold the bodies, the friction of contact pair {} "
+          "would have to be {:.4g} N, and its coefficient allows {:.4g} N under the normal force "
+          "there; reduce the load along the surfaces, raise 'Friction coefficient', or give a "
+          "support",
+          stop.step + 1, stop.pair + 1, stop.needed, stop.limit);
     case Outcome::linear_solver:
       return fmt::format(
           "the linear solver did not converge on a mesh of {} unknowns (residual {:.2e} after "

@@ -50,7 +50,7 @@ NodeContact<dim> node_contact(const ContactInterface<dim>& interface, const Cont
   NodeContact<dim> node{
       interface.status[row], {state.gap[row]}, {state.pressure[row]}, interface.sliding_at(row)};
   for (std::size_t i = 1; i < dim; ++i) {
-    node.gap[i] = state.slip[row][i - 1];
+    node.gap[i] = state.slip[row][i - 1] - interface.slip_before_at(row)[i - 1];
     node.traction[i] = state.friction[row][i - 1];
   }
   return node;

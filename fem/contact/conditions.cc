@@ -157,9 +157,10 @@ ContactLines contact_lines(const ContactInterface<dim>& interface,
   ContactLines lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     const ContactRow<dim>& row = interface.rows[i];
-    // the equations are linear: it does not matter where they are taken
-    const auto equations =
-        interface.law->equations({interface.status[i], {}, {}, interface.sliding_at(i)});
+    // the equations are linear: they are taken without displacements and tractions
+    NodeContact<dim> undisplaced{interface.status[i], {}, {}, interface.sliding_at(i)};
+    for (std::size_t t = 1; t < dim; ++t) undisplaced.gap[t] = -interface.slip_before_at(i)[t - 1];
+    const auto equations = interface.law->equations(undisplaced);
     for (const Constraint<dim>& constraint : constraints_of(row, equations)) {
       const int pivot = pivot_component(constraint.direction, constraint.force_direction,
                                         interface.source.nodes[row.node], held);

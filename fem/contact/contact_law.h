@@ -14,7 +14,7 @@ namespace geneva::fem {
 template <int dim>
 struct NodeContact {
   NodeStatus status;
-  Components<dim> gap;       ///< > 0 when open, then the slip of the source
+  Components<dim> gap;       ///< > 0 when open, then the slip of the source since the last instant
   Components<dim> traction;  ///< on the source: pressure, >= 0 in compression, then friction
   /// Unit vector along the tangents in which the source slides on the target; 0 if it does not, or
   /// where that is not known.

@@ -15,6 +15,9 @@ namespace geneva::fem {
 /// From and to, of arc length on a surface.
 using ArcIntervals = std::vector<std::pair<double, double>>;
 
+/// Along the tangents of a frame; in the plane the second is 0.
+using Tangential = std::array<double, 2>;
+
 /// One contact pair on one mesh, the same on every rank.
 template <int dim>
 struct ContactInterface {
@@ -28,13 +31,15 @@ struct ContactInterface {
   std::shared_ptr<const ContactLaw<dim>> law = std::make_shared<const Frictionless<dim>>();
   std::vector<Components<dim>> sliding = {};  ///< by row, see NodeContact; empty: not known
 
+  std::vector<Tangential> slip_before = {};  ///< by row, at the instant before; empty: none
+
+  [[nodiscard]] Tangential slip_before_at(const std::size_t row) const {
+    return slip_before.empty() ? Tangential{} : slip_before[row];
+  }
   [[nodiscard]] Components<dim> sliding_at(const std::size_t row) const {
     return sliding.empty() ? Components<dim>{} : sliding[row];
   }
 };
-
-/// Along the tangents of a frame; in the plane the second is 0.
-using Tangential = std::array<double, 2>;
 
 /// What is at the source nodes, by row.
 struct ContactState {

@@ -1,19 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "fem/problem/problem.h"
 
 namespace geneva::fem {
-
-/// Shares of a problem's loads that act at one instant, in the order of the problem; where a list
-/// is empty, all of them act in full.
-struct Load {
-  std::vector<double> body_forces;    ///< by body
-  std::vector<double> surface_loads;  ///< by surface load
-  std::vector<double> ties;           ///< by tie, of its force
-  std::vector<double> supports;       ///< by support, of its prescribed displacements
-};
 
 bool operator==(const Load& one, const Load& other);
 

@@ -114,6 +114,15 @@ inline std::string quoted(const ContactPair& pair) {
   return "'" + pair.source + " -> " + pair.target + "'";
 }
 
+/// Shares of a problem's loads that act at one instant, in the order of the problem; where a list
+/// is empty, all of them act in full.
+struct Load {
+  std::vector<double> body_forces;    ///< by body
+  std::vector<double> surface_loads;  ///< by surface load
+  std::vector<double> ties;           ///< by tie, of its force
+  std::vector<double> supports;       ///< by support, of its prescribed displacements
+};
+
 /// An elastic problem with contact or without, in the plane or in 3-D, all by name, SI units.
 template <int dim>
 struct Problem {
@@ -124,6 +133,9 @@ struct Problem {
   std::vector<SurfaceLoad<dim>> loads;
   std::vector<RigidTie<dim>> ties;
   std::vector<ContactPair> pairs;
+  /// What acts at one instant after the other, which friction remembers; the last one is analysed.
+  /// Empty: all loads at once.
+  std::vector<Load> steps = {};
 };
 
 template <int dim>

@@ -20,6 +20,7 @@ enum class Outcome {
   out_of_memory,     ///< an allocation failed
   time_limit,        ///< would be exceeded by the next mesh
   active_set_limit,  ///< it did not settle
+  slides,            ///< friction cannot hold a body that nothing else holds
   linear_solver      ///< it did not converge
 };
 
@@ -32,11 +33,13 @@ constexpr bool is_success(const Outcome outcome) {
 struct Stop {
   Outcome outcome = Outcome::converged;
   /// What was needed, or would be on the next mesh: unknowns, memory [byte], time [s], active-set
-  /// steps, linear iterations.
+  /// steps, linear iterations; friction [N].
   double needed = 0.;
   double limit = 0.;         ///< of that
   std::size_t unknowns = 0;  ///< of the mesh that was not solved
   double residual = 0.;      ///< of the linear solver
+  std::size_t pair = 0;      ///< that slides
+  std::size_t step = 0;      ///< of the load, from 0 on
   double growth = 0.;        ///< exponent gamma of the edge pressure, p ~ h^-gamma
 };
 

@@ -175,7 +175,10 @@ std::vector<fs::path> named_files(const CaseValues& values, const Case& given) {
     add({names::mechanism}, "Motion table");
     add({names::mechanism, names::pin}, "Profile table");
   }
-  if (given.geometry) files.push_back(given.geometry->file);
+  if (given.geometry) {
+    files.push_back(given.geometry->file);
+    add({names::geometry}, "Load steps");
+  }
   if (given.synthesis)
     if (const auto* path = std::get_if<PathCase>(&*given.synthesis)) files.push_back(path->file);
   return files;

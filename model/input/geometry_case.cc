@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "model/input/case_models.h"
 #include "model/input/case_path.h"
+#include "model/input/load_steps.h"
 
 namespace geneva::model {
 
@@ -271,8 +272,82 @@ void read_load(const CaseValues& values, const std::string& surface, fem::Proble
         {surface, direction, type == "force" ? value : value * problem.thickness});
 }
 
+/// Coefficients of friction: one for all pairs, or one for each.
+void read_friction(const CaseSection& section, std::vector<fem::ContactPair>& pairs) {
+  if (!section.is_given("Friction coefficient")) return;
+  const std::vector<double> given = section.values("Friction coefficient");
+  if (pairs.empty()) section.refuse("Friction coefficient", "there are no 'Contact pairs'");
+  if (given.size() != 1 && given.size() != pairs.size())
+    section.refuse(
+        "Friction coefficient",
+        fmt::format("there are {} numbers and {} contact pairs; give one for all, or one "
+                    "for each",
+                    given.size(), pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    pairs[i].friction.coefficient = given[given.size() == 1 ? 0 : i];
+}
+
+/// A traction as one load for each component, so that each may have its own history.
 template <int dim>
-fem::Problem<dim> read_problem(const CaseValues& values) {
+std::vector<std::string> split_by_component(fem::Problem<dim>& problem) {
+  const std::array<const char*, 3> axes{" x", " y", " z"};
+  std::vector<std::string> names;
+  std::vector<fem::SurfaceLoad<dim>> split;
+  for (const fem::SurfaceLoad<dim>& load : problem.loads) {
+    if (load.pressure != 0.) {
+      split.push_back({load.surface, load.pressure, {}});
+      names.push_back(load.surface);
+    }
+    for (std::size_t i = 0; i < dim; ++i) {
+      if (load.traction[i] == 0.) continue;
+      split.push_back({load.surface, 0., {}});
+      split.back().traction[i] = load.traction[i];
+      names.push_back(load.surface + axes[i]);
+    }
+  }
+  problem.loads = split;
+  return names;
+}
+
+/// Whether a column of the load steps, "top" or "top x", is meant for a load.
+bool is_for(const std::string& column, const std::string& load) {
+  return column == load || load == column + " x" || load == column + " y" || load == column + " z";
+}
+
+template <int dim>
+void read_steps(const CaseSection& section, const fs::path& directory, fem::Problem<dim>& problem) {
+  if (!section.is_given("Load steps")) return;
+  const LoadSteps steps = read_load_steps(file_in_directory(section, "Load steps", directory));
+  const std::vector<std::string> loads = split_by_component(problem);
+  const auto ones = [](const std::size_t n) { return std::vector<double>(n, 1.); };
+  problem.steps.assign(
+      steps.factors.size(),
+      {{}, ones(problem.loads.size()), ones(problem.ties.size()), ones(problem.supports.size())});
+  for (std::size_t column = 0; column < steps.loads.size(); ++column) {
+    bool is_found = false;
+    const auto set = [&](std::vector<double> fem::Load::*const shares, const std::size_t place) {
+      is_found = true;
+      for (std::size_t step = 0; step < steps.factors.size(); ++step)
+        (problem.steps[step].*shares)[place] = steps.factors[step][column];
+    };
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      if (is_for(steps.loads[column], loads[i])) set(&fem::Load::surface_loads, i);
+    for (std::size_t i = 0; i < problem.ties.size(); ++i)
+      if (problem.ties[i].surface == steps.loads[column]) set(&fem::Load::ties, i);
+    for (std::size_t i = 0; i < problem.supports.size(); ++i)
+      if (problem.supports[i].surface == steps.loads[column] &&
+          section.text("Loads").find(steps.loads[column]) != std::string::npos)
+        set(&fem::Load::supports, i);
+    if (!is_found)
+      section.refuse("Load steps",
+                     fmt::format("the column {} is none of 'Loads', nor a component of one that is "
+                                 "not zero",
+                                 base::in_quotes(steps.loads[column])));
+  }
+}
+
+template <int dim>
+fem::Problem<dim> read_problem(const CaseValues& values, const fs::path& directory) {
   const CaseSection section(values, {names::geometry});
   fem::Problem<dim> problem;
   if constexpr (dim == 2) {
@@ -288,6 +363,8 @@ fem::Problem<dim> read_problem(const CaseValues& values) {
   if (section.is_given("Loads"))
     for (const std::string& surface : split_list(section.text("Loads")))
       read_load(values, surface, problem);
+  read_friction(section, problem.pairs);
+  read_steps(section, directory, problem);
   return problem;
 }
 
@@ -308,9 +385,9 @@ GeometryCase read_geometry_case(const CaseValues& values, const fs::path& direct
   result.length_unit = read_length_unit(section);
   result.circle_tolerance = section.value("Circle tolerance");
   if (dimension == 3)
-    result.problem = read_problem<3>(values);
+    result.problem = read_problem<3>(values, directory);
   else
-    result.problem = read_problem<2>(values);
+    result.problem = read_problem<2>(values, directory);
   return result;
 }
 

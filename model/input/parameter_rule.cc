@@ -61,13 +61,14 @@ double single_value(const QuantityRule& rule, const std::string& text) {
 
 /// "2", or "2 or 3".
 std::string count_of(const QuantityRule& rule) {
+  if (rule.most > rule.count + 1) return fmt::format("{} to {}", rule.count, rule.most);
   return rule.most > rule.count ? fmt::format("{} or {}", rule.count, rule.most)
                                 : fmt::format("{}", rule.count);
 }
 
 std::string allowed_quantity(const QuantityRule& rule) {
   std::string text = wanted_value(rule);
-  if (rule.count > 1)
+  if (std::max(rule.count, rule.most) > 1)
     text = fmt::format("{} values separated by commas, each {}", count_of(rule), text);
   if (!rule.range.text.empty()) text += (rule.whole ? " " : ", ") + rule.range.text;
   const std::vector<std::string> words = visible_words(rule);
@@ -138,7 +139,7 @@ bool is_word(const QuantityRule& rule, const std::string& text) {
 
 std::vector<double> values(const QuantityRule& rule, const std::string& text) {
   const std::vector<std::string> parts =
-      rule.count == 1 ? std::vector<std::string>{text} : split_list(text);
+      std::max(rule.count, rule.most) == 1 ? std::vector<std::string>{text} : split_list(text);
   if (parts.size() < rule.count || parts.size() > std::max(rule.count, rule.most))
     throw base::InputError(
         fmt::format("{}: {} values separated by a comma are wanted, each {}, for example {}",

@@ -392,6 +392,12 @@ std::vector<Parameter> geometry_file_parameters(const std::string& default_file)
        "Thickness of a plane model; required, unless the model is axisymmetric: that has none."}};
 }
 
+QuantityRule one_for_each_pair() {
+  QuantityRule rule = quantity(Dimension::dimensionless, zero_or_greater());
+  rule.most = 100;
+  return rule;
+}
+
 std::vector<Parameter> geometry_list_parameters() {
   const SectionPath section{names::geometry};
   return {
@@ -409,7 +415,16 @@ std::vector<Parameter> geometry_list_parameters() {
       {section, "Contact pairs", "", TextRule{"a list of 'source -> target', separated by commas"},
        "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed on "
        "the source: choose the more curved or the softer one. Without any the maximum stresses are "
-       "found, to the 'Structural accuracy'."}};
+       "found, to the 'Structural accuracy'."},
+      {section, "Friction coefficient", "0", one_for_each_pair(),
+       "Coulomb's coefficient of friction, one for all contact pairs or one for each: surfaces "
+       "stick "
+       "up to it and slide beyond."},
+      {section, "Load steps", "", TextRule{"the name of a file in the case directory"},
+       "Comma-separated file with the heading 'time [s], LOAD, LOAD' and a row of factors for each "
+       "step: what the loads are multiplied with, one instant after the other, since friction "
+       "remembers. 'LOAD x', 'LOAD y' and 'LOAD z' are components of a traction. Loads without a "
+       "column act in full. The last step is analysed. Default: all loads at once."}};
 }
 
 /// Lengths whose squares are numbers.

@@ -14,8 +14,17 @@ std::optional<FrictionFigures> friction_figures(const fem::Solution<dim>& soluti
     return one.source == contact.source && one.target == contact.target;
   });
   if (pair == pairs.end() || pair->friction.coefficient == 0.) return std::nullopt;
-  FrictionFigures figures{pair->friction.coefficient, fem::magnitude(contact.friction_force),
-                          std::nullopt};
+  const auto count = [&](const fem::NodeStatus status) {
+    return static_cast<std::size_t>(
+        std::count_if(contact.nodes.begin(), contact.nodes.end(),
+                      [&](const auto& node) { return node.status == status; }));
+  };
+  FrictionFigures figures{
+      pair->friction.coefficient,    fem::magnitude(contact.friction_force), 0.,
+      count(fem::NodeStatus::stick), count(fem::NodeStatus::slip),           std::nullopt};
+  if (!solution.instants.empty())
+    figures.dissipated =
+        solution.instants.back().pairs[static_cast<std::size_t>(pair - pairs.begin())].dissipated;
   if (mechanism && pair->friction.slides()) figures.speed = std::abs(mechanism->load.slip_speed);
   return figures;
 }

@@ -156,6 +156,30 @@ void write_csv(const fem::Solution<dim>& solution, const ColumnsOf& columns_of,
   base::close_output(stream, file);
 }
 
+/// What a pair carries at each load step.
+template <int dim>
+std::vector<ContactColumn> step_columns(const fem::Solution<dim>& solution, const std::size_t pair,
+                                        const UnitSystem units) {
+  const OutputUnit force = output_unit(units, Dimension::force);
+  const std::array<const char*, 3> axes{"x", "y", "z"};
+  std::vector<ContactColumn> columns{{"step", "", {}}};
+  for (const char* const name : {"force_", "friction_force_"})
+    for (std::size_t i = 0; i < dim; ++i)
+      columns.push_back({std::string(name) + axes[i], force.name, {}});
+  columns.insert(columns.end(),
+                 {{"dissipated", "J", {}}, {"sticking_nodes", "", {}}, {"slipping_nodes", "", {}}});
+  for (std::size_t step = 0; step < solution.instants.size(); ++step) {
+    const fem::PairAtInstant<dim>& at = solution.instants[step].pairs[pair];
+    std::vector<double> row{static_cast<double>(step + 1)};
+    for (const double component : at.force) row.push_back(component * force.factor);
+    for (const double component : at.friction_force) row.push_back(component * force.factor);
+    row.insert(row.end(),
+               {at.dissipated, static_cast<double>(at.sticking), static_cast<double>(at.slipping)});
+    for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
+  }
+  return columns;
+}
+
 /// Cells of a VTK unstructured grid as text.
 struct VtkCells {
   std::string connectivity;
@@ -258,6 +282,10 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
       },
       own_file(directory, "contact.csv"));
   write_contact_vtu(solution, results, units, own_file(directory, "contact.vtu"));
+  if (!solution.problem.steps.empty())
+    write_csv(
+        solution, [&](const std::size_t pair) { return step_columns(solution, pair, units); },
+        own_file(directory, "steps.csv"));
   write_csv(
       solution,
       [&](const std::size_t pair) {

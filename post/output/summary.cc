@@ -103,8 +103,13 @@ void add_shear_errors(json& section, const fem::Solution<dim>& solution, const F
 /// @param parts of the whole over the modelled one
 json friction_section(const FrictionFigures& friction, const double parts) {
   json section{{"coefficient", friction.coefficient},
-               {"force", quantity(parts * friction.force, "N")}};
-  if (friction.speed) section["power"] = quantity(parts * friction.force * *friction.speed, "W");
+               {"force", quantity(parts * friction.force, "N")},
+               {"sticking_nodes", friction.sticking},
+               {"slipping_nodes", friction.slipping}};
+  if (friction.speed)
+    section["power"] = quantity(parts * friction.force * *friction.speed, "W");
+  else
+    section["dissipated"] = quantity(parts * friction.dissipated, "J");
   return section;
 }
 

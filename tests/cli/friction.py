@@ -114,5 +114,203 @@ class Friction(CliTest):
         self.assertNotIn("friction", self.run_case(case)["contact"])
 
 
+CYLINDER = """
+set Title        = stick and slip
+set Model        = geometry
+set Output units = SI
+set Accuracy     = 0.5 %
+set Structural accuracy = off
+subsection Geometry
+  set Length unit   = mm
+  set Thickness     = 1 mm
+  set Bodies        = cylinder, block
+  set Loads         = cylinder core, block bottom
+  set Contact pairs = cylinder surface -> block top
+  set Friction coefficient = 0.3
+  set Load steps    = steps.csv
+  subsection Body cylinder
+    set Young's modulus = 210 GPa
+  end
+  subsection Body block
+    set Young's modulus = 210 GPa
+  end
+  subsection Load cylinder core
+    set Type      = force
+    set Value     = 6 N
+    set Direction = 0, -1
+  end
+  subsection Load block bottom
+    set Type      = displacement
+    set Value     = {displacement} mm
+    set Direction = 1, 0
+  end
+end
+"""
+
+INCLINE = """
+set Title        = block on an incline
+set Model        = geometry
+set Output units = SI
+set Accuracy     = 10 %
+set Structural accuracy = off
+set Maximum refinement levels = 1
+subsection Geometry
+  set Length unit   = mm
+  set Thickness     = 1 mm
+  set Bodies        = base, block
+  set Supports      = bottom: fixed
+  set Contact pairs = underside -> top of base
+  set Friction coefficient = 0.3
+  subsection Body base
+    set Young's modulus = 210 GPa
+  end
+  subsection Body block
+    set Young's modulus = 210 GPa
+    set Body force      = {along} MN/m^3, -100 MN/m^3
+  end
+end
+"""
+
+BLOCKS = """
+Point(1) = {-40, -20, 0}; Point(2) = {40, -20, 0}; Point(3) = {40, 0, 0}; Point(4) = {-40, 0, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Point(11) = {-10, 0, 0}; Point(12) = {10, 0, 0}; Point(13) = {10, 10, 0}; Point(14) = {-10, 10, 0};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 11};
+Curve Loop(2) = {11, 12, 13, 14}; Plane Surface(2) = {2};
+Transfinite Curve {1, 3} = 17; Transfinite Curve {2, 4} = 5; Transfinite Curve {11, 13} = 9; Transfinite Curve {12, 14} = 5;
+Transfinite Surface {1, 2}; Recombine Surface {1, 2};
+Physical Surface("base") = {1}; Physical Surface("block") = {2};
+Physical Curve("bottom") = {1}; Physical Curve("top of base") = {3}; Physical Curve("underside") = {11};
+"""
+
+
+class StickAndSlip(CliTest):
+    """K. L. Johnson, Contact Mechanics, 1985, 7.2: cylinders pressed together, then moved along each other."""
+
+    MU = 0.3
+    LOAD = 6e3  # N/m
+    MODULUS = 210e9 / (1 - 0.3**2) / 2
+
+    def setUp(self):
+        super().setUp()
+        self.half_width = math.sqrt(4 * self.LOAD * 0.01 / (math.pi * self.MODULUS))
+        self.peak = math.sqrt(self.LOAD * self.MODULUS / (math.pi * 0.01))
+
+    def case(self, name, displacement, factors):
+        directory = self.copy_case("hertz-line-contact", name)
+        (directory / "case.prm").write_text(CYLINDER.format(displacement=displacement))
+        rows = "".join(f"{time}, {factor}\n" for time, factor in enumerate(factors))
+        (directory / "steps.csv").write_text("time [s], block bottom\n" + rows)
+        return directory
+
+    def table(self, case, name):
+        with open(case / "results" / name, newline="") as file:
+            lines = list(csv.reader(file))
+        names = [heading.split(" [")[0] for heading in lines[0]]
+        return [dict(zip(names, line)) for line in lines[1:]]
+
+    def closed(self, case):
+        return [row for row in self.table(case, "contact.csv") if float(row["contact_pressure"]) > 0]
+
+    def bound(self, place, width):
+        """sqrt(s^2 - x^2)/a"""
+        return math.sqrt(max(0., width**2 - place**2)) / self.half_width
+
+    def difference(self, case, traction):
+        """Of the friction from a closed form, root mean square over mu p0."""
+        squares = [(float(row["friction_x"]) / (self.MU * self.peak) - traction(float(row["x"])))**2 for row in self.closed(case)]
+        return math.sqrt(sum(squares) / len(squares))
+
+    def share(self, step):
+        return float(step["friction_force_x"]) / (self.MU * self.LOAD * 1e-3)
+
+    def test_the_stick_zone_and_the_traction_are_cattaneo_s_and_mindlin_s(self):
+        for displacement in ("2.2e-5", "4.5e-5", "7e-5"):
+            case = self.case(f"to{displacement}", displacement, [0, 1])
+            self.run_case(case)
+            share = self.share(self.table(case, "steps.csv")[-1])
+            stick = self.half_width * math.sqrt(1 - share)
+            self.assertLess(self.difference(case, lambda x, c=stick: self.bound(x, self.half_width) - self.bound(x, c)), 0.02, share)
+            nodes = self.closed(case)
+            spacing = float(nodes[1]["x"]) - float(nodes[0]["x"])
+            found = max(abs(float(node["x"])) for node in nodes if node["status"] == "1")
+            self.assertLess(abs(found - stick), 1.01 * abs(spacing), "to the nodes")
+
+    def test_unloading_slips_back_from_the_edges(self):
+        case = self.case("back", "4.5e-5", [0, 1, 0])
+        self.run_case(case)
+        steps = self.table(case, "steps.csv")
+        most, left = self.share(steps[1]), self.share(steps[2])
+        a = self.half_width
+        stick, back = a * math.sqrt(1 - most), a * math.sqrt(1 - (most - left) / 2)
+
+        def traction(x):
+            return (self.bound(x, a) - self.bound(x, stick)) - 2 * (self.bound(x, a) - self.bound(x, back))
+
+        self.assertLess(self.difference(case, traction), 0.02)
+
+    def test_a_cycle_dissipates_what_the_closed_form_says(self):
+        """W = (4/pi) (mu P')^2/E* [F - F^2/2 + (1 - F) ln(1 - F)]."""
+        case = self.case("cycle", "4.5e-5", [0, 1, 0, -1, 0, 1])
+        self.run_case(case)
+        steps = self.table(case, "steps.csv")
+        share = self.share(steps[1])
+        exact = 4 / math.pi * (self.MU * self.LOAD)**2 / self.MODULUS * (
+            share - share**2 / 2 + (1 - share) * math.log(1 - share)) * 1e-3
+        self.assert_close(float(steps[-1]["dissipated"]) - float(steps[1]["dissipated"]), exact, 0.03, "heat of a cycle")
+        heat = [float(step["dissipated"]) for step in steps]
+        self.assertEqual(heat, sorted(heat))
+
+    def test_ranks_change_nothing(self):
+        case = self.case("ranks", "4.5e-5", [0, 1, 0.2])
+        self.run_case(case)
+        alone = self.table(case, "steps.csv")
+        self.run_case(case, ranks=3)
+        for one, other in zip(alone, self.table(case, "steps.csv")):
+            self.assert_close(float(other["force_y"]), float(one["force_y"]), 1e-7, "pressure")
+            self.assertAlmostEqual(float(other["friction_force_x"]), float(one["friction_force_x"]), delta=1e-7)
+            self.assertEqual(other["sticking_nodes"], one["sticking_nodes"])
+
+    def incline(self, along):
+        directory = self.directory / f"incline{along}"
+        directory.mkdir()
+        (directory / "case.prm").write_text(INCLINE.format(along=along))
+        (directory / "geometry.geo").write_text(BLOCKS)
+        return self.geneva("run", directory), directory
+
+    def test_a_block_stays_on_an_incline_up_to_the_angle_of_friction(self):
+        for along in (10, 29.9):
+            run, case = self.incline(along)
+            self.assertIn(run.code, (0, 2), run.describe())
+            self.assert_close(look_up(geneva_cli.read_summary(case / "results"), "contact.friction.force.value"), along / 5, 1e-9, along)
+        run, case = self.incline(30.1)
+        self.assertEqual(run.code, 2, run.describe())
+        for words in ("everything slides", "6.02 N", "allows 6 N", "Friction coefficient"):
+            self.assertIn(words, run.err)
+
+    def test_wrong_input_is_named(self):
+        case = self.case("wrong", "1e-5", [0, 1])
+
+        def assert_refused(*words):
+            run = self.geneva("run", case)
+            self.assertEqual(run.code, 1, run.describe())
+            for word in words:
+                self.assertIn(word, run.err)
+
+        for steps, words in (("time [s], top\n0, 1\n", "the column 'top'"), ("time [s], block bottom\n", "no load step"),
+                             ("time [s], block bottom\n1, 0\n1, 1\n", "line 3: the time 1 does not come after 1"),
+                             ("time [s], block bottom\n0, x\n", "'x' is no number"),
+                             ("time [s], block bottom\n0, 1, 2\n", "3 numbers"), ("block bottom\n1\n", "the heading is")):
+            (case / "steps.csv").write_text(steps)
+            assert_refused("steps.csv", words) if "column" not in words else assert_refused("Load steps", words)
+        (case / "steps.csv").write_text("time [s], block bottom\n0, 1\n")
+        for value, words in (("-0.1", "-0.1"), ("nan", "nan"), ("0.1, 0.2", "there are 2 numbers")):
+            change_case(case, {"Geometry/Friction coefficient": value})
+            assert_refused("Friction coefficient", words)
+        change_case(case, {"Geometry/Friction coefficient": "0.3", "Geometry/Load steps": "none.csv"})
+        assert_refused("none.csv")
+
+
 if __name__ == "__main__":
     geneva_cli.main()

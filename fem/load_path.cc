@@ -1,0 +1,70 @@
+#include "fem/load_path.h"
+
+#include <utility>
+
+namespace geneva::fem {
+
+namespace {
+
+/// @param before at the step before; nothing at the first one
+template <int dim>
+Instant<dim> instant_of(const Level<dim>& level, const LevelState& found, const Scales& scales,
+                        const Instant<dim>* const before) {
+  const double force = scales.stress * scales.length * scales.length;
+  Instant<dim> instant;
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    const ContactInterface<dim>& interface = level.interfaces[i];
+    const ContactState& state = found.contacts[i];
+    PairAtInstant<dim> pair;
+    if (before != nullptr) pair.dissipated = before->pairs[i].dissipated;
+    for (std::size_t row = 0; row < interface.rows.size(); ++row) {
+      const ContactRow<dim>& contact = interface.rows[row];
+      const double share = contact.weight * force;
+      if (interface.status[row] == NodeStatus::stick) ++pair.sticking;
+      if (interface.status[row] == NodeStatus::slip) ++pair.slipping;
+      for (unsigned int c = 0; c < dim; ++c)
+        pair.force[c] += share * state.pressure[row] * contact.frame.normal[c];
+      for (std::size_t t = 0; t < contact.frame.tangents.size(); ++t) {
+        for (unsigned int c = 0; c < dim; ++c)
+          pair.friction_force[c] += share * state.friction[row][t] * contact.frame.tangents[t][c];
+        pair.dissipated -= share * scales.length * state.friction[row][t] *
+                           (state.slip[row][t] - interface.slip_before_at(row)[t]);
+      }
+    }
+    instant.pairs.push_back(pair);
+  }
+  return instant;
+}
+
+}  // namespace
+
+template <int dim>
+Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
+            const Settings& settings, const StepObserver& observer,
+            std::vector<Instant<dim>>& instants) {
+  instants.clear();
+  equilibrium.forget_slip();
+  const std::vector<Load> all_at_once(1);
+  const std::vector<Load>& steps = problem.steps.empty() ? all_at_once : problem.steps;
+  State<dim> state{start.displacement, start.history, {}, {}};
+  for (std::size_t step = 0;; ++step) {
+    Solved solved = equilibrium.advance(state, steps[step], settings, observer);
+    if (auto* const stop = std::get_if<Stop>(&solved)) {
+      stop->step = step;
+      return solved;
+    }
+    const LevelState& found = std::get<LevelState>(solved);
+    instants.push_back(instant_of(equilibrium.level(), found, equilibrium.scales(),
+                                  step == 0 ? nullptr : &instants.back()));
+    if (step + 1 == steps.size()) return solved;
+    equilibrium.remember_slip(found);
+    state = equilibrium.end_of_instant(std::move(state), found);
+  }
+}
+
+template Solved walk(Equilibrium<2>&, const State<2>&, const Problem<2>&, const Settings&,
+                     const StepObserver&, std::vector<Instant<2>>&);
+template Solved walk(Equilibrium<3>&, const State<3>&, const Problem<3>&, const Settings&,
+                     const StepObserver&, std::vector<Instant<3>>&);
+
+}  // namespace geneva::fem

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/equilibrium.h"
+#include "fem/instant.h"
+
+namespace geneva::fem {
+
+/// Goes through a problem's load steps on one mesh, from the undisplaced bodies on; what sticks and
+/// slips at one follows from those before.
+/// @param start first guess of the first step
+/// @param instants out: what was found at each step
+/// @return the equilibrium of the last step, or why a step has none
+template <int dim>
+Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
+            const Settings& settings, const StepObserver& observer,
+            std::vector<Instant<dim>>& instants);
+
+}  // namespace geneva::fem
