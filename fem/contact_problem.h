@@ -25,7 +25,7 @@ struct Progress {
   std::function<void(const Checkpoint<dim>&)> checkpoint;
 };
 
-/// Solves frictionless contact by nested iteration: solve, estimate, refine, until the peak contact
+/// Solves contact by nested iteration: solve, estimate, refine, until the peak contact
 /// pressure is as accurate as asked; without contact until the maxima of stress are.
 /// @param mesh coarse mesh, SI units, the same on all ranks
 /// @param start where an earlier run on this mesh and problem ended, the same on all ranks; the

@@ -38,9 +38,9 @@ struct Stop {
   double limit = 0.;         ///< of that
   std::size_t unknowns = 0;  ///< of the mesh that was not solved
   double residual = 0.;      ///< of the linear solver
+  double growth = 0.;        ///< exponent gamma of the edge pressure, p ~ h^-gamma
   std::size_t pair = 0;      ///< that slides
   std::size_t step = 0;      ///< of the load, from 0 on
-  double growth = 0.;        ///< exponent gamma of the edge pressure, p ~ h^-gamma
 };
 
 /// @param outcome that of the limit
