@@ -101,11 +101,11 @@ class Places {
  public:
   void note(const long n) {
     constexpr int depth = 7;
-    void* calls[depth];
-    const int found = ::backtrace(calls, depth);
+    void* frames[depth];
+    const int found = ::backtrace(frames, depth);
     std::size_t hash = 0;
     for (int i = 1; i < found; ++i)
-      hash = (hash ^ reinterpret_cast<std::size_t>(calls[i])) * 0x9E3779B97F4A7C15;
+      hash = (hash ^ reinterpret_cast<std::size_t>(frames[i])) * 0x9E3779B97F4A7C15;
     const std::lock_guard<std::mutex> lock(mutex_);
     places_.try_emplace(hash, n);
   }
@@ -208,8 +208,8 @@ bool is_meant() {
 
 /// A program that crashes says where.
 void tell_crash(const int signal) {
-  void* calls[64];
-  ::backtrace_symbols_fd(calls, ::backtrace(calls, 64), STDERR_FILENO);
+  void* frames[64];
+  ::backtrace_symbols_fd(frames, ::backtrace(frames, 64), STDERR_FILENO);
   ::raise(signal);
 }
 
