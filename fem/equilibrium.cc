@@ -229,6 +229,12 @@ void Equilibrium<dim>::forget_slip() {
 }
 
 template <int dim>
+void Equilibrium<dim>::recall(const Instant<dim>& instant) {
+  for (std::size_t i = 0; i < level_.interfaces.size(); ++i)
+    fem::recall(level_.interfaces[i], instant.pairs[i].motions);
+}
+
+template <int dim>
 Vector Equilibrium<dim>::ghosted(const Vector& displacement) const {
   return with_ghosts(displacement, level_.ghosts);
 }

@@ -9,6 +9,7 @@
 #include "fem/checkpoint.h"
 #include "fem/discretisation/refined_mesh.h"
 #include "fem/discretisation/vector.h"
+#include "fem/instant.h"
 #include "fem/level.h"
 #include "fem/problem/load.h"
 #include "fem/problem/stop.h"
@@ -77,6 +78,9 @@ class Equilibrium {
   void remember_slip(const LevelState& found);
   /// Slip counts from the undisplaced bodies on.
   void forget_slip();
+
+  /// Lets nodes stick and slide as they did at an instant on another mesh.
+  void recall(const Instant<dim>& instant);
 
   /// A vector with ghosts.
   [[nodiscard]] Vector ghosted(const Vector& displacement) const;

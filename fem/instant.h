@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "fem/contact/interface.h"
 #include "fem/problem/problem.h"
 
 namespace geneva::fem {
@@ -15,6 +16,7 @@ struct PairAtInstant {
   double dissipated = 0.;            ///< by friction since the first step [J], >= 0
   std::size_t sticking = 0;          ///< nodes
   std::size_t slipping = 0;
+  std::vector<NodeMotion<dim>> motions;  ///< in the units of the triangulation
 };
 
 /// One load step.

@@ -1,6 +1,9 @@
 #include "fem/load_path.h"
 
 #include <utility>
+#include <variant>
+
+#include "fem/contact/active_set.h"
 
 namespace geneva::fem {
 
@@ -31,7 +34,8 @@ Instant<dim> instant_of(const Level<dim>& level, const LevelState& found, const 
                            (state.slip[row][t] - interface.slip_before_at(row)[t]);
       }
     }
-    instant.pairs.push_back(pair);
+    pair.motions = motions_of(interface);
+    instant.pairs.push_back(std::move(pair));
   }
   return instant;
 }
@@ -42,12 +46,13 @@ template <int dim>
 Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
             const Settings& settings, const StepObserver& observer,
             std::vector<Instant<dim>>& instants) {
-  instants.clear();
+  const std::vector<Instant<dim>> on_last_mesh = std::exchange(instants, {});
   equilibrium.forget_slip();
   const std::vector<Load> all_at_once(1);
   const std::vector<Load>& steps = problem.steps.empty() ? all_at_once : problem.steps;
   State<dim> state{start.displacement, start.history, {}, {}};
   for (std::size_t step = 0;; ++step) {
+    if (step < on_last_mesh.size()) equilibrium.recall(on_last_mesh[step]);
     Solved solved = equilibrium.advance(state, steps[step], settings, observer);
     if (auto* const stop = std::get_if<Stop>(&solved)) {
       stop->step = step;

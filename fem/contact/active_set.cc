@@ -142,6 +142,46 @@ std::vector<NodeStatus> inherited(const ContactInterface<3>& interface,
 }
 
 template <int dim>
+std::vector<NodeMotion<dim>> motions_of(const ContactInterface<dim>& interface) {
+  std::vector<NodeMotion<dim>> motions;
+  motions.reserve(interface.rows.size());
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const ContactRow<dim>& row = interface.rows[i];
+    NodeMotion<dim> motion{interface.source.nodes[row.node].position, interface.status[i], {}};
+    for (std::size_t t = 1; t < dim; ++t)
+      motion.sliding += interface.sliding_at(i)[t] * row.frame.tangents[t - 1];
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+template <int dim>
+void recall(ContactInterface<dim>& interface, const std::vector<NodeMotion<dim>>& motions) {
+  if (interface.law->touching() != NodeStatus::stick) return;
+  std::vector<dealii::Point<dim>> places;
+  std::vector<std::size_t> closed_ones;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (!is_closed(motions[i].status)) continue;
+    places.push_back(motions[i].place);
+    closed_ones.push_back(i);
+  }
+  if (places.empty()) return;
+  interface.sliding.resize(interface.rows.size());
+  const auto tree = dealii::pack_rtree_of_indices(places);
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    if (!is_closed(interface.status[i])) continue;
+    const ContactRow<dim>& row = interface.rows[i];
+    std::vector<std::size_t> nearest;
+    tree.query(boost::geometry::index::nearest(interface.source.nodes[row.node].position, 1),
+               std::back_inserter(nearest));
+    const NodeMotion<dim>& motion = motions[closed_ones[nearest.front()]];
+    interface.status[i] = motion.status;
+    for (std::size_t t = 1; t < dim; ++t)
+      interface.sliding[i][t] = motion.sliding * row.frame.tangents[t - 1];
+  }
+}
+
+template <int dim>
 std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& interface) {
   std::vector<dealii::Point<dim>> places;
   for (std::size_t i = 0; i < interface.rows.size(); ++i)
@@ -201,6 +241,10 @@ template bool is_pulled_apart(const ContactInterface<2>&);
 template bool is_pulled_apart(const ContactInterface<3>&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<2>&);
 template std::vector<NodeStatus> updated(const ContactInterface<2>&, const ContactState&);
+template std::vector<NodeMotion<2>> motions_of(const ContactInterface<2>&);
+template std::vector<NodeMotion<3>> motions_of(const ContactInterface<3>&);
+template void recall(ContactInterface<2>&, const std::vector<NodeMotion<2>>&);
+template void recall(ContactInterface<3>&, const std::vector<NodeMotion<3>>&);
 template std::vector<Components<2>> next_sliding(const ContactInterface<2>&, const ContactState&);
 template std::vector<Components<3>> next_sliding(const ContactInterface<3>&, const ContactState&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<3>&);

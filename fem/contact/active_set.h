@@ -31,6 +31,15 @@ std::vector<NodeStatus> inherited(const ContactInterface<2>& interface,
 std::vector<NodeStatus> inherited(const ContactInterface<3>& interface,
                                   const std::vector<ContactNode<3>>& nodes, double length);
 
+/// How the nodes of the rows move.
+template <int dim>
+std::vector<NodeMotion<dim>> motions_of(const ContactInterface<dim>& interface);
+
+/// Lets rows in contact stick or slide as the nearest node did on another mesh, of a law that knows
+/// both: found again from nodes that all stick, what slides far would take many steps or none.
+template <int dim>
+void recall(ContactInterface<dim>& interface, const std::vector<NodeMotion<dim>>& motions);
+
 /// Places of the active rows' nodes.
 template <int dim>
 std::vector<dealii::Point<dim>> active_places(const ContactInterface<dim>& interface);

@@ -93,15 +93,19 @@ NodeStatus Coulomb<dim>::next_status(const NodeContact<dim>& node,
     case NodeStatus::slip:
       return tangential_product<dim>(node.gap, node.sliding) < -rounding.gap ? NodeStatus::stick
                                                                              : NodeStatus::slip;
-    default:
-      return NodeStatus::stick;
+    default:  // what slides past faster than it closes does not stick at once
+      return tangential_norm<dim>(node.gap) > this->coefficient() * std::abs(node.gap[0])
+                 ? NodeStatus::slip
+                 : NodeStatus::stick;
   }
 }
 
-/// Against the friction that held it; in 3-D then along its slip, which may turn.
+/// Of a node that closes along its slip, of one that stuck against the friction that held it; in
+/// 3-D then along its slip, which may turn.
 template <int dim>
 Components<dim> Coulomb<dim>::next_sliding(const NodeContact<dim>& node) const {
-  if (node.status != NodeStatus::slip) return tangential_direction<dim>(node.traction, -1.);
+  if (node.status == NodeStatus::open) return tangential_direction<dim>(node.gap, 1.);
+  if (node.status == NodeStatus::stick) return tangential_direction<dim>(node.traction, -1.);
   if (dim == 2 || tangential_norm<dim>(node.gap) == 0.) return node.sliding;
   return tangential_direction<dim>(node.gap, 1.);
 }

@@ -50,6 +50,14 @@ struct ContactState {
   std::vector<Tangential> friction = {};  ///< traction on the source
 };
 
+/// How a node of the source moves against the target, by its place, whatever the mesh.
+template <int dim>
+struct NodeMotion {
+  dealii::Point<dim> place;
+  NodeStatus status;
+  dealii::Tensor<1, dim> sliding;  ///< see NodeContact, along the axes
+};
+
 /// Which nodes of the source belong to the chosen rows.
 template <int dim>
 std::vector<bool> nodes_of_rows(const ContactInterface<dim>& interface,

@@ -262,6 +262,27 @@ class StickAndSlip(CliTest):
         heat = [float(step["dissipated"]) for step in steps]
         self.assertEqual(heat, sorted(heat))
 
+    def test_dissimilar_bodies_that_slide_shift_the_pressure(self):
+        """Johnson, 8.2: g = arctan(beta mu)/pi, resultant at -(8/3) g a, a = a0/sqrt(1 - 4 g^2); beta = -0.3830."""
+        stiff, soft = (210e9, 0.3), (21e9, 0.1)
+        compliance = sum((1 - nu**2) / modulus for modulus, nu in (stiff, soft))
+        half_width = math.sqrt(4 * self.LOAD * 0.01 * compliance / math.pi)
+        peak = math.sqrt(self.LOAD / (math.pi * 0.01 * compliance))
+        for product, displacement, to in ((0.05, "5e-3", 1), (0.1, "-5e-3", -1), (0.25, "5e-3", 1)):
+            case = self.case(f"shift{product}", displacement, [0, 1])
+            change_case(case, {"Geometry/Body block/Young's modulus": "21 GPa", "Geometry/Body block/Poisson's ratio": "0.1",
+                               "Geometry/Body cylinder/Poisson's ratio": "0.3", "Accuracy": "0.2 %",
+                               "Geometry/Friction coefficient": str(product / 0.38298)})
+            summary = self.run_case(case)
+            g = math.atan(product) / math.pi
+            width = half_width / math.sqrt(1 - 4 * g**2)
+            nodes = self.closed(case)
+            force = sum(float(node["contact_pressure"]) for node in nodes)
+            middle = sum(float(node["contact_pressure"]) * float(node["x"]) for node in nodes) / force
+            self.assertLess(abs(middle - to * 8 / 3 * g * width), 0.004 * half_width, "the finite cylinder bends")
+            exact = peak * (1 + 2 * g)**(0.5 + g) * (1 - 2 * g)**(0.5 - g) * math.cos(math.pi * g) / (1 - 4 * g**2)**0.5
+            self.assert_close(look_up(summary, "contact.peak_pressure.value"), exact, 0.003, product)
+
     def test_ranks_change_nothing(self):
         case = self.case("ranks", "4.5e-5", [0, 1, 0.2])
         self.run_case(case)

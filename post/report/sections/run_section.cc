@@ -71,6 +71,24 @@ struct ChartOfContact {
   const char* where;
 };
 
+/// Friction on the source along its surface, towards greater arc length.
+std::vector<double> friction_along(const CsvTable& rows) {
+  const std::vector<double>& x = rows.column("x").values;
+  const std::vector<double>& y = rows.column("y").values;
+  const std::vector<double>& qx = rows.column("friction_x").values;
+  const std::vector<double>& qy = rows.column("friction_y").values;
+  std::vector<double> along;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : i;
+    const std::size_t after = i + 1 < x.size() ? i + 1 : i;
+    const double dx = x[after] - x[before];
+    const double dy = y[after] - y[before];
+    const double length = std::hypot(dx, dy);
+    along.push_back(length > 0. ? (qx[i] * dx + qy[i] * dy) / length : 0.);
+  }
+  return along;
+}
+
 /// Pressure along a contact of a plane model, two half-widths to either side of its middle.
 /// @param contact one of `contact_pairs`
 Chart pressure_chart(const ResultsDirectory& results, const json& contact,
@@ -96,13 +114,21 @@ Chart pressure_chart(const ResultsDirectory& results, const json& contact,
       {axis_label("distance from the middle of the contact", arc)},
       {axis_label("contact pressure", pressure)},
       {{"this program", SeriesStyle::markers, {}}}};
+  std::vector<double> friction;
+  if (contact.contains("friction")) {
+    friction = friction_along(rows);
+    chart.series.push_back({"friction on the source", SeriesStyle::markers, {}});
+    chart.y = {axis_label("contact pressure, friction", pressure)};
+  }
   for (std::size_t i = 0; i < arc.values.size(); ++i) {
     const double at = arc.values[i] - middle;
     if (std::abs(at) > 2. * half_width) continue;
     chart.series[0].points.push_back({at, pressure.values[i]});
+    if (!friction.empty()) chart.series[1].points.push_back({at, friction[i]});
   }
   constexpr std::size_t dense = 100;  // markers would hide the curve below them
-  if (chart.series[0].points.size() > dense) chart.series[0].style = SeriesStyle::line;
+  if (chart.series[0].points.size() > dense)
+    for (ChartSeries& series : chart.series) series.style = SeriesStyle::line;
   if (contact.contains("hertz")) chart.series.push_back(hertz_curve(contact, units, is_axis));
   return chart;
 }

@@ -108,6 +108,16 @@ TEST(Coulomb, SticksAgainWhereItWouldSlideBack) {
             NodeStatus::stick);
 }
 
+TEST(Coulomb, SlidesAtOnceWhereItPassesFasterThanItCloses) {
+  const Coulomb<2> law(0.5);
+  const auto status = [&](const double slip) {
+    return law.next_status({NodeStatus::open, {-1., slip}, {}}, exact);
+  };
+  EXPECT_EQ(status(0.49), NodeStatus::stick);
+  EXPECT_EQ(status(-0.51), NodeStatus::slip);
+  EXPECT_EQ(law.next_sliding({NodeStatus::open, {-1., -0.51}, {}}), (Components<2>{0., -1.}));
+}
+
 TEST(Coulomb, SlidesAgainstTheFrictionThatHeldItThenAlongItsSlip) {
   const Coulomb<3> law(0.5);
   const auto first = law.next_sliding({NodeStatus::stick, {}, {1., 3., -4.}});
