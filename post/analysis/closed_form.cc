@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "loads/contact_limits.h"
+#include "post/analysis/friction.h"
 #include "post/analysis/surface_body.h"
 
 namespace geneva::post {
@@ -16,18 +17,6 @@ namespace {
 bool on_axis(const fem::Solution<2>& solution, const int circle) {
   return circle < 0 || std::abs(solution.mesh.circles[static_cast<std::size_t>(circle)].centre[0]) <
                            1e-9 * solution.scales.length;
-}
-
-/// See ClosedForm::friction; 0 where the contact does not slide everywhere.
-double sliding_friction(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
-                        const PressureCentre& centre) {
-  for (const fem::ContactPair& pair : solution.problem.pairs) {
-    if (pair.source != contact.source || pair.target != contact.target) continue;
-    const Tensor<1, 2> velocity({pair.friction.sliding[0], pair.friction.sliding[1]});
-    const double along = velocity * Tensor<1, 2>({-centre.normal[1], centre.normal[0]});
-    return along == 0. ? 0. : std::copysign(pair.friction.coefficient, along);
-  }
-  return 0.;
 }
 
 }  // namespace
@@ -100,7 +89,8 @@ std::optional<ClosedForm> closed_form(const fem::Solution<2>& solution,
   form.centre = centre.place;
   form.centre_arc_length = centre.arc_length;
   form.normal = centre.normal;
-  form.friction = sliding_friction(solution, contact, centre);
+  form.friction =
+      sliding_friction(solution, contact, Tensor<1, 2>({-centre.normal[1], centre.normal[0]}));
   if (axisymmetric) {
     form.point = loads::hertz_point(form.force, form.relative_radius, form.contact_modulus,
                                     std::min(source.poissons_ratio, target.poissons_ratio));

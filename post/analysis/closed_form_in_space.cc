@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "loads/contact_limits.h"
+#include "post/analysis/friction.h"
 #include "post/analysis/surface_body.h"
 
 namespace geneva::post {
@@ -34,11 +36,13 @@ double ClosedFormInSpace::half_length() const {
 }
 
 std::optional<double> ClosedFormInSpace::max_shear() const {
+  if (friction != 0.) return std::nullopt;
   if (line) return line->max_shear;
   return is_circle() ? std::optional(as_point().max_shear) : std::nullopt;
 }
 
 std::optional<double> ClosedFormInSpace::max_shear_depth() const {
+  if (friction != 0.) return std::nullopt;
   if (line) return line->max_shear_depth;
   return is_circle() ? std::optional(as_point().max_shear_depth) : std::nullopt;
 }
@@ -71,9 +75,9 @@ std::optional<SymmetricTensor<2, 3>> mcewen_stress(const ClosedFormInSpace& form
   const double x = frame.distance_across(place);
   const double z = frame.depth(place);
   if (std::abs(x) >= 4. * b || z >= 6. * b) return std::nullopt;
-  const loads::ContactStress local = form.line->stress(x, z);
-  const Tensor<1, 3> inward =
-      ((place - frame.centre) * frame.normal < 0. ? -1. : 1.) * frame.normal;
+  const double side = (place - frame.centre) * frame.normal < 0. ? -1. : 1.;
+  const loads::ContactStress local = loads::sliding_stress(*form.line, -side * form.friction, x, z);
+  const Tensor<1, 3> inward = side * frame.normal;
   return local.xx * symmetrize(outer_product(frame.across, frame.across)) +
          local.zz * symmetrize(outer_product(inward, inward)) +
          2. * local.xz * symmetrize(outer_product(frame.across, inward)) +
@@ -99,6 +103,7 @@ std::optional<ClosedFormInSpace> closed_form(const fem::Solution<3>& solution,
   form.radius_along = std::numeric_limits<double>::infinity();
   form.poissons_ratio = std::min(source.poissons_ratio, target.poissons_ratio);
   form.contact_modulus = loads::contact_modulus(source, target);
+  form.friction = sliding_friction(solution, contact, frame.across);
   const auto [lowest, highest] = whole_extent(contact, frame, frame.along);
   form.even =
       loads::hertz_line(form.force / (highest - lowest), form.radius_across, form.contact_modulus);

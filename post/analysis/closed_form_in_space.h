@@ -22,6 +22,9 @@ struct ClosedFormInSpace {
   double radius_across;    ///< relative radii [m]
   double radius_along;     ///< infinite for a line
   double contact_modulus;  ///< E* [Pa]
+  /// mu of a contact that slides everywhere, > 0 where the target's traction points along
+  /// ContactFrame::across; only sliding across a line is known
+  double friction;
 
   [[nodiscard]] double peak_pressure() const;
   /// Half of the contact's extent across.
@@ -29,7 +32,7 @@ struct ClosedFormInSpace {
   /// Half of its extent along.
   [[nodiscard]] double half_length() const;
   /// Maximum shear stress below the contact [Pa], and its depth [m]; unknown for an ellipse that
-  /// is no circle.
+  /// is no circle, and where the contact slides.
   [[nodiscard]] std::optional<double> max_shear() const;
   [[nodiscard]] std::optional<double> max_shear_depth() const;
   /// Pressure at distances from the centre across and along [Pa].
@@ -42,8 +45,8 @@ struct ClosedFormInSpace {
   [[nodiscard]] loads::HertzPoint as_point() const;
 };
 
-/// McEwen's stress [Pa] below an evenly loaded line in plane strain, at a place within a body with
-/// the given Poisson's ratio.
+/// McEwen's stress [Pa] below an evenly loaded line in plane strain, with that of the friction
+/// where it slides, at a place within a body with the given Poisson's ratio.
 /// @return nothing outside |x| < 4 b, 0 <= z < 6 b and the loaded length, and for an ellipse
 std::optional<dealii::SymmetricTensor<2, 3>> mcewen_stress(const ClosedFormInSpace& form,
                                                            const ContactFrame& frame,

@@ -134,7 +134,9 @@ std::vector<ComparisonRow> contact_rows(const fem::Solution<3>& solution,
                                         const fem::ContactResult<3>& contact,
                                         const ContactAnalysis<3>& analysis, const Figures& errors,
                                         const std::optional<PinLineReport>& line) {
-  const ClosedFigures closed = closed_figures(solution, analysis, line);
+  ClosedFigures closed = closed_figures(solution, analysis, line);
+  if (friction_figures(solution, contact, std::nullopt))  // which moves it to the surface
+    closed.shear = closed.depth = std::nullopt;
   const bool is_finite = is_bounded(solution);
   std::vector<ComparisonRow> rows;
   if (!analysis.sections.empty())

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/base/tensor.h>
+
 #include <optional>
 
 #include "fem/solution.h"
@@ -22,5 +24,12 @@ template <int dim>
 std::optional<FrictionFigures> friction_figures(const fem::Solution<dim>& solution,
                                                 const fem::ContactResult<dim>& contact,
                                                 const std::optional<MechanismReport>& mechanism);
+
+/// mu of a contact that slides everywhere; > 0 where the source slides along a direction, so that
+/// the target's traction points along it, < 0 where it slides against it, 0 across it or without
+/// friction.
+template <int dim>
+double sliding_friction(const fem::Solution<dim>& solution, const fem::ContactResult<dim>& contact,
+                        const dealii::Tensor<1, dim>& direction);
 
 }  // namespace geneva::post
