@@ -14,6 +14,19 @@
 
 namespace geneva::fem {
 
+namespace {
+
+/// Whether a state follows from the load steps before it, and not from its displacement alone.
+template <int dim>
+bool remembers(const Level<dim>& level) {
+  return std::any_of(level.interfaces.begin(), level.interfaces.end(),
+                     [](const ContactInterface<dim>& interface) {
+                       return interface.law->touching() == NodeStatus::stick;
+                     });
+}
+
+}  // namespace
+
 template <int dim>
 AccuracyLoop<dim>::AccuracyLoop(const MPI_Comm communicator, const mesh::MeshData<dim>& mesh,
                                 const Problem<dim>& problem, const Settings& settings,
@@ -279,7 +292,10 @@ void AccuracyLoop<dim>::save() {
 template <int dim>
 void AccuracyLoop<dim>::restore(const Checkpoint<dim>& start) {
   state_ = equilibrium_->refine_as(start);
-  found_.emplace(state_at(equilibrium_->level(), state_.displacement));
+  if (!remembers(equilibrium_->level()))
+    found_.emplace(state_at(equilibrium_->level(), state_.displacement));
+  else if (!advance())
+    throw NotConverged(solution_.stop);
   refinement_.restore(start);
   solution_.history = start.history;
   seconds_before_ = start.history.back().seconds;

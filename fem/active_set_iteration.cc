@@ -51,27 +51,59 @@ void only_close(const std::vector<NodeStatus>& now, std::vector<NodeStatus>& nex
   for (std::size_t i = 0; i < next.size(); ++i) next[i] = std::max(next[i], now[i]);
 }
 
-/// If no node is to stick any more, the one that is nearest to it goes on: without it the system
-/// would be singular.
+/// A place in the sets.
+struct PlaceInSets {
+  std::size_t interface;
+  std::size_t row;
+};
+
+/// Of the nodes in contact that some interfaces have, the one that is nearest to sticking: of those
+/// that stuck before the one with the least friction over its pressure, else the one with the
+/// greatest pressure. Nothing if one sticks, or none touches.
+template <int dim>
+std::optional<PlaceInSets> nearest_to_sticking(const Level<dim>& level,
+                                               const std::vector<ContactState>& states,
+                                               const Sets& next,
+                                               const std::vector<std::size_t>& interfaces) {
+  std::optional<PlaceInSets> nearest;
+  double least = std::numeric_limits<double>::max();
+  for (const std::size_t i : interfaces)
+    for (std::size_t row = 0; row < next[i].size(); ++row) {
+      if (next[i][row] == NodeStatus::stick) return std::nullopt;
+      if (!is_closed(next[i][row])) continue;
+      const double pressure = std::max(states[i].pressure[row], std::numeric_limits<double>::min());
+      const Tangential& friction = states[i].friction[row];
+      const bool stuck = level.interfaces[i].status[row] == NodeStatus::stick;
+      constexpr double after_those_that_stuck = 1e200;
+      const double rank = stuck ? std::hypot(friction[0], friction[1]) / pressure
+                                : after_those_that_stuck / pressure;
+      if (nearest && rank >= least) continue;
+      least = rank;
+      nearest = {i, row};
+    }
+  return nearest;
+}
+
+/// Where friction alone holds a body and no node is to stick any more, the nearest one does:
+/// without it the system would be singular.
 /// @return whether that was so
 template <int dim>
 bool keep_one_stuck(const Level<dim>& level, const std::vector<ContactState>& states, Sets& next) {
-  NodeStatus* kept = nullptr;
-  double least = std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < next.size(); ++i)
-    for (std::size_t row = 0; row < next[i].size(); ++row) {
-      if (next[i][row] == NodeStatus::stick) return false;
-      if (level.interfaces[i].status[row] != NodeStatus::stick || !is_closed(next[i][row]))
-        continue;
-      const Tangential& friction = states[i].friction[row];
-      const double share = std::hypot(friction[0], friction[1]) /
-                           std::max(states[i].pressure[row], std::numeric_limits<double>::min());
-      if (share >= least) continue;
-      least = share;
-      kept = &next[i][row];
-    }
-  if (kept != nullptr) *kept = NodeStatus::stick;
-  return kept != nullptr;
+  bool is_kept = false;
+  const auto keep_in = [&](const std::vector<std::size_t>& interfaces) {
+    const auto nearest = nearest_to_sticking(level, states, next, interfaces);
+    if (!nearest) return;
+    next[nearest->interface][nearest->row] = NodeStatus::stick;
+    is_kept = true;
+  };
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (level.interfaces[i].law->touching() != NodeStatus::stick) continue;
+    all.push_back(i);
+    if (level.holds_by_friction[i]) keep_in({i});
+  }
+  keep_in(all);
+  return is_kept;
 }
 
 /// The active sets seen on one mesh. A set that has been there before means cycling: from then on

@@ -96,7 +96,11 @@ Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<
   check_rigid_motions(level_, problem_);
   is_held_by_friction_ =
       may_stick(level_) && has_free_motion(level_, problem_, TakenAsClosed::all_nodes_sliding);
+  for (const ContactInterface<dim>& interface : level_.interfaces)
+    holds_by_friction_.push_back(is_held_by_friction_ &&
+                                 is_held_by_friction(level_, problem_, interface));
   level_.is_held_by_friction = is_held_by_friction_;
+  level_.holds_by_friction = holds_by_friction_;
   check_approach(level_, scaled_problem_, scales_, communicator_);
   check_that_loads_close();
 }
@@ -110,6 +114,7 @@ void Equilibrium<dim>::make_level(const State<dim>& state) {
     level_.interfaces[i].status =
         inherited_status(level_.interfaces[i], state.contacts[i], scales_.length);
   level_.is_held_by_friction = is_held_by_friction_;
+  level_.holds_by_friction = holds_by_friction_;
   set_smooth(state.smooth);
 }
 

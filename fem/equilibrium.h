@@ -109,8 +109,9 @@ class Equilibrium {
   RefinedMesh<dim> mesh_;
   std::optional<SurfaceOrigins<dim>> origins_;
   std::size_t n_unknowns_ = 0;
-  bool is_held_by_friction_ = false;
-  Load load_;  ///< of the level
+  bool is_held_by_friction_ = false;     ///< see Level
+  std::vector<bool> holds_by_friction_;  ///< see Level
+  Load load_;                            ///< of the level
   Level<dim> level_;
 };
 

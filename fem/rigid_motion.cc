@@ -107,10 +107,12 @@ Eigen::VectorXd contact_row(const ContactInterface<dim>& interface, const Contac
 
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
+/// @param sliding the one without friction; may be null
 template <int dim>
 std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
                                              const RigidMotions<dim>& motions,
-                                             const TakenAsClosed closed) {
+                                             const TakenAsClosed closed,
+                                             const ContactInterface<dim>* const sliding) {
   std::vector<Eigen::VectorXd> rows;
   for (const ConstraintLine& line : level.held_lines) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
@@ -127,7 +129,7 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
                               ? interface.status[i] == NodeStatus::stick
                               : closed == TakenAsClosed::all_nodes &&
                                     interface.law->touching() == NodeStatus::stick;
-      if (!sticks) continue;
+      if (!sticks || &interface == sliding) continue;
       for (const dealii::Tensor<1, dim>& tangent : frame.tangents)
         rows.push_back(contact_row(interface, interface.rows[i], tangent, motions));
     }
@@ -136,9 +138,10 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
 
 template <int dim>
 mesh::Eigenpairs gram_eigenpairs(const Level<dim>& level, const RigidMotions<dim>& motions,
-                                 const TakenAsClosed closed) {
+                                 const TakenAsClosed closed,
+                                 const ContactInterface<dim>* const sliding = nullptr) {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
-  for (const Eigen::VectorXd& row : constraint_rows(level, motions, closed))
+  for (const Eigen::VectorXd& row : constraint_rows(level, motions, closed, sliding))
     gram += row * row.transpose();
   return mesh::symmetric_eigenpairs(gram);
 }
@@ -156,6 +159,13 @@ bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem,
 }
 
 template <int dim>
+bool is_held_by_friction(const Level<dim>& level, const Problem<dim>& problem,
+                         const ContactInterface<dim>& interface) {
+  return is_free(gram_eigenpairs(level, RigidMotions<dim>(level, problem), TakenAsClosed::all_nodes,
+                                 &interface));
+}
+
+template <int dim>
 void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
   const RigidMotions<dim> motions(level, problem);
   const mesh::Eigenpairs eigen = gram_eigenpairs(level, motions, TakenAsClosed::all_nodes);
@@ -168,6 +178,8 @@ void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
 
 template bool has_free_motion(const Level<2>&, const Problem<2>&, TakenAsClosed);
 template bool has_free_motion(const Level<3>&, const Problem<3>&, TakenAsClosed);
+template bool is_held_by_friction(const Level<2>&, const Problem<2>&, const ContactInterface<2>&);
+template bool is_held_by_friction(const Level<3>&, const Problem<3>&, const ContactInterface<3>&);
 template void check_rigid_motions(const Level<2>&, const Problem<2>&);
 template void check_rigid_motions(const Level<3>&, const Problem<3>&);
 

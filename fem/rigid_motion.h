@@ -17,6 +17,11 @@ enum class TakenAsClosed {
 template <int dim>
 bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
 
+/// Whether a body is free to move rigidly if one pair has no friction, and all others stick.
+template <int dim>
+bool is_held_by_friction(const Level<dim>& level, const Problem<dim>& problem,
+                         const ContactInterface<dim>& interface);
+
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.
 /// @throws base::InputError naming the body that moves most and how
