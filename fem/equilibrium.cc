@@ -44,10 +44,11 @@ bool may_stick(const Level<dim>& level) {
                      });
 }
 
-/// Of the pair whose friction would have to exceed its bound most [N].
+/// Of the pair whose friction would have to exceed its bound most [N]; nothing if none does, and
+/// only the search for what sticks and slides went wrong.
 template <int dim>
-Stop sliding_stop(const Level<dim>& level, const LevelState& state, const Problem<dim>& problem,
-                  const Scales& scales) {
+std::optional<Stop> sliding_stop(const Level<dim>& level, const LevelState& state,
+                                 const Problem<dim>& problem, const Scales& scales) {
   Stop stop{Outcome::slides};
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
     const ContactInterface<dim>& interface = level.interfaces[i];
@@ -66,6 +67,7 @@ Stop sliding_stop(const Level<dim>& level, const LevelState& state, const Proble
     stop.limit = force * bound;
     stop.pair = i;
   }
+  if (stop.needed <= stop.limit) return std::nullopt;
   return stop;
 }
 
@@ -154,8 +156,9 @@ Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
                                const StepObserver& observer) {
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
-    if (state && state->slides) return sliding_stop(level_, *state, problem_, scales_);
-    if (state) return std::move(*state);
+    if (state && !state->slides) return std::move(*state);
+    if (state)
+      if (const auto stop = sliding_stop(level_, *state, problem_, scales_)) return *stop;
     return stop_at_limit(Outcome::active_set_limit, settings.max_active_set_steps + 1.,
                          settings.max_active_set_steps, n_unknowns_);
   } catch (const dealii::SolverControl::NoConvergence& failure) {
