@@ -274,7 +274,7 @@ void read_load(const CaseValues& values, const std::string& surface, fem::Proble
 
 /// Coefficients of friction: one for all pairs, or one for each.
 void read_friction(const CaseSection& section, std::vector<fem::ContactPair>& pairs) {
-  if (!section.is_given("Friction coefficient")) return;
+  if (!section.is_changed("Friction coefficient")) return;
   const std::vector<double> given = section.values("Friction coefficient");
   if (pairs.empty()) section.refuse("Friction coefficient", "there are no 'Contact pairs'");
   if (given.size() != 1 && given.size() != pairs.size())
