@@ -20,9 +20,7 @@ namespace {
 template <int dim>
 bool remembers(const Level<dim>& level) {
   return std::any_of(level.interfaces.begin(), level.interfaces.end(),
-                     [](const ContactInterface<dim>& interface) {
-                       return interface.law->touching() == NodeStatus::stick;
-                     });
+                     [](const auto& interface) { return interface.may_stick(); });
 }
 
 }  // namespace

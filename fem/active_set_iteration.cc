@@ -98,7 +98,7 @@ bool keep_one_stuck(const Level<dim>& level, const std::vector<ContactState>& st
   };
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (level.interfaces[i].law->touching() != NodeStatus::stick) continue;
+    if (!level.interfaces[i].may_stick()) continue;
     all.push_back(i);
     if (level.holds_by_friction[i]) keep_in({i});
   }

@@ -39,9 +39,7 @@ std::optional<std::size_t> open_pair(const Level<dim>& level) {
 template <int dim>
 bool may_stick(const Level<dim>& level) {
   return std::any_of(level.interfaces.begin(), level.interfaces.end(),
-                     [](const ContactInterface<dim>& interface) {
-                       return interface.law->touching() == NodeStatus::stick;
-                     });
+                     [](const ContactInterface<dim>& interface) { return interface.may_stick(); });
 }
 
 /// Of the pair whose friction would have to exceed its bound most [N]; nothing if none does, and

@@ -127,8 +127,7 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
       rows.push_back(contact_row(interface, interface.rows[i], frame.normal, motions));
       const bool sticks = closed == TakenAsClosed::active_nodes
                               ? interface.status[i] == NodeStatus::stick
-                              : closed == TakenAsClosed::all_nodes &&
-                                    interface.law->touching() == NodeStatus::stick;
+                              : closed == TakenAsClosed::all_nodes && interface.may_stick();
       if (!sticks || &interface == sliding) continue;
       for (const dealii::Tensor<1, dim>& tangent : frame.tangents)
         rows.push_back(contact_row(interface, interface.rows[i], tangent, motions));

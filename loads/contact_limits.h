@@ -11,8 +11,8 @@ namespace geneva::loads {
 /// @param x along the contact, z >= 0 into the body [m]
 ContactStress sliding_stress(const HertzLine& contact, double friction, double x, double z);
 
-/// Maximum in-plane shear of a line contact that slides; from mu = 0.44 on it is that of the
-/// surface, mu p0 (facts of Smith and Liu's field).
+/// Maximum in-plane shear of sliding_stress() [Pa] and its depth [m]; as mu grows it moves from
+/// below the contact to its surface, where the shear is mu p0.
 /// @param friction coefficient mu >= 0
 DeepStress maximum_sliding_shear(const HertzLine& contact, double friction);
 

@@ -157,7 +157,7 @@ std::vector<NodeMotion<dim>> motions_of(const ContactInterface<dim>& interface) 
 
 template <int dim>
 void recall(ContactInterface<dim>& interface, const std::vector<NodeMotion<dim>>& motions) {
-  if (interface.law->touching() != NodeStatus::stick) return;
+  if (!interface.may_stick()) return;
   std::vector<dealii::Point<dim>> places;
   std::vector<std::size_t> closed_ones;
   for (std::size_t i = 0; i < motions.size(); ++i) {

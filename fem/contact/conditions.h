@@ -21,9 +21,9 @@ struct ContactLines {
 
 /// The equations of the pair's law that are constraints, such as gap_j(u) = 0, solved for the
 /// displacement component with the maximum share of their direction that no support holds. Those
-/// whose components are all held are left out. With friction mu along t the tractions of a node
-/// that slips are p (n + mu t), so that virtual displacements have (n + mu t) . (D v_j - sum_k M_jk
-/// v_k) = 0 (Hueber, Stadler and Wohlmuth 2008).
+/// whose components are all held are left out. The traction of a node that slides along d is
+/// p (n - mu d), so that virtual displacements have (n - mu d) . (D v_j - sum_k M_jk v_k) = 0
+/// (Hueber, Stadler and Wohlmuth 2008).
 /// @param held dofs that supports, ties or other contact pairs already constrain; the lines' dofs
 /// are added
 template <int dim>

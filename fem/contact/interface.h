@@ -33,6 +33,9 @@ struct ContactInterface {
 
   std::vector<Tangential> slip_before = {};  ///< by row, at the instant before; empty: none
 
+  /// Whether nodes may stick: friction whose sliding is not imposed.
+  [[nodiscard]] bool may_stick() const { return law->touching() == NodeStatus::stick; }
+
   [[nodiscard]] Tangential slip_before_at(const std::size_t row) const {
     return slip_before.empty() ? Tangential{} : slip_before[row];
   }
