@@ -116,6 +116,24 @@ std::vector<std::string> bottom_notices(const fem::Solution<dim>& solution,
       along * unit.factor, unit.name)};
 }
 
+/// That slip depends on the way to the load, of a case that gives none.
+template <int dim>
+std::vector<std::string> path_notices(const fem::Solution<dim>& solution) {
+  if (solution.problem.steps.size() > 1) return {};
+  const auto& pairs = solution.problem.pairs;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].friction.coefficient == 0. || pairs[i].friction.slides()) continue;
+    if (solution.instants.back().pairs[i].slipping > 0)
+      return {
+          "the load acts in one step: slip, friction and above all its heat depend on the way to "
+          "it "
+          "(where bodies of different stiffness are pressed together in one step, the heat is "
+          "several "
+          "times too large); give 'Load steps' of ten rows or so"};
+  }
+  return {};
+}
+
 /// Which of finite elements and line contacts to doubt, and why.
 std::string doubtful(const post::PinLineReport& line) {
   constexpr double slender = 15.;  // an ellipse then loses 0.3 % of its pressure
@@ -190,6 +208,7 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
     if (!contact.hertz_objection.empty()) notices.push_back(contact.hertz_objection + left_out);
   for (const std::string& notice : strength_notices(given, solution)) notices.push_back(notice);
   for (const std::string& notice : material_notices(given)) notices.push_back(notice);
+  for (const std::string& notice : path_notices(solution)) notices.push_back(notice);
   if (!given.mechanism) return notices;
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
   for (const std::string& notice : length_notices(solution, results, given.units))

@@ -18,18 +18,6 @@ double parts(const model::MechanismCase& mechanism, const int dim) {
   return dim == 3 && model::is_half_model(mechanism) ? 2. : 1.;
 }
 
-/// Moment that a whole wheel's shaft takes [N m].
-template <int dim>
-std::optional<double> bore_torque(const model::Model<dim>& model,
-                                  const model::MechanismCase& mechanism,
-                                  const fem::Solution<dim>& solution) {
-  if (!model.mechanism->wheel || mechanism.is_local) return std::nullopt;
-  for (const fem::Reaction<dim>& reaction : solution.reactions)
-    if (reaction.surface == model.held_surface)
-      return -parts(mechanism, dim) * about_z(reaction.moment);
-  return std::nullopt;
-}
-
 std::optional<loads::BeamBending> pin_beam_bending(const model::MechanismCase& mechanism,
                                                    const model::MechanismState& state) {
   const auto beam = model::pin_beam(mechanism, state.sizes);
@@ -43,6 +31,17 @@ loads::PlacedPeak greatest_force(const loads::Characteristics& cycle) {
 }
 
 }  // namespace
+
+template <int dim>
+std::optional<double> bore_torque(const model::Model<dim>& model,
+                                  const model::MechanismCase& mechanism,
+                                  const fem::Solution<dim>& solution) {
+  if (!model.mechanism->wheel || mechanism.is_local) return std::nullopt;
+  for (const fem::Reaction<dim>& reaction : solution.reactions)
+    if (reaction.surface == model.held_surface)
+      return -parts(mechanism, dim) * about_z(reaction.moment);
+  return std::nullopt;
+}
 
 template <int dim>
 std::optional<post::MechanismReport> mechanism_report(
@@ -99,6 +98,10 @@ template std::optional<post::MechanismReport> mechanism_report(const model::Mode
                                                                const model::Case&,
                                                                const fem::Solution<3>&,
                                                                const post::Results<3>&);
+template std::optional<double> bore_torque(const model::Model<2>&, const model::MechanismCase&,
+                                           const fem::Solution<2>&);
+template std::optional<double> bore_torque(const model::Model<3>&, const model::MechanismCase&,
+                                           const fem::Solution<3>&);
 template post::RunFigures run_figures(const model::Model<2>&, const model::Case&,
                                       const fem::Solution<2>&);
 template post::RunFigures run_figures(const model::Model<3>&, const model::Case&,

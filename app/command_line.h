@@ -11,6 +11,7 @@ namespace geneva::app {
 struct Request {
   enum class Command {
     run,
+    cycle,
     estimate,
     kinematics,
     design,

@@ -65,6 +65,14 @@ void Grammar::add_analyses() {
   run->add_flag("--continue", request_.is_continued,
                 "Go on from the last mesh of an earlier run of this case, on any number of "
                 "processes (see 'Checkpoint' of the case file)");
+  CLI::App* cycle =
+      add(Command::cycle, "cycle",
+          "Solve the contact over the whole engagement, on both walls: pressure, stresses, torque "
+          "and friction at every instant that counts ('Instants' of the case)");
+  add_case(cycle, case_directory_);
+  add_output(cycle, output_,
+             "Where cycle.json, cycle.csv and the report go (default: "
+             "CASE_DIR/results)");
   CLI::App* kinematics =
       add(Command::kinematics, "kinematics",
           "Curves and characteristic values of a mechanism's motion and pin force");

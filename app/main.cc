@@ -55,8 +55,8 @@ int main(const int argc, char** const argv) try {
   const auto asked = read_command_line(argc, argv);
   if (const int* const code = std::get_if<int>(&asked)) return with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
-  if (request.command == Command::run || request.command == Command::optimise ||
-      request.command == Command::design_with_strength ||
+  if (request.command == Command::run || request.command == Command::cycle ||
+      request.command == Command::optimise || request.command == Command::design_with_strength ||
       (request.command == Command::crown && request.is_confirmed))
     become_solver(argv);
   if (!is_launched_as_first_rank()) return 0;

@@ -4,6 +4,7 @@
 #include "api/session.h"
 #include "app/command_line.h"
 #include "app/crown.h"
+#include "app/cycle.h"
 #include "app/design_strength.h"
 #include "app/early_mesher.h"
 #include "app/ending.h"
@@ -25,6 +26,8 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
   const std::filesystem::path& directory = request.cases.front();
   if (request.command == Command::crown)
     return confirmed_crown_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
+  if (request.command == Command::cycle)
+    return cycle_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::optimise)
     return confirmed_optimum(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::design_with_strength)

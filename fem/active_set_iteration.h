@@ -24,7 +24,8 @@ struct LevelState {
   std::vector<unsigned int> linear_iterations;  ///< by active-set step
   double assemble_and_solve_seconds = 0.;       ///< of the last step
   bool cycled = false;                          ///< the active set came back to an earlier one
-  bool slides = false;  ///< friction cannot hold a body: one node sticks beyond its bound
+  bool lifts_off = false;  ///< a contact would open that alone holds a body: one node pulls
+  bool slides = false;     ///< friction cannot hold a body: one node sticks beyond its bound
 };
 
 /// The state that a displacement is on a level with its active sets.

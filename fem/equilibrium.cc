@@ -96,11 +96,12 @@ Equilibrium<dim>::Equilibrium(const MPI_Comm communicator, const mesh::MeshData<
   check_rigid_motions(level_, problem_);
   is_held_by_friction_ =
       may_stick(level_) && has_free_motion(level_, problem_, TakenAsClosed::all_nodes_sliding);
-  for (const ContactInterface<dim>& interface : level_.interfaces)
+  for (const ContactInterface<dim>& interface : level_.interfaces) {
     holds_by_friction_.push_back(is_held_by_friction_ &&
                                  is_held_by_friction(level_, problem_, interface));
-  level_.is_held_by_friction = is_held_by_friction_;
-  level_.holds_by_friction = holds_by_friction_;
+    holds_by_contact_.push_back(is_held_by_contact(level_, problem_, interface));
+  }
+  tell_what_holds();
   check_approach(level_, scaled_problem_, scales_, communicator_);
   check_that_loads_close();
 }
@@ -113,9 +114,15 @@ void Equilibrium<dim>::make_level(const State<dim>& state) {
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
     level_.interfaces[i].status =
         inherited_status(level_.interfaces[i], state.contacts[i], scales_.length);
+  tell_what_holds();
+  set_smooth(state.smooth);
+}
+
+template <int dim>
+void Equilibrium<dim>::tell_what_holds() {
   level_.is_held_by_friction = is_held_by_friction_;
   level_.holds_by_friction = holds_by_friction_;
-  set_smooth(state.smooth);
+  level_.holds_by_contact = holds_by_contact_;
 }
 
 template <int dim>
@@ -154,7 +161,11 @@ Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
                                const StepObserver& observer) {
   try {
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
-    if (state && !state->slides) return std::move(*state);
+    if (state && state->lifts_off) open_what_pulls(state->contacts);
+    if (state && !state->slides) {
+      if (is_held_by_friction_) check_that_contact_holds();
+      return std::move(*state);
+    }
     if (state)
       if (const auto stop = sliding_stop(level_, *state, problem_, scales_)) return *stop;
     return stop_at_limit(Outcome::active_set_limit, settings.max_active_set_steps + 1.,
@@ -183,15 +194,31 @@ void Equilibrium<dim>::check_that_loads_close() {
   }
 }
 
-/// @throws base::InputError if a body moves freely since a contact is open
+/// Opens the contacts that only a node holds which pulls.
+/// @throws base::InputError since a body moves freely then
+template <int dim>
+void Equilibrium<dim>::open_what_pulls(const std::vector<ContactState>& contacts) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (std::size_t row = 0; row < contacts[i].pressure.size(); ++row)
+      if (contacts[i].pressure[row] < 0.) level_.interfaces[i].status[row] = NodeStatus::open;
+  check_that_contact_holds();
+}
+
+/// @throws base::InputError if a body moves freely since contacts have opened
 template <int dim>
 void Equilibrium<dim>::check_that_contact_holds() const {
-  if (const auto open = open_pair(level_);
-      open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
+  const auto open = open_pair(level_);
+  if (!open && !is_held_by_friction_) return;  // others are held as long as they touch
+  if (!has_free_motion(level_, problem_, TakenAsClosed::active_nodes)) return;
+  if (open)
     throw base::InputError(
         fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
                     "check the direction of the load",
                     quoted(problem_.pairs[*open])));
+  throw base::InputError(free_motion(level_, problem_, TakenAsClosed::active_nodes) +
+                         " under the load, over what is left of its contact: it tips or rolls; "
+                         "check the place and the "
+                         "direction of the load, or add a support");
 }
 
 template <int dim>

@@ -96,10 +96,12 @@ class Equilibrium {
 
  private:
   void make_level(const State<dim>& state);
+  void tell_what_holds();
   void set_load(const Load& load);
   Solved solve(const State<dim>& from, const Settings& settings, const StepObserver& observer);
   void check_that_loads_close();
   void check_that_contact_holds() const;
+  void open_what_pulls(const std::vector<ContactState>& contacts);
 
   MPI_Comm communicator_;
   mesh::MeshData<dim> coarse_;
@@ -111,6 +113,7 @@ class Equilibrium {
   std::size_t n_unknowns_ = 0;
   bool is_held_by_friction_ = false;     ///< see Level
   std::vector<bool> holds_by_friction_;  ///< see Level
+  std::vector<bool> holds_by_contact_;   ///< see Level
   Load load_;                            ///< of the level
   Level<dim> level_;
 };

@@ -218,6 +218,8 @@ Level<dim> make_level(const dealii::DoFHandler<dim>& dof_handler, const mesh::Me
   level.hanging_nodes = hanging_nodes(dof_handler, level.ghosts);
   level.hanging_lines = hanging_lines(dof_handler, level.hanging_nodes, level.boundary);
   level.hanging = make_constraints(level.hanging_nodes, level.hanging_lines);
+  level.holds_by_friction.assign(level.interfaces.size(), false);
+  level.holds_by_contact.assign(level.interfaces.size(), false);
   set_load(level, dof_handler, mesh, scaled_problem);
   return level;
 }

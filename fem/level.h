@@ -25,6 +25,7 @@ struct Level {
   bool is_factorised = false;           ///< see is_factorised()
   bool is_held_by_friction = false;     ///< a body moves freely if nothing sticks
   std::vector<bool> holds_by_friction;  ///< by interface: a body moves freely if it alone slides
+  std::vector<bool> holds_by_contact;   ///< by interface: a body moves freely if it alone is open
   std::vector<ConstraintLine> hanging_lines;  ///< of boundary dofs
   std::vector<ConstraintLine> held_lines;     ///< supports and ties
   std::set<global_dof_index> held;            ///< dofs of those lines

@@ -1,8 +1,12 @@
 #include "fem/load_path.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "base/errors.h"
 #include "fem/contact/active_set.h"
 
 namespace geneva::fem {
@@ -34,10 +38,25 @@ Instant<dim> instant_of(const Level<dim>& level, const LevelState& found, const 
                            (state.slip[row][t] - interface.slip_before_at(row)[t]);
       }
     }
+    if (before != nullptr)  // no round-off where nothing slips
+      pair.dissipated = std::max(pair.dissipated, before->pairs[i].dissipated);
+    pair.dissipated = std::max(pair.dissipated, 0.);
     pair.motions = motions_of(interface);
     instant.pairs.push_back(std::move(pair));
   }
   return instant;
+}
+
+/// @throws base::InputError naming the step
+template <int dim>
+Solved advance(Equilibrium<dim>& equilibrium, const State<dim>& from, const Problem<dim>& problem,
+               const std::size_t step, const Settings& settings, const StepObserver& observer) {
+  if (problem.steps.empty()) return equilibrium.advance(from, {}, settings, observer);
+  try {
+    return equilibrium.advance(from, problem.steps[step], settings, observer);
+  } catch (const base::InputError& error) {
+    throw base::InputError(fmt::format("load step {}: {}", step + 1, error.what()));
+  }
 }
 
 }  // namespace
@@ -48,12 +67,11 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
             std::vector<Instant<dim>>& instants) {
   const std::vector<Instant<dim>> on_last_mesh = std::exchange(instants, {});
   equilibrium.forget_slip();
-  const std::vector<Load> all_at_once(1);
-  const std::vector<Load>& steps = problem.steps.empty() ? all_at_once : problem.steps;
+  const std::size_t n_steps = std::max<std::size_t>(problem.steps.size(), 1);
   State<dim> state{start.displacement, start.history, {}, {}};
   for (std::size_t step = 0;; ++step) {
     if (step < on_last_mesh.size()) equilibrium.recall(on_last_mesh[step]);
-    Solved solved = equilibrium.advance(state, steps[step], settings, observer);
+    Solved solved = advance(equilibrium, state, problem, step, settings, observer);
     if (auto* const stop = std::get_if<Stop>(&solved)) {
       stop->step = step;
       return solved;
@@ -61,7 +79,7 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
     const LevelState& found = std::get<LevelState>(solved);
     instants.push_back(instant_of(equilibrium.level(), found, equilibrium.scales(),
                                   step == 0 ? nullptr : &instants.back()));
-    if (step + 1 == steps.size()) return solved;
+    if (step + 1 == n_steps) return solved;
     equilibrium.remember_slip(found);
     state = equilibrium.end_of_instant(std::move(state), found);
   }

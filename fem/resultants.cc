@@ -44,6 +44,16 @@ Components<dim> components(const Tensor<1, dim>& vector) {
   return result;
 }
 
+/// Traction of the friction on the source.
+template <int dim>
+Tensor<1, dim> friction_vector(const ContactRow<dim>& row, const ContactState& state,
+                               const std::size_t at) {
+  Tensor<1, dim> friction;
+  for (std::size_t t = 0; t < row.frame.tangents.size(); ++t)
+    friction += state.friction[at][t] * row.frame.tangents[t];
+  return friction;
+}
+
 /// Forces of the contact on the bodies, the hanging nodes' shares given to the nodes that they hang
 /// on.
 template <int dim>
@@ -54,14 +64,14 @@ std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
     const ContactInterface<dim>& interface = level.interfaces[i];
     for (std::size_t j = 0; j < interface.rows.size(); ++j) {
       const ContactRow<dim>& row = interface.rows[j];
-      const double pressure = state.contacts[i].pressure[j];
-      if (pressure == 0.) continue;
+      if (state.contacts[i].pressure[j] == 0.) continue;
+      const Tensor<1, dim> traction = state.contacts[i].pressure[j] * row.frame.normal +
+                                      friction_vector(row, state.contacts[i], j);
       for (unsigned int component = 0; component < dim; ++component) {
         forces[interface.source.nodes[row.node].dofs[component]] +=
-            pressure * row.weight * row.frame.normal[component];
+            row.weight * traction[component];
         for (const auto& [node, coupling] : row.coupling)
-          forces[interface.target.nodes[node].dofs[component]] -=
-              pressure * coupling * row.frame.normal[component];
+          forces[interface.target.nodes[node].dofs[component]] -= coupling * traction[component];
       }
     }
   }
@@ -110,6 +120,19 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
 }
 
 template <int dim>
+Moment<dim> friction_couple(const Solution<dim>& solution, const Level<dim>& level,
+                            const LevelState& state) {
+  Moment<dim> couple{};
+  for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
+    const std::vector<ContactRow<dim>>& rows = level.interfaces[i].rows;
+    for (std::size_t j = 0; j < rows.size(); ++j)
+      couple += moment_of<dim>(rows[j].initial_gap * rows[j].frame.normal,
+                               friction_vector(rows[j], state.contacts[i], j));
+  }
+  return couple * solution.scales.force() * solution.scales.length;
+}
+
+template <int dim>
 AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& level) {
   Tensor<1, dim> sum;
   Moment<dim> moment{};
@@ -133,6 +156,8 @@ AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& l
 }
 
 template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&, const LevelState&);
+template Moment<2> friction_couple(const Solution<2>&, const Level<2>&, const LevelState&);
+template Moment<3> friction_couple(const Solution<3>&, const Level<3>&, const LevelState&);
 template AppliedLoad<2> applied_load(const Solution<2>&, const Level<2>&);
 template std::vector<Reaction<3>> reactions(const Solution<3>&, const Level<3>&, const LevelState&);
 template AppliedLoad<3> applied_load(const Solution<3>&, const Level<3>&);

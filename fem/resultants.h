@@ -14,6 +14,12 @@ template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
                                      const LevelState& state);
 
+/// Couple of the friction, which acts on either surface where it is undeformed, with the initial
+/// gap between them for an arm [N m].
+template <int dim>
+Moment<dim> friction_couple(const Solution<dim>& solution, const Level<dim>& level,
+                            const LevelState& state);
+
 /// Resultant of body forces and surface loads [N] and its moment about the origin [N m].
 template <int dim>
 struct AppliedLoad {

@@ -17,7 +17,7 @@ namespace {
 
 /// Eigenvalues of the constraints' Gram matrix below this share of the maximum one mean a free
 /// motion.
-constexpr double free_motion = 1e-12;
+constexpr double free_share = 1e-12;
 
 template <int dim>
 bool is_axisymmetric(const Problem<dim>& problem) {
@@ -108,11 +108,13 @@ Eigen::VectorXd contact_row(const ContactInterface<dim>& interface, const Contac
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
 /// @param sliding the one without friction; may be null
+/// @param open the one that is not closed at all; may be null
 template <int dim>
 std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
                                              const RigidMotions<dim>& motions,
                                              const TakenAsClosed closed,
-                                             const ContactInterface<dim>* const sliding) {
+                                             const ContactInterface<dim>* const sliding,
+                                             const ContactInterface<dim>* const open) {
   std::vector<Eigen::VectorXd> rows;
   for (const ConstraintLine& line : level.held_lines) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(motions.size());
@@ -120,7 +122,8 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
     for (const auto& [dof, coefficient] : line.entries) motions.add(dof, -coefficient, row);
     rows.push_back(row);
   }
-  for (const ContactInterface<dim>& interface : level.interfaces)
+  for (const ContactInterface<dim>& interface : level.interfaces) {
+    if (&interface == open) continue;
     for (std::size_t i = 0; i < interface.rows.size(); ++i) {
       if (closed == TakenAsClosed::active_nodes && !is_closed(interface.status[i])) continue;
       const ContactFrame<dim>& frame = interface.rows[i].frame;
@@ -132,21 +135,23 @@ std::vector<Eigen::VectorXd> constraint_rows(const Level<dim>& level,
       for (const dealii::Tensor<1, dim>& tangent : frame.tangents)
         rows.push_back(contact_row(interface, interface.rows[i], tangent, motions));
     }
+  }
   return rows;
 }
 
 template <int dim>
 mesh::Eigenpairs gram_eigenpairs(const Level<dim>& level, const RigidMotions<dim>& motions,
                                  const TakenAsClosed closed,
-                                 const ContactInterface<dim>* const sliding = nullptr) {
+                                 const ContactInterface<dim>* const sliding = nullptr,
+                                 const ContactInterface<dim>* const open = nullptr) {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
-  for (const Eigen::VectorXd& row : constraint_rows(level, motions, closed, sliding))
+  for (const Eigen::VectorXd& row : constraint_rows(level, motions, closed, sliding, open))
     gram += row * row.transpose();
   return mesh::symmetric_eigenpairs(gram);
 }
 
 bool is_free(const mesh::Eigenpairs& eigen) {
-  return eigen.values(0) <= free_motion * eigen.values.maxCoeff();
+  return eigen.values(0) <= free_share * eigen.values.maxCoeff();
 }
 
 }  // namespace
@@ -158,10 +163,25 @@ bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem,
 }
 
 template <int dim>
+std::string free_motion(const Level<dim>& level, const Problem<dim>& problem,
+                        const TakenAsClosed closed) {
+  const RigidMotions<dim> motions(level, problem);
+  return motions.describe(gram_eigenpairs(level, motions, closed).vectors.col(0), problem);
+}
+
+template <int dim>
 bool is_held_by_friction(const Level<dim>& level, const Problem<dim>& problem,
                          const ContactInterface<dim>& interface) {
   return is_free(gram_eigenpairs(level, RigidMotions<dim>(level, problem), TakenAsClosed::all_nodes,
                                  &interface));
+}
+
+template <int dim>
+bool is_held_by_contact(const Level<dim>& level, const Problem<dim>& problem,
+                        const ContactInterface<dim>& interface) {
+  const ContactInterface<dim>* const none = nullptr;
+  return is_free(gram_eigenpairs(level, RigidMotions<dim>(level, problem), TakenAsClosed::all_nodes,
+                                 none, &interface));
 }
 
 template <int dim>
@@ -177,8 +197,12 @@ void check_rigid_motions(const Level<dim>& level, const Problem<dim>& problem) {
 
 template bool has_free_motion(const Level<2>&, const Problem<2>&, TakenAsClosed);
 template bool has_free_motion(const Level<3>&, const Problem<3>&, TakenAsClosed);
+template std::string free_motion(const Level<2>&, const Problem<2>&, TakenAsClosed);
+template std::string free_motion(const Level<3>&, const Problem<3>&, TakenAsClosed);
 template bool is_held_by_friction(const Level<2>&, const Problem<2>&, const ContactInterface<2>&);
 template bool is_held_by_friction(const Level<3>&, const Problem<3>&, const ContactInterface<3>&);
+template bool is_held_by_contact(const Level<2>&, const Problem<2>&, const ContactInterface<2>&);
+template bool is_held_by_contact(const Level<3>&, const Problem<3>&, const ContactInterface<3>&);
 template void check_rigid_motions(const Level<2>&, const Problem<2>&);
 template void check_rigid_motions(const Level<3>&, const Problem<3>&);
 

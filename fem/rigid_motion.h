@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "fem/level.h"
 #include "fem/problem/problem.h"
 
@@ -17,10 +19,19 @@ enum class TakenAsClosed {
 template <int dim>
 bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
 
+/// "body 'pin' can rotate freely", of the body that moves most.
+template <int dim>
+std::string free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
+
 /// Whether a body is free to move rigidly if one pair has no friction, and all others stick.
 template <int dim>
 bool is_held_by_friction(const Level<dim>& level, const Problem<dim>& problem,
                          const ContactInterface<dim>& interface);
+
+/// Whether a body is free to move rigidly if one pair is open, and all others are closed.
+template <int dim>
+bool is_held_by_contact(const Level<dim>& level, const Problem<dim>& problem,
+                        const ContactInterface<dim>& interface);
 
 /// Checks that supports, ties and contact pairs leave no body free to move rigidly, taking every
 /// contact that could close as closed.

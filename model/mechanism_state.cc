@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/errors.h"
 #include "loads/design/johnson.h"
 #include "loads/pi.h"
@@ -36,6 +38,18 @@ double inertia_used(const MechanismCase& mechanism, const std::optional<double> 
         "geometry' or give a value",
         mechanism.dimensions.stations));
   return loads::johnson_wheel_inertia(*k5, mechanism.wheel.density, wheel_diameter);
+}
+
+/// The mirror image about the slot's axis: turns and moments about the wheel's axis change their
+/// sign, and the walls their parts; what slides along the slot does not.
+loads::PinLoad mirrored(loads::PinLoad load) {
+  for (double* const value : {&load.wheel_angle, &load.wheel_speed, &load.wheel_acceleration,
+                              &load.pin_turn_speed, &load.moment, &load.force})
+    *value = -*value;
+  std::swap(load.slip_driving, load.slip_braking);
+  if (load.wall != loads::Wall::none)
+    load.wall = load.wall == loads::Wall::driving ? loads::Wall::braking : loads::Wall::driving;
+  return load;
 }
 
 void refuse_braking(const loads::PinLoad& load, const MechanismDynamics& dynamics) {
@@ -77,6 +91,7 @@ MechanismState mechanism_state(const MechanismCase& mechanism) {
   MechanismState state{mechanism_dynamics(mechanism), {}, 0.};
   const double angle = analysed_angle(mechanism, state.driven, state.train);
   state.load = loads::pin_load(state.driven.at_engaged_angle(angle), state.train);
+  if (mechanism.is_mirrored) state.load = mirrored(state.load);
   if (state.load.force <= 0.) refuse_braking(state.load, state);
   // What a roller's friction carries of the moment is not in the contact with the wall.
   const double arm =

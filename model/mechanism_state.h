@@ -21,7 +21,7 @@ struct MechanismDynamics {
   std::optional<double> inertia_from_geometry;  ///< [kg m^2]; none without a drawn wheel
 };
 
-/// A mechanism at the analysed driver angle.
+/// A mechanism at the analysed driver angle; of a mirrored case its mirror image.
 struct MechanismState : MechanismDynamics {
   loads::PinLoad load;
   double expected_bore_torque;  ///< J_L a + M_f + M_e [N m]

@@ -165,6 +165,19 @@ std::string greater_force(const MechanismState& state) {
       angle / loads::degree, 100. * excess, excess < 0.1 ? 1 : 0);
 }
 
+/// That the analysed angle is one at which slot friction turns round, if it is.
+std::string friction_reversal(const MechanismCase& mechanism, const MechanismState& state) {
+  constexpr double at_rest = 1e-6;
+  const loads::PinLoad& load = state.load;
+  const double speed = 0.5 * state.sizes.pin_diameter * std::abs(load.pin_turn_speed);
+  if (mechanism.slot_friction == 0. || mechanism.roller) return "";
+  if (std::abs(load.slip_speed) > at_rest * speed) return "";
+  return fmt::format(
+      "at {:.6g} deg the pin's sliding on the wall turns round, and the pin force jumps with its "
+      "friction: what is analysed is one side of the jump ('geneva kinematics' shows both)",
+      load.driver_angle / loads::degree);
+}
+
 }  // namespace
 
 template <int dim>
@@ -181,8 +194,9 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given, mesh::Mesh
   if (given.mechanism) {
     model.mechanism = mechanism_state(*given.mechanism);
     model.notices = notices_of(*given.mechanism, given.units);
-    if (const std::string notice = greater_force(*model.mechanism); !notice.empty())
-      model.notices.push_back(notice);
+    for (const std::string& notice :
+         {greater_force(*model.mechanism), friction_reversal(*given.mechanism, *model.mechanism)})
+      if (!notice.empty()) model.notices.push_back(notice);
     const MechanismState& state = *model.mechanism;
     const ContactGeometry geometry = contact_geometry(*given.mechanism, state);
     on_rank_zero(

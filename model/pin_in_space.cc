@@ -98,7 +98,7 @@ loads::PinClearance pin_clearance(const MechanismCase& mechanism, const Mechanis
   const double half = state.sizes.thickness / 2.;
   loads::PinClearance clearance;
   clearance.profile = profile_of(mechanism, state);
-  clearance.tilt = pin.tilt;
+  clearance.tilt = mechanism.is_mirrored ? -pin.tilt : pin.tilt;
   clearance.wall_half = half;
   clearance.wall_edge = pin.slot_edge;
   const Hold hold = mechanism.pin_holding.hold;

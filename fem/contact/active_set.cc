@@ -97,6 +97,22 @@ std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface) {
   return status;
 }
 
+template <int dim>
+std::optional<std::size_t> first_ahead(const ContactInterface<dim>& interface,
+                                       const ContactState& state,
+                                       const dealii::Tensor<1, dim>& direction) {
+  std::optional<std::size_t> first;
+  double shortest = std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < interface.rows.size(); ++i) {
+    const double rate = closing_rate(interface.rows[i], direction);
+    if (is_closed(interface.status[i]) || rate <= minimum_closing_rate) continue;
+    if (state.gap[i] / rate >= shortest) continue;
+    shortest = state.gap[i] / rate;
+    first = i;
+  }
+  return first;
+}
+
 std::vector<NodeStatus> inherited(const ContactInterface<2>& interface,
                                   const std::vector<ContactInterval>& intervals,
                                   const double length) {
@@ -239,6 +255,10 @@ std::vector<Components<dim>> next_sliding(const ContactInterface<dim>& interface
 
 template bool is_pulled_apart(const ContactInterface<2>&);
 template bool is_pulled_apart(const ContactInterface<3>&);
+template std::optional<std::size_t> first_ahead(const ContactInterface<2>&, const ContactState&,
+                                                const dealii::Tensor<1, 2>&);
+template std::optional<std::size_t> first_ahead(const ContactInterface<3>&, const ContactState&,
+                                                const dealii::Tensor<1, 3>&);
 template std::vector<NodeStatus> first_touch(const ContactInterface<2>&);
 template std::vector<NodeStatus> updated(const ContactInterface<2>&, const ContactState&);
 template std::vector<NodeMotion<2>> motions_of(const ContactInterface<2>&);

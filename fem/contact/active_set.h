@@ -2,6 +2,8 @@
 
 #include <deal.II/base/point.h>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "fem/contact/contact_result.h"
@@ -18,6 +20,13 @@ std::vector<NodeStatus> first_touch(const ContactInterface<dim>& interface);
 /// that is small beside the surface.
 template <int dim>
 bool is_pulled_apart(const ContactInterface<dim>& interface);
+
+/// The open row that touches first where the source moves on along a unit vector; nothing if none
+/// lies ahead.
+template <int dim>
+std::optional<std::size_t> first_ahead(const ContactInterface<dim>& interface,
+                                       const ContactState& state,
+                                       const dealii::Tensor<1, dim>& direction);
 
 /// The rows within the contact that the coarser mesh found, or first_touch if there is none.
 /// @param intervals of the coarser mesh's contact [m]

@@ -90,6 +90,14 @@ Tangential tangential(const ContactFrame<dim>& frame, const dealii::Tensor<1, di
   return result;
 }
 
+/// Without displacement and traction, which give the constants of the law's linear equations.
+template <int dim>
+NodeContact<dim> undisplaced(const ContactInterface<dim>& interface, const std::size_t at) {
+  NodeContact<dim> node{interface.status[at], {}, {}, interface.sliding_at(at)};
+  for (std::size_t t = 1; t < dim; ++t) node.gap[t] = -interface.slip_before_at(at)[t - 1];
+  return node;
+}
+
 /// Of the components that no support holds.
 template <int dim>
 double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
@@ -104,13 +112,32 @@ double pressure_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
   return normal_square > 0. ? force / (row.weight * normal_square) : 0.;
 }
 
-/// Of the components that no support holds.
 template <int dim>
-Tangential friction_of(const SurfaceNode<dim>& node, const ContactRow<dim>& row,
-                       const SurfaceForces& forces, const std::set<global_dof_index>& held) {
+bool is_held(const SurfaceNode<dim>& node, const std::set<global_dof_index>& held) {
+  return std::any_of(node.dofs.begin(), node.dofs.end(),
+                     [&](const global_dof_index dof) { return held.count(dof) > 0; });
+}
+
+/// What the law's equations bind to the pressure.
+template <int dim>
+Tangential bound_friction(const ContactEquations<dim>& equations, const double pressure) {
+  Tangential friction{};
+  for (std::size_t t = 1; t < dim; ++t) friction[t - 1] = -equations.by_traction[t][0] * pressure;
+  return friction;
+}
+
+/// Where a support holds a component of the node, its force cannot be told from friction there.
+template <int dim>
+Tangential friction_of(const ContactInterface<dim>& interface, const std::size_t at,
+                       const double pressure, const SurfaceForces& forces,
+                       const std::set<global_dof_index>& held) {
+  const ContactRow<dim>& row = interface.rows[at];
+  const SurfaceNode<dim>& node = interface.source.nodes[row.node];
+  if (is_held(node, held))
+    return bound_friction<dim>(interface.law->equations(undisplaced(interface, at)), pressure);
   dealii::Tensor<1, dim> force;
   for (unsigned int component = 0; component < dim; ++component)
-    if (held.count(node.dofs[component]) == 0) force[component] = forces(node.dofs[component]);
+    force[component] = forces(node.dofs[component]);
   return tangential(row.frame, force / row.weight);
 }
 
@@ -157,10 +184,7 @@ ContactLines contact_lines(const ContactInterface<dim>& interface,
   ContactLines lines;
   for (std::size_t i = 0; i < interface.rows.size(); ++i) {
     const ContactRow<dim>& row = interface.rows[i];
-    // the equations are linear: they are taken without displacements and tractions
-    NodeContact<dim> undisplaced{interface.status[i], {}, {}, interface.sliding_at(i)};
-    for (std::size_t t = 1; t < dim; ++t) undisplaced.gap[t] = -interface.slip_before_at(i)[t - 1];
-    const auto equations = interface.law->equations(undisplaced);
+    const auto equations = interface.law->equations(undisplaced(interface, i));
     for (const Constraint<dim>& constraint : constraints_of(row, equations)) {
       const int pivot = pivot_component(constraint.direction, constraint.force_direction,
                                         interface.source.nodes[row.node], held);
@@ -192,7 +216,8 @@ ContactState evaluate(const ContactInterface<dim>& interface, const Vector& disp
     state.approach = std::max(state.approach, std::abs(row.frame.normal * relative));
     state.slip.push_back(tangential(row.frame, relative));
     state.pressure.push_back(touches ? pressure_of(node, row, forces, held) : 0.);
-    state.friction.push_back(touches ? friction_of(node, row, forces, held) : Tangential{});
+    state.friction.push_back(
+        touches ? friction_of(interface, i, state.pressure.back(), forces, held) : Tangential{});
   }
   return state;
 }

@@ -121,6 +121,7 @@ struct Load {
   std::vector<double> surface_loads;  ///< by surface load
   std::vector<double> ties;           ///< by tie, of its force
   std::vector<double> supports;       ///< by support, of its prescribed displacements
+  double time = 0.;                   ///< of the instant [s]; for the reader alone
 };
 
 /// An elastic problem with contact or without, in the plane or in 3-D, all by name, SI units.

@@ -111,7 +111,11 @@ struct MechanismCase {
   CaseMaterial wheel;
   PinHolding pin_holding;
   std::optional<PinCase> space;     ///< none with Dimension = 2
+  std::optional<int> instants;      ///< of a cycle, over each engagement; none: as many as needed
   std::optional<double> pin_force;  ///< [N] in place of the motion's; not of the case file
+  /// The mirror image about the slot's axis, in which the braking wall is the driving one; not of
+  /// the case file.
+  bool is_mirrored = false;
   DesignCase design;
 };
 

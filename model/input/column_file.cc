@@ -86,7 +86,7 @@ std::array<std::vector<double>, 2> read_two_columns(const std::filesystem::path&
   ColumnReader reader(columns, example);
   std::string line;
   for (int line_number = 1; std::getline(stream, line); ++line_number) {
-    line = trimmed(line);
+    line = trimmed(line_number == 1 ? without_byte_order_mark(line) : line);
     if (line.empty() || line.front() == '#') continue;
     try {
       reader.read(line);

@@ -323,6 +323,8 @@ void read_steps(const CaseSection& section, const fs::path& directory, fem::Prob
   problem.steps.assign(
       steps.factors.size(),
       {{}, ones(problem.loads.size()), ones(problem.ties.size()), ones(problem.supports.size())});
+  for (std::size_t step = 0; step < steps.times.size(); ++step)
+    problem.steps[step].time = steps.times[step];
   for (std::size_t column = 0; column < steps.loads.size(); ++column) {
     bool is_found = false;
     const auto set = [&](std::vector<double> fem::Load::*const shares, const std::size_t place) {

@@ -322,6 +322,8 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.load = {read_load_inertia(section), section.value("Friction moment")};
   result.external_torque = section.value("External torque");
   result.slot_friction = section.value("Slot friction");
+  if (const auto instants = section.optional_value("Instants"))
+    result.instants = static_cast<int>(*instants);
   result.roller = read_roller(section);
   if (result.roller) result.bore_clearance = section.optional_value("Roller bore clearance");
   if (!result.roller) check_no_stud(values);

@@ -196,4 +196,9 @@ std::string trimmed(const std::string& text) {
   return text.substr(begin, text.find_last_not_of(white) - begin + 1);
 }
 
+std::string without_byte_order_mark(const std::string& text) {
+  const std::string mark = "\xEF\xBB\xBF";
+  return text.rfind(mark, 0) == 0 ? text.substr(mark.size()) : text;
+}
+
 }  // namespace geneva::model

@@ -80,4 +80,7 @@ std::vector<std::string> split_list(const std::string& text);
 /// Without white space at the ends.
 std::string trimmed(const std::string& text);
 
+/// Without the three bytes that spreadsheets put before UTF-8.
+std::string without_byte_order_mark(const std::string& text);
+
 }  // namespace geneva::model

@@ -9,6 +9,13 @@ namespace geneva::model {
 
 namespace {
 
+/// May be left empty.
+QuantityRule whole_or_nothing(const double lower, const double upper, const std::string& text) {
+  QuantityRule rule = whole(lower, upper, text);
+  rule.words = {""};
+  return rule;
+}
+
 using base::Dimension;
 
 void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
@@ -281,6 +288,9 @@ std::vector<Parameter> inertia_parameters() {
        "Moment on the wheel's axis against its motion."},
       {section, "External torque", "0 N.m", quantity(Dimension::moment),
        "Torque of the driven machine on the wheel's axis, against its motion; negative: with it."},
+      {section, "Instants", "", whole_or_nothing(3., 1e4, "from 3 to 10000, or nothing"),
+       "Of 'geneva cycle', at equal steps of time over each engagement, from entry to exit. Empty: "
+       "as many as the pin force needs, and those at which force, pressure or slip is greatest."},
       {section, "Slot friction", "0", quantity(Dimension::dimensionless, zero_or_greater()),
        "Coefficient of friction between slot wall and a pin that is fixed to its carrier, in the "
        "pin "
@@ -436,10 +446,8 @@ std::vector<Parameter> quick_return_parameters() {
   const SectionPath section{names::synthesis};
   const std::string only = " Only with Kind = quick return.";
   const Range speed{0., 1e6, false, true, "greater than 0 and at most 1e6 rad/s"};
-  QuantityRule stations = whole(3, 24, "from 3 to 24");
-  stations.words = {""};
   return {
-      {section, "Stations", "", stations,
+      {section, "Stations", "", whole_or_nothing(3, 24, "from 3 to 24"),
        "Number z of stations of the Geneva wheel that is replaced." + only},
       {section, "Maximum wheel speed", "", quantity(Dimension::angular_speed, speed, {""}),
        "Maximum angular speed of the rocker, which is that of the Geneva wheel." + only},

@@ -162,7 +162,7 @@ std::vector<ContactColumn> step_columns(const fem::Solution<dim>& solution, cons
                                         const UnitSystem units) {
   const OutputUnit force = output_unit(units, Dimension::force);
   const std::array<const char*, 3> axes{"x", "y", "z"};
-  std::vector<ContactColumn> columns{{"step", "", {}}};
+  std::vector<ContactColumn> columns{{"step", "", {}}, {"time", "s", {}}};
   for (const char* const name : {"force_", "friction_force_"})
     for (std::size_t i = 0; i < dim; ++i)
       columns.push_back({std::string(name) + axes[i], force.name, {}});
@@ -170,7 +170,7 @@ std::vector<ContactColumn> step_columns(const fem::Solution<dim>& solution, cons
                  {{"dissipated", "J", {}}, {"sticking_nodes", "", {}}, {"slipping_nodes", "", {}}});
   for (std::size_t step = 0; step < solution.instants.size(); ++step) {
     const fem::PairAtInstant<dim>& at = solution.instants[step].pairs[pair];
-    std::vector<double> row{static_cast<double>(step + 1)};
+    std::vector<double> row{static_cast<double>(step + 1), solution.problem.steps[step].time};
     for (const double component : at.force) row.push_back(component * force.factor);
     for (const double component : at.friction_force) row.push_back(component * force.factor);
     row.insert(row.end(),

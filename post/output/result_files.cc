@@ -30,6 +30,7 @@ const std::vector<ResultFiles>& result_files() {
       {"design", "geneva design", {"design"}, {}, true},
       {"crown", "geneva design --crown", {"crown"}, {}, true},
       {"optimum", "geneva optimise", {}, {"optimum.csv", "optimum.prm"}, true},
+      {"cycle", "geneva cycle", {}, {"cycle.csv"}, true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};
   return files;

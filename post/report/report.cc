@@ -12,6 +12,7 @@
 #include "post/report/report_assets.h"
 #include "post/report/sections/comparison_section.h"
 #include "post/report/sections/crown_section.h"
+#include "post/report/sections/cycle_section.h"
 #include "post/report/sections/estimate_section.h"
 #include "post/report/sections/field_section.h"
 #include "post/report/sections/mechanism_section.h"
@@ -88,6 +89,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
   if (results.document("optimum") != nullptr) append(optimum_part(results));
+  if (results.document("cycle") != nullptr) append(cycle_part(results));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));

@@ -2,6 +2,8 @@
 
 import csv
 import math
+import random
+import re
 
 import geneva_cli
 from geneva_cli import CliTest, change_case, look_up, number
@@ -293,11 +295,12 @@ class StickAndSlip(CliTest):
             self.assertAlmostEqual(float(other["friction_force_x"]), float(one["friction_force_x"]), delta=1e-7)
             self.assertEqual(other["sticking_nodes"], one["sticking_nodes"])
 
-    def incline(self, along):
-        directory = self.directory / f"incline{along}"
+    def incline(self, along, changes=None):
+        directory = self.directory / f"incline{along}-{len(list(self.directory.iterdir()))}"
         directory.mkdir()
         (directory / "case.prm").write_text(INCLINE.format(along=along))
         (directory / "geometry.geo").write_text(BLOCKS)
+        change_case(directory, changes or {})
         return self.geneva("run", directory), directory
 
     def test_a_block_stays_on_an_incline_up_to_the_angle_of_friction(self):
@@ -309,6 +312,54 @@ class StickAndSlip(CliTest):
         self.assertEqual(run.code, 2, run.describe())
         for words in ("everything slides", "6.02 N", "allows 6 N", "Friction coefficient"):
             self.assertIn(words, run.err)
+
+    def test_little_friction_and_soft_bodies_hold_as_well(self):
+        """Where the corners slip outwards and the nodes between them stick one after the other."""
+        for seed in range(12):
+            draw = random.Random(seed)
+            friction = 10**draw.uniform(-2.5, -0.7)
+            along = draw.choice([-1, 1]) * friction * 100 * draw.choice([0.3, 0.6, 0.97, 0.999])
+            run, case = self.incline(
+                along, {
+                    "Geometry/Friction coefficient": friction,
+                    "Geometry/Body block/Young's modulus": f"{210 * 10**draw.uniform(-3, 0)} GPa",
+                    "Geometry/Body block/Poisson's ratio": draw.uniform(0, 0.49)
+                })
+            self.assertIn(run.code, (0, 2), run.describe())
+            self.assertNotIn("did not settle", run.err)
+            self.assert_close(look_up(geneva_cli.read_summary(case / "results"), "contact.friction.force.value"),
+                              abs(along) / 5, 1e-6, f"{friction} {along}")
+
+    def test_a_block_that_tips_is_named(self):
+        run, _ = self.incline(250, {"Geometry/Friction coefficient": 5})
+        self.assertEqual(run.code, 1, run.describe())
+        self.assertIn("body 'block' can rotate freely", run.err)
+        self.assertIn("tips", run.err)
+
+    def test_a_load_step_that_lifts_a_body_is_named(self):
+        case = self.case("lifted", "0", [0])
+        (case / "steps.csv").write_text("time [s], cylinder core\n0, 1\n1, -1\n")
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 1, run.describe())
+        self.assertIn("load step 2", run.err)
+        self.assertIn("apart", run.err)
+
+    def assert_balanced(self, summary, below):
+        for check in summary["checks"]:
+            if check["name"].startswith("balance"):
+                self.assertLess(check["value"], below, check["name"])
+
+    def test_friction_across_a_gap_is_in_balance(self):
+        """Friction acts on either surface where it is undeformed, with the gap for an arm."""
+        case = self.case("gap", "4.5e-5", [0, 1])
+        geometry = (case / "geometry.geo").read_text()
+        (case / "geometry.geo").write_text(re.sub(r"(Point\(1\d\d\) = \{[^,]*, )", r"\g<1>0.05 + ", geometry))
+        self.assert_balanced(self.run_case(case), 1e-6)
+
+    def test_friction_of_a_node_that_a_support_holds_acts_on_both_bodies(self):
+        case = self.copy_case("flat-patch")
+        change_case(case, {"Geometry/Friction coefficient": 0.1})
+        self.assert_balanced(self.run_case(case), 1e-9)
 
     def test_wrong_input_is_named(self):
         case = self.case("wrong", "1e-5", [0, 1])

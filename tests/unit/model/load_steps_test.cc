@@ -92,6 +92,20 @@ TEST(LoadSteps, AreRefusedWhereALoadIsUnknown) {
   }
 }
 
+TEST(LoadSteps, KnowTheirTimesInAnyUnit) {
+  const fem::Problem<2> problem =
+      problem_of(WithSteps("\xEF\xBB\xBFtime [ms], core\n0, 1\n2.5, 2\n"));
+  ASSERT_EQ(problem.steps.size(), 2U) << "with the mark that spreadsheets write";
+  EXPECT_DOUBLE_EQ(problem.steps[1].time, 2.5e-3);
+}
+
+TEST(LoadSteps, AreRefusedWhereALoadAndAComponentOfItAreGiven) {
+  const std::string text = WithSteps("time [s], top x, top\n0, 1, 1\n").refusal();
+  EXPECT_NE(text.find("'top x' a component of it"), std::string::npos) << text;
+  EXPECT_NE(WithSteps("time [m], core\n0, 1\n").refusal().find("steps.csv, line 1"),
+            std::string::npos);
+}
+
 TEST(LoadSteps, AreRefusedWithFileAndLine) {
   EXPECT_NE(WithSteps("time [s], core\n0, 1\n0, 2\n").refusal().find("steps.csv, line 3"),
             std::string::npos);

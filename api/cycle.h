@@ -1,0 +1,38 @@
+#pragma once
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "api/case.h"
+#include "api/written.h"
+#include "post/output/cycle_output.h"
+
+namespace geneva {
+
+namespace mesh {
+class Mesher;
+}
+
+/// A mechanism over its engagements.
+struct Cycle {
+  Case given;
+  bool is_converged;  ///< whether every instant has the accuracy that the case asks for
+  post::CycleReport report;
+};
+
+/// Solves the contact at the instants that stand for the engagements, on whichever wall carries;
+/// the ranks share the instants.
+/// @param mesher already started, on rank 0; may be null
+/// @param tell after an instant, on the rank that solved it; may be empty
+/// @throws InputError if the case is no mechanism, or nothing ever presses
+Cycle cycle(
+    const Case& given, MPI_Comm communicator, mesh::Mesher* mesher,
+    const std::function<void(const post::CyclePoint&, std::size_t done, std::size_t of)>& tell);
+
+/// Writes cycle.json, cycle.csv and the report.
+/// @throws InputError if the directory cannot be written; it is then as it was
+Written write(const Cycle& cycle, const std::filesystem::path& directory);
+
+}  // namespace geneva

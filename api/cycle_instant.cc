@@ -1,0 +1,97 @@
+#include "api/cycle_instant.h"
+
+#include <deal.II/base/timer.h>
+
+#include <cmath>
+
+#include "api/analysis_notices.h"
+#include "api/mechanism_results.h"
+#include "fem/contact_problem.h"
+#include "model/contact_geometry.h"
+#include "model/model.h"
+#include "model/naming.h"
+#include "post/analysis/hertz_objection.h"
+#include "post/analysis/results.h"
+#include "post/analysis/strength_rows.h"
+
+namespace geneva::api {
+
+namespace {
+
+/// The case at an instant, with the wall that carries then as the driving one.
+Case case_at(const Case& given, const loads::PinLoad& load) {
+  Case result = given;
+  result.mechanism->angle_kind = model::MechanismCase::AngleKind::given;
+  result.mechanism->driver_angle = load.driver_angle;
+  result.mechanism->is_mirrored = load.wall == loads::Wall::braking;
+  return result;
+}
+
+template <int dim>
+std::vector<post::CycleStress> stresses_of(const fem::Solution<dim>& solution) {
+  std::vector<post::CycleStress> stresses;
+  for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
+    if (stress.is_bounded)
+      stresses.push_back({stress.body, stress.name, stress.maximum.value,
+                          stress.maximum.total_error(), stress.where});
+  return stresses;
+}
+
+double half_width_of(const fem::Solution<2>& solution) {
+  return solution.contacts.front().half_width;
+}
+double half_width_of(const fem::Solution<3>& solution) {
+  return post::analyse(solution).contacts.front().half_width;
+}
+
+template <int dim>
+post::CycleContact contact_of(const Case& at, const MPI_Comm communicator,
+                              mesh::Mesher* const mesher) {
+  const model::Model<dim> model = model::make_model<dim>(communicator, at, mesher);
+  const fem::Solution<dim> solution =
+      fem::solve_contact(communicator, model.mesh, model.problem, at.settings, {}, {});
+  const double sign = at.mechanism->is_mirrored ? -1. : 1.;
+  post::CycleContact contact{};
+  contact.peak_pressure = solution.contacts.front().peak_pressure;
+  contact.error = solution.error_estimate;
+  contact.half_width = half_width_of(solution);
+  if (const auto torque = bore_torque(model, *at.mechanism, solution))
+    contact.bore_torque = sign * *torque;
+  contact.expected_bore_torque = sign * model.mechanism->expected_bore_torque;
+  contact.stresses = stresses_of(solution);
+  contact.hertz_objection =
+      post::hertz_objection(solution, solution.contacts.front(), contact.half_width);
+  contact.shortfall = shortfall(solution, at.settings.accuracy);
+  return contact;
+}
+
+}  // namespace
+
+bool touches_wall(const Case& given, const loads::PinLoad& load) {
+  try {
+    const Case at = case_at(given, load);
+    model::contact_geometry(*at.mechanism, model::mechanism_state(*at.mechanism));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+void solve_instant(post::CyclePoint& point, const Case& given, const MPI_Comm communicator,
+                   mesh::Mesher* const mesher) {
+  const dealii::Timer timer;
+  try {
+    const Case at = case_at(given, point.instant.load);
+    point.contact = model::naming(at, [&] {
+      return at.dimension == 3 ? contact_of<3>(at, communicator, mesher)
+                               : contact_of<2>(at, communicator, mesher);
+    });
+    point.contact->seconds = timer.wall_time();
+  } catch (const InputError& error) {
+    point.refusal = error.what();
+  } catch (const LimitReached& error) {
+    point.refusal = error.what();
+  }
+}
+
+}  // namespace geneva::api

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <mpi.h>
+
+#include "api/case.h"
+#include "loads/motion/pin_load.h"
+#include "post/output/cycle_output.h"
+
+namespace geneva::mesh {
+class Mesher;
+}
+
+namespace geneva::api {
+
+/// Whether the pin touches the slot's wall itself, and not its end at the rim: a corner, where no
+/// pressure is bounded.
+bool touches_wall(const Case& given, const loads::PinLoad& load);
+
+/// Solves the contact at an instant, on the wall that carries, as `geneva run` does; what cannot be
+/// solved says why.
+/// @param mesher on rank 0
+void solve_instant(post::CyclePoint& point, const Case& given, MPI_Comm communicator,
+                   mesh::Mesher* mesher);
+
+}  // namespace geneva::api

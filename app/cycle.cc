@@ -1,0 +1,27 @@
+#include "app/cycle.h"
+
+#include <fmt/format.h>
+
+#include "api/cycle.h"
+#include "app/solving_command.h"
+
+namespace geneva::app {
+
+int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case_directory,
+                  const std::filesystem::path& output, mesh::Mesher* const mesher) {
+  SolvingCommand command(communicator, case_directory, output);
+  ProgressDisplay& progress = command.progress();
+  const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
+                        const std::size_t of) {
+    progress.line(
+        fmt::format("instant {} of {}: {}", done, of, post::instant_in_words(point.instant)));
+  };
+  const Cycle found = cycle(command.given(), communicator, mesher, tell);
+  for (const std::string& notice : found.report.notices) progress.line("note: " + notice);
+  progress.line("\n" + post::cycle_table(found.report, command.given().units));
+  command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
+                "cycle.json, cycle.csv and report.html");
+  return command.end(found.is_converged);
+}
+
+}  // namespace geneva::app

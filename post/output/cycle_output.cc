@@ -1,0 +1,284 @@
+#include "post/output/cycle_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "post/output/kinematics_output.h"
+
+namespace geneva::post {
+
+using base::Dimension;
+using base::output_unit;
+using base::OutputUnit;
+using base::quantity;
+using base::UnitSystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr double degrees = 180. / 3.14159265358979323846;
+
+double relative(const double value, const double to) { return to == 0. ? 0. : value / to - 1.; }
+
+json stress_json(const CycleStress& stress) {
+  return {{"body", stress.body},
+          {"quantity", stress.name},
+          {"value", quantity(stress.value, Dimension::stress)},
+          {"error", stress.error},
+          {"where", stress.where}};
+}
+
+json contact_json(const CycleContact& contact) {
+  json stresses = json::array();
+  for (const CycleStress& stress : contact.stresses) stresses.push_back(stress_json(stress));
+  return {{"peak_pressure", quantity(contact.peak_pressure, Dimension::stress)},
+          {"error", contact.error},
+          {"half_width", quantity(contact.half_width, Dimension::length)},
+          {"bore_torque",
+           contact.bore_torque ? quantity(*contact.bore_torque, Dimension::moment) : json()},
+          {"expected_bore_torque", quantity(contact.expected_bore_torque, Dimension::moment)},
+          {"stresses", stresses},
+          {"hertz_objection", contact.hertz_objection},
+          {"shortfall", contact.shortfall},
+          {"seconds", contact.seconds}};
+}
+
+json point_json(const CyclePoint& point) {
+  const loads::PinLoad& load = point.instant.load;
+  return {{"role", loads::name_of(point.instant.role)},
+          {"engagement", point.instant.engagement + 1},
+          {"time", quantity(load.time, Dimension::time)},
+          {"driver_angle", quantity(load.driver_angle, Dimension::angle)},
+          {"wall", name_of(load.wall)},
+          {"pin_force", quantity(std::abs(load.force), Dimension::force)},
+          {"pin_distance", quantity(load.pin_distance, Dimension::length)},
+          {"slip_speed", quantity(load.slip_speed, Dimension::speed)},
+          {"hertz_pressure", quantity(point.hertz_pressure, Dimension::stress)},
+          {"contact", point.contact ? contact_json(*point.contact) : json()},
+          {"refusal", point.refusal}};
+}
+
+json curve_json(const std::vector<CycleCurvePoint>& curve) {
+  json columns = {{"driver_angle", json::array()},
+                  {"pin_force", json::array()},
+                  {"hertz_pressure", json::array()},
+                  {"peak_pressure", json::array()},
+                  {"slip_speed", json::array()}};
+  for (const CycleCurvePoint& point : curve) {
+    columns["driver_angle"].push_back(point.driver_angle);
+    columns["pin_force"].push_back(point.force);
+    columns["hertz_pressure"].push_back(point.hertz_pressure);
+    columns["peak_pressure"].push_back(base::finite(point.peak_pressure));
+    columns["slip_speed"].push_back(point.slip_speed);
+  }
+  return columns;
+}
+
+json work_json(const CycleWork& work) {
+  const auto joule = [](const double value) { return quantity(value, "J"); };
+  return {{"pin", joule(work.pin)},
+          {"energy_change", joule(work.energy_change)},
+          {"driving", joule(work.driving)},
+          {"friction", joule(work.friction)},
+          {"driving_efficiency",
+           work.driving > 0. ? json(work.driving / (work.driving + work.friction)) : json()}};
+}
+
+json ranges_json(const CycleReport& report) {
+  json list = json::array();
+  for (const CycleStressRange& range : stress_ranges(report)) {
+    json entry = stress_json(range.greatest);
+    entry["driver_angle"] = quantity(range.driver_angle, Dimension::angle);
+    entry["least"] = quantity(range.least, Dimension::stress);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+/// "-9.934 deg  driving  ..."
+std::string line_of(const CyclePoint& point, const UnitSystem units) {
+  const OutputUnit force = output_unit(units, Dimension::force);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const loads::PinLoad& load = point.instant.load;
+  const std::string begin = fmt::format(
+      "{:>10.4f} {:>8} {:>12.5g} {:>14.6g}", load.driver_angle * degrees, name_of(load.wall),
+      std::abs(load.force) * force.factor, point.hertz_pressure * stress.factor);
+  const std::string role = loads::name_of(point.instant.role);
+  if (!point.contact) return fmt::format("{} {:>14} {:>10} {:>8}  {}\n", begin, "-", "", "", role);
+  const CycleContact& contact = *point.contact;
+  return fmt::format("{} {:>14.6g} {:>10} {:>+8.2f}  {}{}\n", begin,
+                     contact.peak_pressure * stress.factor,
+                     contact.error < 1. ? fmt::format("+- {:.2g} %", 100. * contact.error) : "+- ?",
+                     100. * relative(contact.peak_pressure, point.hertz_pressure), role,
+                     contact.hertz_objection.empty() ? "" : " (no Hertz: see the notes)");
+}
+
+std::string ranges_text(const CycleReport& report, const UnitSystem units) {
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  std::string text;
+  for (const CycleStressRange& range : stress_ranges(report))
+    text += fmt::format(
+        "greatest {} of the {}: {:.5g} {} +- {:.2g} % at {:.4f} deg, {}\n", range.greatest.name,
+        range.greatest.body, range.greatest.value * stress.factor, stress.name,
+        100. * range.greatest.error, range.driver_angle * degrees, range.greatest.where);
+  return text;
+}
+
+}  // namespace
+
+const CyclePoint* greatest_pressure(const CycleReport& report) {
+  const CyclePoint* greatest = nullptr;
+  for (const CyclePoint& point : report.points)
+    if (point.contact && point.contact->shortfall.empty() &&
+        (greatest == nullptr || point.contact->peak_pressure > greatest->contact->peak_pressure))
+      greatest = &point;
+  return greatest;
+}
+
+std::vector<CycleStressRange> stress_ranges(const CycleReport& report) {
+  std::vector<CycleStressRange> ranges;
+  for (const CyclePoint& point : report.points) {
+    if (!point.contact) continue;
+    for (const CycleStress& stress : point.contact->stresses) {
+      const auto range =
+          std::find_if(ranges.begin(), ranges.end(), [&](const CycleStressRange& one) {
+            return one.greatest.body == stress.body && one.greatest.name == stress.name;
+          });
+      const double angle = point.instant.load.driver_angle;
+      if (range == ranges.end()) {
+        ranges.push_back({stress, angle, stress.value});
+        continue;
+      }
+      range->least = std::min(range->least, stress.value);
+      if (stress.value <= range->greatest.value) continue;
+      range->greatest = stress;
+      range->driver_angle = angle;
+    }
+  }
+  return ranges;
+}
+
+std::string instant_in_words(const loads::CycleInstant& instant) {
+  return fmt::format("{:.6g} deg, {} wall, {}", instant.load.driver_angle * degrees,
+                     name_of(instant.load.wall), loads::name_of(instant.role));
+}
+
+std::string solved_text(const CyclePoint& point) {
+  return json{{"contact", point.contact ? contact_json(*point.contact) : json()},
+              {"refusal", point.refusal}}
+      .dump();
+}
+
+void take_over(CyclePoint& point, const std::string& solved) {
+  const json document = json::parse(solved);
+  point.refusal = document.at("refusal");
+  point.contact.reset();
+  const json& found = document.at("contact");
+  if (found.is_null()) return;
+  const auto number = [](const json& quantity) { return quantity.at("value").get<double>(); };
+  CycleContact contact{};
+  contact.peak_pressure = number(found.at("peak_pressure"));
+  contact.error = found.at("error");
+  contact.half_width = number(found.at("half_width"));
+  if (!found.at("bore_torque").is_null()) contact.bore_torque = number(found.at("bore_torque"));
+  contact.expected_bore_torque = number(found.at("expected_bore_torque"));
+  for (const json& stress : found.at("stresses"))
+    contact.stresses.push_back({stress.at("body"), stress.at("quantity"),
+                                number(stress.at("value")), stress.at("error"),
+                                stress.at("where")});
+  contact.hertz_objection = found.at("hertz_objection");
+  contact.shortfall = found.at("shortfall");
+  contact.seconds = found.at("seconds");
+  point.contact = std::move(contact);
+}
+
+json cycle_summary(const CycleReport& report) {
+  json points = json::array();
+  for (const CyclePoint& point : report.points) points.push_back(point_json(point));
+  json changes = json::array();
+  for (const double angle : report.wall_changes)
+    changes.push_back(quantity(angle, Dimension::angle));
+  const CyclePoint* const greatest = greatest_pressure(report);
+  return {{"case", base::case_section(report.about)},
+          {"versions", base::versions_section(report.geneva_version)},
+          {"mechanism", report.mechanism},
+          {"accuracy", report.accuracy},
+          {"greatest", greatest != nullptr ? point_json(*greatest) : json()},
+          {"stresses", ranges_json(report)},
+          {"instants", points},
+          {"curve", curve_json(report.curve)},
+          {"wall_changes", changes},
+          {"equal_engagements", report.left_out},
+          {"work", work_json(report.work)},
+          {"notices", report.notices},
+          {"seconds", report.seconds},
+          {"ranks", report.ranks}};
+}
+
+std::string cycle_csv(const CycleReport& report, const UnitSystem units) {
+  const auto unit = [&](const Dimension dimension) { return output_unit(units, dimension); };
+  const OutputUnit force = unit(Dimension::force);
+  const OutputUnit length = unit(Dimension::length);
+  const OutputUnit stress = unit(Dimension::stress);
+  const OutputUnit speed = unit(Dimension::speed);
+  const OutputUnit moment = unit(Dimension::moment);
+  std::string text = fmt::format(
+      "role,engagement,time [s],driver_angle [deg],wall,pin_force [{0}],pin_distance [{1}],"
+      "slip_speed [{2}],hertz_pressure [{3}],peak_pressure [{3}],error,half_width [{1}],"
+      "bore_torque [{4}],expected_bore_torque [{4}]\n",
+      force.name, length.name, speed.name, stress.name, moment.name);
+  for (const CyclePoint& point : report.points) {
+    const loads::PinLoad& load = point.instant.load;
+    text += fmt::format("{},{},{:.9g},{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},",
+                        loads::name_of(point.instant.role), point.instant.engagement + 1, load.time,
+                        load.driver_angle * degrees, name_of(load.wall),
+                        std::abs(load.force) * force.factor, load.pin_distance * length.factor,
+                        load.slip_speed * speed.factor, point.hertz_pressure * stress.factor);
+    if (!point.contact) {
+      text += ",,,,\n";
+      continue;
+    }
+    const CycleContact& contact = *point.contact;
+    text += fmt::format(
+        "{:.9g},{:.3g},{:.9g},{},{:.9g}\n", contact.peak_pressure * stress.factor, contact.error,
+        contact.half_width * length.factor,
+        contact.bore_torque ? fmt::format("{:.9g}", *contact.bore_torque * moment.factor) : "",
+        contact.expected_bore_torque * moment.factor);
+  }
+  return text;
+}
+
+std::string cycle_table(const CycleReport& report, const UnitSystem units) {
+  const OutputUnit force = output_unit(units, Dimension::force);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  std::string text =
+      fmt::format("{:>10} {:>8} {:>12} {:>14} {:>14} {:>10} {:>8}\n", "angle deg", "wall",
+                  fmt::format("force {}", force.name), fmt::format("Hertz {}", stress.name),
+                  fmt::format("peak {}", stress.name), "error", "to Hertz");
+  for (const CyclePoint& point : report.points) text += line_of(point, units);
+  for (const double angle : report.wall_changes)
+    text +=
+        fmt::format("the wall changes at {:.6g} deg, where nothing is pressed\n", angle * degrees);
+  if (const CyclePoint* const greatest = greatest_pressure(report))
+    text +=
+        fmt::format("greatest peak pressure: {:.6g} {} +- {:.2g} % at {:.4f} deg, {} wall\n",
+                    greatest->contact->peak_pressure * stress.factor, stress.name,
+                    100. * greatest->contact->error, greatest->instant.load.driver_angle * degrees,
+                    name_of(greatest->instant.load.wall));
+  text += ranges_text(report, units);
+  const CycleWork& work = report.work;
+  if (work.friction > 0.)
+    text += fmt::format("friction in the slot takes {:.4g} J of each engagement{}\n", work.friction,
+                        work.driving > 0.
+                            ? fmt::format(", {:.2f} % of what drives the wheel",
+                                          100. * work.friction / (work.driving + work.friction))
+                            : "");
+  return text;
+}
+
+}  // namespace geneva::post

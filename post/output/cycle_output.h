@@ -1,0 +1,106 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_values.h"
+#include "base/units.h"
+#include "loads/motion/cycle_instants.h"
+
+namespace geneva::post {
+
+/// A maximum stress of a body away from the contact.
+struct CycleStress {
+  std::string body;
+  std::string name;   ///< "von Mises stress" or "tensile stress"
+  double value;       ///< [Pa]
+  double error;       ///< relative
+  std::string where;  ///< in words
+};
+
+/// The contact as finite elements find it at one instant, SI units.
+struct CycleContact {
+  double peak_pressure;               ///< [Pa]
+  double error;                       ///< of that, estimated, relative
+  double half_width;                  ///< [m]
+  std::optional<double> bore_torque;  ///< [N m]; none of a block
+  double expected_bore_torque;        ///< J_L a + M_f + M_e [N m]
+  std::vector<CycleStress> stresses;
+  std::string hertz_objection;  ///< why Hertz's pressure is no reference here; may be empty
+  std::string shortfall;        ///< what was reached instead of the accuracy, and why; may be empty
+  double seconds;               ///< that it took
+};
+
+/// An instant of the cycle, SI units.
+struct CyclePoint {
+  loads::CycleInstant instant;
+  double hertz_pressure;                ///< [Pa]
+  std::optional<CycleContact> contact;  ///< none where it could not be solved
+  std::string refusal;                  ///< why there is none
+};
+
+/// Force and pressure between the instants.
+struct CycleCurvePoint {
+  double driver_angle;    ///< [rad]
+  double force;           ///< [N]; negative: on the braking wall
+  double hertz_pressure;  ///< [Pa]
+  double peak_pressure;   ///< Hertz's times what the instants around have of it [Pa]
+  double slip_speed;      ///< on the wall that carries [m/s]
+};
+
+/// What one engagement does, by quadrature over the motion, SI units.
+struct CycleWork {
+  double pin;            ///< of the pin on the wheel [J]
+  double energy_change;  ///< of wheel and load, with what friction and external torque take [J]
+  double driving;        ///< of the pin while it drives the wheel [J]
+  double friction;       ///< heat of the slot's friction [J]
+};
+
+/// A cycle of the mechanism by finite elements.
+struct CycleReport {
+  base::CaseHeader about;
+  std::string geneva_version;
+  std::string mechanism;  ///< in words
+  double accuracy;        ///< wanted of each instant, relative
+  std::vector<CyclePoint> points;
+  std::vector<CycleCurvePoint> curve;
+  std::vector<double> wall_changes;  ///< driver angles [rad]
+  std::size_t left_out;              ///< engagements like the first one
+  CycleWork work;                    ///< of the first engagement
+  std::vector<std::string> notices;
+  double seconds;
+  unsigned int ranks;
+};
+
+/// The greatest peak pressure of the instants; none if none was solved.
+const CyclePoint* greatest_pressure(const CycleReport& report);
+
+/// A maximum stress over the cycle.
+struct CycleStressRange {
+  CycleStress greatest;
+  double driver_angle;  ///< of that [rad]
+  double least;         ///< of the instants [Pa]
+};
+
+/// Of every body and stress that the instants have.
+std::vector<CycleStressRange> stress_ranges(const CycleReport& report);
+
+/// "-9.934 deg, driving wall, greatest force"
+std::string instant_in_words(const loads::CycleInstant& instant);
+
+/// What was found of a point, as text from which take_over() makes it again on another rank.
+std::string solved_text(const CyclePoint& point);
+void take_over(CyclePoint& point, const std::string& solved);
+
+/// What cycle.json says, SI units throughout.
+nlohmann::json cycle_summary(const CycleReport& report);
+
+/// What cycle.csv says: a line for each instant, the units in the headings.
+std::string cycle_csv(const CycleReport& report, base::UnitSystem units);
+
+/// The instants and what is greatest, as lines.
+std::string cycle_table(const CycleReport& report, base::UnitSystem units);
+
+}  // namespace geneva::post
