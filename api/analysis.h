@@ -16,6 +16,7 @@
 #include "fem/step_report.h"
 #include "post/analysis/check.h"
 #include "post/analysis/comparison_row.h"
+#include "post/output/nodal_fields.h"
 
 namespace geneva {
 
@@ -48,15 +49,7 @@ struct Contact {
 };
 
 /// Displacement and stress on the cells of this rank, SI units.
-struct Fields {
-  std::vector<Vector> places;                 ///< of the nodes, undeformed [m]
-  std::vector<Vector> displacements;          ///< of the nodes [m]
-  std::vector<std::array<double, 6>> stress;  ///< of the nodes: xx, yy, zz, xy, yz, zx [Pa]
-  std::vector<double> von_mises;              ///< of the nodes [Pa]
-  /// Nodes of the cells, 4 of a quadrilateral, 8 of a hexahedron, in lexicographic order.
-  std::vector<std::vector<std::size_t>> cells;
-  std::vector<unsigned int> bodies;  ///< of the cells, in the order of the coarse mesh's bodies
-};
+using Fields = post::NodalFields;
 
 /// What is told before the first mesh is solved.
 struct AnalysisStart {

@@ -1,3 +1,5 @@
+#include "api/analysis_fields.h"
+
 #include <deal.II/fe/fe_system.h>
 
 #include <map>
@@ -28,8 +30,8 @@ std::array<double, 6> components_of(const dealii::SymmetricTensor<2, 3>& stress)
 template <int dim>
 class FieldCollector {
  public:
-  explicit FieldCollector(const api::AnalysedModel<dim>& analysed)
-      : solution_(analysed.solution), stress_(analysed.results.nodal) {}
+  FieldCollector(const fem::Solution<dim>& solution, const post::NodalStress<dim>& stress)
+      : solution_(solution), stress_(stress) {}
 
   Fields collect() {
     for (const auto& cell : solution_.dof_handler->active_cell_iterators())
@@ -79,9 +81,25 @@ class FieldCollector {
 
 }  // namespace
 
+namespace api {
+
+template <int dim>
+post::NodalFields fields_of(const fem::Solution<dim>& solution,
+                            const post::NodalStress<dim>& stress) {
+  return FieldCollector<dim>(solution, stress).collect();
+}
+
+template post::NodalFields fields_of(const fem::Solution<2>&, const post::NodalStress<2>&);
+template post::NodalFields fields_of(const fem::Solution<3>&, const post::NodalStress<3>&);
+
+}  // namespace api
+
 Fields fields(const Analysis& analysis) {
-  return std::visit([](const auto& analysed) { return FieldCollector(analysed).collect(); },
-                    analysis.state->analysed);
+  return std::visit(
+      [](const auto& analysed) {
+        return api::fields_of(analysed.solution, analysed.results.nodal);
+      },
+      analysis.state->analysed);
 }
 
 }  // namespace geneva

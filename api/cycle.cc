@@ -4,9 +4,14 @@
 #include <deal.II/base/timer.h>
 #include <fmt/format.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -172,22 +177,49 @@ post::CycleWork work_of(const loads::DrivenMechanism& driven, const loads::Wheel
   return work;
 }
 
+/// Fields of an instant with its place in the list.
+struct NumberedFields {
+  std::size_t point;
+  post::CycleFields fields;
+
+  template <class Archive>
+  void serialize(Archive& archive, const unsigned int /*version*/) {
+    archive& point& fields;
+  }
+};
+
 /// Solves the points that are a rank's and tells all ranks of them.
-void solve_shared(std::vector<CyclePoint>& points, const Case& given, const MPI_Comm communicator,
-                  mesh::Mesher* const mesher,
-                  const std::function<void(const CyclePoint&, std::size_t, std::size_t)>& tell) {
+/// @return the fields on rank 0, in the order of the points
+std::vector<post::CycleFields> solve_shared(
+    std::vector<CyclePoint>& points, const Case& given, const loads::DrivenMechanism& driven,
+    const MPI_Comm communicator, mesh::Mesher* const mesher,
+    const std::function<void(const CyclePoint&, std::size_t, std::size_t)>& tell) {
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   api::MesherOnRankZero own(MPI_COMM_SELF, mesher);
+  std::vector<NumberedFields> solved;
   for (std::size_t i = rank; i < points.size(); i += ranks) {
-    api::solve_instant(points[i], given, MPI_COMM_SELF, own.get());
+    post::NodalFields fields = api::solve_instant(points[i], given, MPI_COMM_SELF, own.get());
+    const loads::PinLoad& load = points[i].instant.load;
+    if (points[i].contact)
+      solved.push_back({i,
+                        {load.driver_angle, load.pin_distance,
+                         driven.at_time(load.time).pin_turn.value, std::move(fields)}});
     if (tell) tell(points[i], i + 1, points.size());
   }
-  if (ranks == 1) return;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < points.size() && ranks > 1; ++i)
     post::take_over(points[i],
                     dealii::Utilities::MPI::broadcast(communicator, post::solved_text(points[i]),
                                                       static_cast<unsigned int>(i % ranks)));
+  std::vector<NumberedFields> all;
+  for (std::vector<NumberedFields>& of_rank : dealii::Utilities::MPI::gather(communicator, solved))
+    std::move(of_rank.begin(), of_rank.end(), std::back_inserter(all));
+  std::sort(all.begin(), all.end(), [](const NumberedFields& one, const NumberedFields& other) {
+    return one.point < other.point;
+  });
+  std::vector<post::CycleFields> fields;
+  for (NumberedFields& numbered : all) fields.push_back(std::move(numbered.fields));
+  return fields;
 }
 
 std::vector<std::string> notices_of(const post::CycleReport& report, const Case& given) {
@@ -211,6 +243,15 @@ loads::CycleInstants instants_of(const Case& given, const model::MechanismDynami
   return loads::cycle_instants(dynamics.driven, dynamics.train, contact, given.settings.accuracy);
 }
 
+/// All but the wheel move with the pin.
+std::vector<bool> bodies_that_turn(const std::vector<post::CycleFields>& fields) {
+  unsigned int last = 0;
+  for (const unsigned int body : fields.front().fields.bodies) last = std::max(last, body);
+  std::vector<bool> turning(last + 1, true);
+  turning.front() = false;
+  return turning;
+}
+
 }  // namespace
 
 Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher,
@@ -223,7 +264,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
     const loads::PinContact contact = api::pin_contact(*given.mechanism, dynamics.sizes);
     loads::CycleInstants chosen = instants_of(given, dynamics, contact);
     const std::vector<std::string> moved = keep_off_rim(chosen.instants, given, dynamics);
-    Cycle result{given, true, {}};
+    Cycle result{given, true, {}, {}};
     post::CycleReport& report = result.report;
     report.about = model::header_of(given);
     report.geneva_version = version;
@@ -235,7 +276,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
     for (const loads::CycleInstant& instant : chosen.instants)
       report.points.push_back(
           {instant, loads::hertz_pressure(contact, instant.load.force), std::nullopt, ""});
-    solve_shared(report.points, given, communicator, mesher, tell);
+    result.fields = solve_shared(report.points, given, dynamics.driven, communicator, mesher, tell);
     report.curve = curve_of(report.points, dynamics.driven, dynamics.train, contact);
     report.work = work_of(dynamics.driven, dynamics.train);
     report.notices = notices_of(report, given);
@@ -249,11 +290,20 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
 }
 
 Written write(const Cycle& cycle, const std::filesystem::path& directory) {
-  const auto& [given, is_converged, report] = cycle;
-  return api::write_results(directory, given, "cycle",
-                            {{"cycle.json", post::cycle_summary(report).dump(2) + "\n"},
-                             {"cycle.csv", post::cycle_csv(report, given.units)},
-                             {"mechanism.json", api::mechanism_text(*given.mechanism)}});
+  const auto& [given, is_converged, report, fields] = cycle;
+  std::map<std::string, std::string> texts{
+      {"cycle.json", post::cycle_summary(report).dump(2) + "\n"},
+      {"cycle.csv", post::cycle_csv(report, given.units)},
+      {"mechanism.json", api::mechanism_text(*given.mechanism)}};
+  if (const CyclePoint* const greatest = post::greatest_pressure(report)) {
+    const auto at = std::find_if(fields.begin(), fields.end(), [&](const post::CycleFields& one) {
+      return one.driver_angle == greatest->instant.load.driver_angle;
+    });
+    if (at != fields.end())
+      texts.merge(post::cycle_series(fields, static_cast<std::size_t>(at - fields.begin()),
+                                     bodies_that_turn(fields), given.units));
+  }
+  return api::write_results(directory, given, "cycle", texts);
 }
 
 }  // namespace geneva

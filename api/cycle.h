@@ -2,11 +2,14 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "api/case.h"
 #include "api/written.h"
+#include "post/output/cycle_fields.h"
 #include "post/output/cycle_output.h"
 
 namespace geneva {
@@ -20,6 +23,7 @@ struct Cycle {
   Case given;
   bool is_converged;  ///< whether every instant has the accuracy that the case asks for
   post::CycleReport report;
+  std::vector<post::CycleFields> fields;  ///< of the instants that were solved, on rank 0
 };
 
 /// Solves the contact at the instants that stand for the engagements, on whichever wall carries;
@@ -31,7 +35,8 @@ Cycle cycle(
     const Case& given, MPI_Comm communicator, mesh::Mesher* mesher,
     const std::function<void(const post::CyclePoint&, std::size_t done, std::size_t of)>& tell);
 
-/// Writes cycle.json, cycle.csv and the report.
+/// Writes cycle.json, cycle.csv, the fields of the instants (cycle.pvd), their envelope and the
+/// report.
 /// @throws InputError if the directory cannot be written; it is then as it was
 Written write(const Cycle& cycle, const std::filesystem::path& directory);
 

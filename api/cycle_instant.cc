@@ -2,8 +2,9 @@
 
 #include <deal.II/base/timer.h>
 
-#include <cmath>
+#include <utility>
 
+#include "api/analysis_fields.h"
 #include "api/analysis_notices.h"
 #include "api/mechanism_results.h"
 #include "fem/contact_problem.h"
@@ -44,9 +45,14 @@ double half_width_of(const fem::Solution<3>& solution) {
   return post::analyse(solution).contacts.front().half_width;
 }
 
+/// An instant solved.
+struct SolvedInstant {
+  post::CycleContact contact;
+  post::NodalFields fields;
+};
+
 template <int dim>
-post::CycleContact contact_of(const Case& at, const MPI_Comm communicator,
-                              mesh::Mesher* const mesher) {
+SolvedInstant solved(const Case& at, const MPI_Comm communicator, mesh::Mesher* const mesher) {
   const model::Model<dim> model = model::make_model<dim>(communicator, at, mesher);
   const fem::Solution<dim> solution =
       fem::solve_contact(communicator, model.mesh, model.problem, at.settings, {}, {});
@@ -62,7 +68,9 @@ post::CycleContact contact_of(const Case& at, const MPI_Comm communicator,
   contact.hertz_objection =
       post::hertz_objection(solution, solution.contacts.front(), contact.half_width);
   contact.shortfall = shortfall(solution, at.settings.accuracy);
-  return contact;
+  post::NodalFields fields = fields_of(solution, post::nodal_stress(solution));
+  return {std::move(contact),
+          at.mechanism->is_mirrored ? post::mirrored(std::move(fields)) : std::move(fields)};
 }
 
 }  // namespace
@@ -77,21 +85,24 @@ bool touches_wall(const Case& given, const loads::PinLoad& load) {
   }
 }
 
-void solve_instant(post::CyclePoint& point, const Case& given, const MPI_Comm communicator,
-                   mesh::Mesher* const mesher) {
+post::NodalFields solve_instant(post::CyclePoint& point, const Case& given,
+                                const MPI_Comm communicator, mesh::Mesher* const mesher) {
   const dealii::Timer timer;
   try {
     const Case at = case_at(given, point.instant.load);
-    point.contact = model::naming(at, [&] {
-      return at.dimension == 3 ? contact_of<3>(at, communicator, mesher)
-                               : contact_of<2>(at, communicator, mesher);
+    SolvedInstant found = model::naming(at, [&] {
+      return at.dimension == 3 ? solved<3>(at, communicator, mesher)
+                               : solved<2>(at, communicator, mesher);
     });
+    point.contact = std::move(found.contact);
     point.contact->seconds = timer.wall_time();
+    return std::move(found.fields);
   } catch (const InputError& error) {
     point.refusal = error.what();
   } catch (const LimitReached& error) {
     point.refusal = error.what();
   }
+  return {};
 }
 
 }  // namespace geneva::api

@@ -7,8 +7,9 @@ namespace geneva::post {
 
 namespace {
 
-bool is_piece(const std::string& name) {
-  const std::string begin = "solution.";
+/// "solution.0.vtu" of "solution".
+bool is_piece(const std::string& name, const std::string& of) {
+  const std::string begin = of + ".";
   const std::string end = ".vtu";
   if (name.size() <= begin.size() + end.size()) return false;
   return name.rfind(begin, 0) == 0 && name.compare(name.size() - end.size(), end.size(), end) == 0;
@@ -30,7 +31,7 @@ const std::vector<ResultFiles>& result_files() {
       {"design", "geneva design", {"design"}, {}, true},
       {"crown", "geneva design --crown", {"crown"}, {}, true},
       {"optimum", "geneva optimise", {}, {"optimum.csv", "optimum.prm"}, true},
-      {"cycle", "geneva cycle", {}, {"cycle.csv"}, true},
+      {"cycle", "geneva cycle", {}, {"cycle.csv", "cycle.pvd", "envelope.vtu"}, true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};
   return files;
@@ -48,8 +49,10 @@ bool belongs_to(const ResultFiles& files, const std::string& name) {
                                     [&](const char* table) { return is(table, ".csv"); });
   const bool is_other = std::any_of(files.others.begin(), files.others.end(),
                                     [&](const char* other) { return is(other, ""); });
-  const bool has_pieces = files.document == std::string("summary");
-  return is(files.document, ".json") || is_table || is_other || (has_pieces && is_piece(name));
+  const std::string document = files.document;
+  const bool is_field = (document == "summary" && is_piece(name, "solution")) ||
+                        (document == "cycle" && is_piece(name, "cycle"));
+  return is(files.document, ".json") || is_table || is_other || is_field;
 }
 
 std::filesystem::path own_file(const std::filesystem::path& directory, const std::string& name) {

@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/base64.h"
 #include "post/analysis/strength_rows.h"
 #include "post/analysis/surface_body.h"
-#include "post/view/encoded_numbers.h"
+#include "post/view/quantised.h"
 #include "post/view/view_mesh.h"
 
 namespace geneva::post {
@@ -46,7 +47,7 @@ std::vector<float> scaled(const std::vector<float>& values, const double factor)
 
 json quantised_section(const std::vector<float>& values) {
   const Quantised numbers = quantised(values);
-  return {{"low", numbers.low}, {"high", numbers.high}, {"steps", encoded(numbers.steps)}};
+  return {{"low", numbers.low}, {"high", numbers.high}, {"steps", base::encoded(numbers.steps)}};
 }
 
 json mesh_section(const std::string& name, const std::string& title, const ViewMesh& mesh,
@@ -61,15 +62,16 @@ json mesh_section(const std::string& name, const std::string& title, const ViewM
     if (std::any_of(values.begin(), values.end(), [](const float x) { return std::isfinite(x); }))
       fields[view_fields[i]] = quantised_section(scaled(values, scale.stress));
   }
-  return {{"name", name},
-          {"title", title},
-          {"n_points", mesh.bodies.size()},
-          {"n_triangles", mesh.triangles.size() / 3},
-          {"points", encoded(points)},
-          {"displacements", quantised_section(scaled(mesh.displacements, scale.length))},
-          {"bodies", encoded(std::vector<std::uint8_t>(mesh.bodies.begin(), mesh.bodies.end()))},
-          {"triangles", encoded(mesh.triangles)},
-          {"fields", fields}};
+  return {
+      {"name", name},
+      {"title", title},
+      {"n_points", mesh.bodies.size()},
+      {"n_triangles", mesh.triangles.size() / 3},
+      {"points", base::encoded(points)},
+      {"displacements", quantised_section(scaled(mesh.displacements, scale.length))},
+      {"bodies", base::encoded(std::vector<std::uint8_t>(mesh.bodies.begin(), mesh.bodies.end()))},
+      {"triangles", base::encoded(mesh.triangles)},
+      {"fields", fields}};
 }
 
 template <int dim>
@@ -389,7 +391,7 @@ json view_document(const fem::Solution<dim>& solution, const Results<dim>& resul
   view["normal"] = vector(focus.normal);
   view["marks"] = marks(solution, scale, stress);
   view["bodies"] = std::move(bodies);
-  view["outlines"] = encoded(visible.outlines);
+  view["outlines"] = base::encoded(visible.outlines);
   view["meshes"] = std::move(meshes);
   return view;
 }

@@ -9,11 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/base64.h"
 #include "base/errors.h"
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
 #include "post/report/pictures/picture.h"
-#include "post/view/encoded_numbers.h"
+#include "post/view/quantised.h"
 
 namespace geneva::post {
 
@@ -58,7 +59,7 @@ struct FlatMesh {
 
 std::vector<float> restored_numbers(const json& section) {
   return restored({section.at("low"), section.at("high"),
-                   decoded<std::uint16_t>(section.at("steps").get<std::string>())});
+                   base::decoded<std::uint16_t>(section.at("steps").get<std::string>())});
 }
 
 FlatMesh flat_mesh(const json& view) {
@@ -69,12 +70,12 @@ FlatMesh flat_mesh(const json& view) {
   if (mesh == meshes.end()) throw base::InputError("view.json lacks the mesh " + name);
   const auto normal = mesh->value("normal", std::vector<double>{0., 0., 1.});
   const PictureAxes axes = axes_of({normal.at(0), normal.at(1), normal.at(2)});
-  const auto points = decoded<float>(mesh->at("points"));
+  const auto points = base::decoded<float>(mesh->at("points"));
   FlatMesh result{axes,
                   {},
                   {},
                   restored_numbers(mesh->at("fields").at("von_mises")),
-                  decoded<unsigned int>(mesh->at("triangles"))};
+                  base::decoded<unsigned int>(mesh->at("triangles"))};
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
     const Vector place{points[i], points[i + 1], points[i + 2]};
     result.right.push_back(dot(place, axes.right));
@@ -228,7 +229,7 @@ std::string field_picture(const json& view, const PicturePart part,
   const bool is_model = part == PicturePart::model;
   const Window window = window_of(view, part, mesh);
   const std::array<double, 2> range = wanted ? *wanted : range_in(mesh, window);
-  const std::string image = encoded_bytes(painted(mesh, window, range).png());
+  const std::string image = base::encoded_bytes(painted(mesh, window, range).png());
   const std::string unit = view.at("length_unit");
   const Vector origin = view.at("origin");
   return fmt::format(

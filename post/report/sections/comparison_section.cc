@@ -8,13 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "base/base64.h"
 #include "base/errors.h"
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
 #include "post/report/results/case_inputs.h"
 #include "post/report/sections/field_section.h"
 #include "post/report/sections/run_section.h"
-#include "post/view/encoded_numbers.h"
 
 namespace geneva::post {
 
@@ -236,7 +236,7 @@ std::string pictures_of(const std::vector<ResultsDirectory>& all,
     text += fmt::format(
         "<figure class=\"picture\">\n<img alt=\"von Mises stress of {0}\" "
         "src=\"data:image/svg+xml;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
-        escaped(names[i]), encoded_bytes({svg.begin(), svg.end()}));
+        escaped(names[i]), base::encoded_bytes({svg.begin(), svg.end()}));
   }
   return text;
 }

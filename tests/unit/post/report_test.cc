@@ -5,13 +5,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.h"
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
 #include "post/report/pictures/chart.h"
 #include "post/report/pictures/picture.h"
 #include "post/report/results/csv_table.h"
-#include "post/view/encoded_numbers.h"
 #include "post/view/hexahedron_cut.h"
+#include "post/view/quantised.h"
 
 namespace {
 
@@ -74,9 +75,9 @@ TEST(HexahedronCut, IsEmptyBesideTheCube) {
 
 TEST(EncodedNumbers, ComeBack) {
   const std::vector<float> numbers{0.F, -1.5F, 3.25e-30F};
-  EXPECT_EQ(decoded<float>(encoded(numbers)), numbers);
-  EXPECT_EQ(encoded(std::vector<unsigned int>{1}), "AQAAAA==");
-  EXPECT_TRUE(decoded<float>("").empty());
+  EXPECT_EQ(geneva::base::decoded<float>(geneva::base::encoded(numbers)), numbers);
+  EXPECT_EQ(geneva::base::encoded(std::vector<unsigned int>{1}), "AQAAAA==");
+  EXPECT_TRUE(geneva::base::decoded<float>("").empty());
 }
 
 TEST(QuantisedNumbers, KeepTheirEndsAndGapsAndFourDigits) {
@@ -90,8 +91,8 @@ TEST(QuantisedNumbers, KeepTheirEndsAndGapsAndFourDigits) {
 }
 
 TEST(EncodedNumbers, RefuseWhatIsDamaged) {
-  EXPECT_THROW(decoded<float>("AQAA"), std::invalid_argument);
-  EXPECT_THROW(decoded<float>("!!!!"), std::invalid_argument);
+  EXPECT_THROW(geneva::base::decoded<float>("AQAA"), std::invalid_argument);
+  EXPECT_THROW(geneva::base::decoded<float>("!!!!"), std::invalid_argument);
 }
 
 TEST(Html, EscapesMarkup) {

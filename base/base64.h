@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "base/errors.h"
 
-namespace geneva::post {
+namespace geneva::base {
 
 /// Bytes in base 64, and back.
 /// @throws base::InputError if the text is not in base 64
@@ -26,20 +25,10 @@ std::string encoded(const std::vector<Number>& numbers) {
 template <typename Number>
 std::vector<Number> decoded(const std::string& text) {
   const std::vector<unsigned char> bytes = decoded_bytes(text);
-  if (bytes.size() % sizeof(Number) != 0) throw base::InputError("encoded numbers are cut off");
+  if (bytes.size() % sizeof(Number) != 0) throw InputError("encoded numbers are cut off");
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
   if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
   return numbers;
 }
 
-/// Numbers as 65 535 equal steps from the minimum to the maximum; half the memory of single
-/// precision, and finer than colours and eyes.
-struct Quantised {
-  float low;
-  float high;
-  std::vector<std::uint16_t> steps;  ///< from low; 65 535 stands for not a number
-};
-Quantised quantised(const std::vector<float>& values);
-std::vector<float> restored(const Quantised& values);
-
-}  // namespace geneva::post
+}  // namespace geneva::base

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "fem/solution.h"
+#include "post/analysis/stress.h"
+#include "post/output/nodal_fields.h"
+
+namespace geneva::api {
+
+/// Displacement and stress on this rank's cells.
+/// @param stress at the nodes of the solution
+template <int dim>
+post::NodalFields fields_of(const fem::Solution<dim>& solution,
+                            const post::NodalStress<dim>& stress);
+
+}  // namespace geneva::api

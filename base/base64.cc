@@ -1,0 +1,32 @@
+#include "base/base64.h"
+
+#include <algorithm>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/dataflow_exception.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+
+namespace geneva::base {
+
+namespace iterators = boost::archive::iterators;
+
+std::string encoded_bytes(const std::vector<unsigned char>& bytes) {
+  using Digits = iterators::base64_from_binary<
+      iterators::transform_width<std::vector<unsigned char>::const_iterator, 6, 8>>;
+  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  text.append((3 - bytes.size() % 3) % 3, '=');
+  return text;
+}
+
+std::vector<unsigned char> decoded_bytes(const std::string& text) try {
+  using Bytes =
+      iterators::transform_width<iterators::binary_from_base64<std::string::const_iterator>, 8, 6>;
+  std::vector<unsigned char> bytes(Bytes(text.begin()), Bytes(text.end()));
+  const auto padding = text.size() - (text.find_last_not_of('=') + 1);
+  bytes.resize(bytes.size() - std::min(bytes.size(), padding));
+  return bytes;
+} catch (const boost::archive::iterators::dataflow_exception&) {
+  throw InputError("the text is not in base 64");
+}
+
+}  // namespace geneva::base

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/units.h"
+#include "post/output/nodal_fields.h"
+
+namespace geneva::post {
+
+/// The fields of one instant in the frame of the engaged slot, whose axis is x; SI units.
+struct CycleFields {
+  double driver_angle;  ///< [rad]
+  double pin_distance;  ///< of the pin's axis from the wheel's [m]
+  double pin_turn;      ///< psi [rad] of a pin fixed to its carrier, clockwise; see SlotMotion
+  NodalFields fields;
+
+  template <class Archive>
+  void serialize(Archive& archive, const unsigned int /*version*/) {
+    archive& driver_angle& pin_distance& pin_turn& fields;
+  }
+};
+
+/// The greatest values of the instants at every node of one of them.
+struct Envelope {
+  std::vector<double> von_mises;              ///< [Pa]
+  std::vector<double> von_mises_angle;        ///< driver angle of it [rad]
+  std::vector<double> first_principal;        ///< [Pa]
+  std::vector<double> first_principal_angle;  ///< [rad]
+  std::vector<double> max_shear;              ///< (s1 - s3)/2 [Pa]
+  std::vector<double> max_shear_angle;        ///< [rad]
+};
+
+/// At the nodes of an instant, from the fields of all, interpolated at the same material points:
+/// the wheel stands still, the pin moves along the slot and turns.
+/// @param at index of the instant whose nodes they are
+/// @param turning bodies that move with the pin, by the index of the coarse mesh's bodies
+Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
+                  const std::vector<bool>& turning);
+
+/// cycle.pvd, cycle.N.vtu for every instant, and envelope.vtu, as texts by their names.
+/// @param at, turning as envelope() takes them
+std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
+                                                std::size_t at, const std::vector<bool>& turning,
+                                                base::UnitSystem units);
+
+}  // namespace geneva::post

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace geneva::post {
+
+/// Displacement and stress on cells, SI units; z is 0 in the plane.
+struct NodalFields {
+  std::vector<std::array<double, 3>> places;         ///< of the nodes, undeformed [m]
+  std::vector<std::array<double, 3>> displacements;  ///< of the nodes [m]
+  std::vector<std::array<double, 6>> stress;         ///< of the nodes: xx, yy, zz, xy, yz, zx [Pa]
+  std::vector<double> von_mises;                     ///< of the nodes [Pa]
+  /// Nodes of the cells, 4 of a quadrilateral, 8 of a hexahedron, in lexicographic order.
+  std::vector<std::vector<std::size_t>> cells;
+  std::vector<unsigned int> bodies;  ///< of the cells, in the order of the coarse mesh's bodies
+
+  template <class Archive>
+  void serialize(Archive& archive, const unsigned int /*version*/) {
+    archive& places& displacements& stress& von_mises& cells& bodies;
+  }
+};
+
+/// The mirror image about the plane y = 0.
+NodalFields mirrored(NodalFields fields);
+
+/// Maximum tensile stress at a node: the first principal stress [Pa].
+double first_principal(const std::array<double, 6>& stress);
+
+}  // namespace geneva::post

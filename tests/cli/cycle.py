@@ -1,0 +1,154 @@
+"""`geneva cycle`: the contact over the whole engagement, on both walls, and what is refused."""
+
+import base64
+import csv
+import json
+import math
+import struct
+
+import geneva_cli
+from geneva_cli import CliTest, change_case
+
+DEGREE = math.pi / 180
+
+
+def values(file, name):
+    """An array of single precision of a VTK file."""
+    text = file.read_text()
+    start = text.index(">", text.index(f'Name="{name}"')) + 1
+    data = base64.b64decode(text[start:text.index("</DataArray>", start)].strip())
+    (size,) = struct.unpack("<I", data[:4])
+    return struct.unpack(f"<{size // 4}f", data[4:])
+
+
+class Cycle(CliTest):
+
+    def cycle(self, case, *arguments, ranks=None, code=0):
+        run = self.geneva("cycle", case, *arguments, ranks=ranks)
+        self.assertEqual(run.code, code, run.describe())
+        return json.loads((case / "results" / "cycle.json").read_text())
+
+    def changed(self, name, changes, to=None):
+        case = self.copy_case(name, to)
+        change_case(case, changes)
+        return case
+
+    def assert_hertz(self, cycle, within):
+        """Of what Hertz's theory covers."""
+        solved = [instant for instant in cycle["instants"] if instant["contact"]]
+        self.assertEqual(len(solved), len(cycle["instants"]))
+        covered = [instant for instant in solved if not instant["contact"]["hertz_objection"]]
+        self.assertGreater(len(covered), 5)
+        for instant in covered:
+            self.assert_close(instant["contact"]["peak_pressure"]["value"], instant["hertz_pressure"]["value"], within,
+                              instant["driver_angle"]["value"] / DEGREE)
+
+    def assert_torque(self, cycle):
+        for instant in cycle["instants"]:
+            contact = instant["contact"]
+            self.assert_close(contact["bore_torque"]["value"], contact["expected_bore_torque"]["value"], 2e-3,
+                              instant["driver_angle"]["value"] / DEGREE)
+
+    def role(self, cycle, role):
+        found = [instant for instant in cycle["instants"] if instant["role"] == role]
+        self.assertEqual(len(found), 1, role)
+        return found[0]
+
+    def test_the_engagement_of_johnson_s_wheel_is_hertz_at_every_instant(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        cycle = self.cycle(case)
+        self.assert_hertz(cycle, 0.005)
+        self.assert_torque(cycle)
+        greatest = self.role(cycle, "greatest force")
+        self.assertAlmostEqual(greatest["driver_angle"]["value"] / DEGREE, -9.9336, delta=1e-3)
+        self.assertEqual(cycle["greatest"], greatest)
+        braking = self.role(cycle, "greatest braking force")
+        self.assertAlmostEqual(braking["driver_angle"]["value"] / DEGREE, 9.9537, delta=1e-3)
+        self.assertEqual(braking["wall"], "braking")
+        self.assertLess(braking["contact"]["bore_torque"]["value"], 0, "the shaft pushes the wheel on")
+        (change,) = cycle["wall_changes"]
+        self.assertAlmostEqual(change["value"] / DEGREE, 0.0517, delta=1e-4)
+        for role, side in (("entry", 1), ("exit", -1)):
+            self.assertGreater(side * self.role(cycle, role)["driver_angle"]["value"], side * -side * 45 * DEGREE)
+        work = {name: quantity["value"] for name, quantity in cycle["work"].items() if isinstance(quantity, dict)}
+        self.assertAlmostEqual(work["pin"] / work["driving"], work["energy_change"] / work["driving"], delta=1e-6)
+        self.assertEqual(work["friction"], 0)
+        with open(case / "results" / "cycle.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(cycle["instants"]))
+        series = (case / "results" / "cycle.pvd").read_text()
+        self.assertEqual(series.count("<DataSet"), len(cycle["instants"]))
+        self.assertTrue((case / "results" / f"cycle.{len(cycle['instants']) - 1}.vtu").exists())
+        greatest_stress = max(values(case / "results" / "envelope.vtu", "von_mises"))
+        for i in range(len(cycle["instants"])):
+            self.assertLessEqual(max(values(case / "results" / f"cycle.{i}.vtu", "von_mises")), 1.02 * greatest_stress, i)
+        page = (case / "results" / "report.html").read_text()
+        self.assertIn("Over the engagement", page)
+        self.assertIn("chart-cycle-pressure", page)
+
+    def test_twice_as_many_instants_find_the_same(self):
+        """The curve between them, too, where the coarser ones stand."""
+        greatest = []
+        for count in (11, 21):
+            cycle = self.cycle(self.changed("johnson-optimum-wheel", {"Mechanism/Instants": count}, f"with-{count}"))
+            self.assertEqual(len({round(instant["time"]["value"], 12) for instant in cycle["instants"]}), len(cycle["instants"]))
+            greatest.append(max(value for value in cycle["curve"]["peak_pressure"] if value is not None))
+        self.assert_close(greatest[0], greatest[1], 0.005, "greatest pressure of the curve")
+
+    def test_ranks_share_the_instants(self):
+        case = self.changed("irregular-two-pin", {"Accuracy": "2 %", "Structural accuracy": "off"})
+        self.cycle(case)
+        alone = (case / "results" / "cycle.csv").read_text()
+        shared = self.cycle(case, ranks=2)
+        self.assertEqual((case / "results" / "cycle.csv").read_text(), alone)
+        self.assertEqual(shared["ranks"], 2)
+        self.assertEqual(shared["equal_engagements"], 1, "the other pin does the same")
+
+    def test_internal_spherical_and_servo_wheels(self):
+        for name in ("internal-six-station", "spherical-eight-station", "servo-cycloidal"):
+            cycle = self.cycle(self.changed(name, {"Accuracy": "2 %", "Structural accuracy": "off"}))
+            self.assert_hertz(cycle, 0.015)
+            if name == "internal-six-station":
+                self.assert_torque(cycle)
+            walls = {instant["wall"] for instant in cycle["instants"]}
+            self.assertEqual(walls, {"driving", "braking"}, name)
+
+    def test_friction_jumps_where_slip_turns_round_and_takes_work(self):
+        case = self.changed("johnson-optimum-wheel", {"Mechanism/Slot friction": 0.2, "Accuracy": "2 %", "Structural accuracy": "off"})
+        cycle = self.cycle(case)
+        self.assert_torque(cycle)
+        jumps = [instant for instant in cycle["instants"] if instant["role"] == "jump" and instant["wall"] == "driving"]
+        self.assertGreaterEqual(len(jumps), 1)
+        beside = [instant for instant in cycle["instants"] if abs(instant["driver_angle"]["value"] / DEGREE + 8.177) < 0.002]
+        slips = [instant["slip_speed"]["value"] for instant in beside]
+        self.assertLess(min(slips), 0)
+        self.assertGreater(max(slips), 0)
+        heat = 0.
+        curve = cycle["curve"]
+        times = [instant["time"]["value"] for instant in cycle["instants"]]
+        step = 45 * 2 * DEGREE / 200 / (600 * math.pi / 30)
+        for force, slip in zip(curve["pin_force"], curve["slip_speed"]):
+            heat += 0.2 * abs(force * slip) * step
+        self.assertLess(min(times), 0)
+        self.assert_close(cycle["work"]["friction"]["value"], heat, 0.01, "heat")
+        self.assertLess(cycle["work"]["driving_efficiency"], 1)
+
+    def test_a_roller_is_solved_at_every_instant(self):
+        cycle = self.cycle(self.changed("indexing-table-roller", {"Accuracy": "5 %", "Structural accuracy": "off"}))
+        self.assert_hertz(cycle, 0.03)
+
+    def test_wrong_input_is_named(self):
+        def assert_refused(case, *words):
+            run = self.geneva("cycle", case)
+            self.assertEqual(run.code, 1, run.describe())
+            for word in words:
+                self.assertIn(word, run.err)
+            self.assertFalse((case / "results").exists())
+
+        assert_refused(self.changed("johnson-optimum-wheel", {"Mechanism/Instants": 2}, "few"), "Instants", "3")
+        assert_refused(self.copy_case("hertz-line-contact"), "no Geneva mechanism", "geneva cycle")
+        assert_refused(self.copy_case("synthesis-quick-return"), "geneva cycle")
+
+
+if __name__ == "__main__":
+    geneva_cli.main()
