@@ -125,6 +125,12 @@ class PressureRatio {
   const std::vector<CyclePoint>& points_;
 };
 
+/// Heat per length and time over the speed at which its place moves.
+double per_area(const double heat, const double speed) {
+  if (heat == 0.) return 0.;
+  return speed == 0. ? std::numeric_limits<double>::quiet_NaN() : heat / std::abs(speed);
+}
+
 /// Force exactly, pressure by its ratio to Hertz's, at fine steps of the engagements solved.
 std::vector<post::CycleCurvePoint> curve_of(const std::vector<CyclePoint>& points,
                                             const loads::DrivenMechanism& driven,
@@ -142,9 +148,16 @@ std::vector<post::CycleCurvePoint> curve_of(const std::vector<CyclePoint>& point
       const double share = static_cast<double>(step) / steps;
       const double time =
           std::min(engagement.begin + (engagement.end - engagement.begin) * share, engagement.end);
-      const loads::PinLoad load = loads::pin_load(driven.at_time(time), train);
+      const loads::MotionState motion = driven.at_time(time);
+      const loads::PinLoad load = loads::pin_load(motion, train);
       const double hertz = loads::hertz_pressure(contact, load.force);
-      curve.push_back({load.driver_angle, load.force, hertz, hertz * ratio(load), load.slip_speed});
+      // of a roller the heat is in its bore
+      const double heat = train.slot_friction * std::abs(load.force) / contact.thickness *
+                          std::abs(load.slip_speed);
+      const double pin_speed = 0.5 * contact.pin_diameter * load.pin_turn_speed;
+      curve.push_back({load.driver_angle, load.force, hertz, hertz * ratio(load), load.slip_speed,
+                       load.pin_distance, motion.pin_turn.value, per_area(heat, load.travel_speed),
+                       per_area(heat, pin_speed)});
     }
   }
   return curve;
@@ -294,6 +307,7 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
   std::map<std::string, std::string> texts{
       {"cycle.json", post::cycle_summary(report).dump(2) + "\n"},
       {"cycle.csv", post::cycle_csv(report, given.units)},
+      {"cycle_curve.csv", post::cycle_curve_csv(report, given.units)},
       {"mechanism.json", api::mechanism_text(*given.mechanism)}};
   if (const CyclePoint* const greatest = post::greatest_pressure(report)) {
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const post::CycleFields& one) {

@@ -64,17 +64,21 @@ json point_json(const CyclePoint& point) {
 }
 
 json curve_json(const std::vector<CycleCurvePoint>& curve) {
-  json columns = {{"driver_angle", json::array()},
-                  {"pin_force", json::array()},
-                  {"hertz_pressure", json::array()},
-                  {"peak_pressure", json::array()},
-                  {"slip_speed", json::array()}};
+  json columns = {{"driver_angle", json::array()},   {"pin_force", json::array()},
+                  {"hertz_pressure", json::array()}, {"peak_pressure", json::array()},
+                  {"slip_speed", json::array()},     {"pin_distance", json::array()},
+                  {"pin_turn", json::array()},       {"wall_heat", json::array()},
+                  {"pin_heat", json::array()}};
   for (const CycleCurvePoint& point : curve) {
     columns["driver_angle"].push_back(point.driver_angle);
     columns["pin_force"].push_back(point.force);
     columns["hertz_pressure"].push_back(point.hertz_pressure);
     columns["peak_pressure"].push_back(base::finite(point.peak_pressure));
     columns["slip_speed"].push_back(point.slip_speed);
+    columns["pin_distance"].push_back(point.pin_distance);
+    columns["pin_turn"].push_back(point.pin_turn);
+    columns["wall_heat"].push_back(base::finite(point.wall_heat));
+    columns["pin_heat"].push_back(base::finite(point.pin_heat));
   }
   return columns;
 }
@@ -249,6 +253,35 @@ std::string cycle_csv(const CycleReport& report, const UnitSystem units) {
         contact.half_width * length.factor,
         contact.bore_torque ? fmt::format("{:.9g}", *contact.bore_torque * moment.factor) : "",
         contact.expected_bore_torque * moment.factor);
+  }
+  return text;
+}
+
+std::string cycle_curve_csv(const CycleReport& report, const UnitSystem units) {
+  const OutputUnit force = output_unit(units, Dimension::force);
+  const OutputUnit length = output_unit(units, Dimension::length);
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const OutputUnit speed = output_unit(units, Dimension::speed);
+  const OutputUnit wear = output_unit(units, Dimension::pressure_times_speed);
+  std::string text = fmt::format(
+      "driver_angle [deg],wall,pin_force [{}],pin_distance [{}],pin_turn [deg],hertz_pressure [{}],"
+      "peak_pressure [{}],slip_speed [{}],pressure_times_slip [{}],wall_heat [J/m^2],"
+      "pin_heat [J/m^2]\n",
+      force.name, length.name, stress.name, stress.name, speed.name, wear.name);
+  const auto cell = [](const double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+  };
+  for (const CycleCurvePoint& point : report.curve) {
+    const loads::Wall wall = point.force > 0.   ? loads::Wall::driving
+                             : point.force < 0. ? loads::Wall::braking
+                                                : loads::Wall::none;
+    text += fmt::format("{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{},{:.9g},{},{},{}\n",
+                        point.driver_angle * degrees, name_of(wall),
+                        std::abs(point.force) * force.factor, point.pin_distance * length.factor,
+                        point.pin_turn * degrees, point.hertz_pressure * stress.factor,
+                        cell(point.peak_pressure * stress.factor), point.slip_speed * speed.factor,
+                        cell(point.peak_pressure * std::abs(point.slip_speed) * wear.factor),
+                        cell(point.wall_heat), cell(point.pin_heat));
   }
   return text;
 }

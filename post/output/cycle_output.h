@@ -48,6 +48,12 @@ struct CycleCurvePoint {
   double hertz_pressure;  ///< [Pa]
   double peak_pressure;   ///< Hertz's times what the instants around have of it [Pa]
   double slip_speed;      ///< on the wall that carries [m/s]
+  double pin_distance;    ///< where the pin touches the wall, from the wheel's axis [m]
+  double pin_turn;        ///< psi [rad] of the pin's carrier, see loads::SlotMotion
+  /// Heat of friction that the pass leaves per area of wall and of pin: mu F/t |v_s/u'| and mu F/t
+  /// |v_s|/(d/2 |psi'|) [J/m^2]; not a number where that point stands still, 0 without friction.
+  double wall_heat;
+  double pin_heat;
 };
 
 /// What one engagement does, by quadrature over the motion, SI units.
@@ -99,6 +105,9 @@ nlohmann::json cycle_summary(const CycleReport& report);
 
 /// What cycle.csv says: a line for each instant, the units in the headings.
 std::string cycle_csv(const CycleReport& report, base::UnitSystem units);
+
+/// What cycle_curve.csv says: force, pressure, slip and heat between the instants.
+std::string cycle_curve_csv(const CycleReport& report, base::UnitSystem units);
 
 /// The instants and what is greatest, as lines.
 std::string cycle_table(const CycleReport& report, base::UnitSystem units);

@@ -31,7 +31,11 @@ const std::vector<ResultFiles>& result_files() {
       {"design", "geneva design", {"design"}, {}, true},
       {"crown", "geneva design --crown", {"crown"}, {}, true},
       {"optimum", "geneva optimise", {}, {"optimum.csv", "optimum.prm"}, true},
-      {"cycle", "geneva cycle", {}, {"cycle.csv", "cycle.pvd", "envelope.vtu"}, true},
+      {"cycle",
+       "geneva cycle",
+       {},
+       {"cycle.csv", "cycle_curve.csv", "cycle.pvd", "envelope.vtu"},
+       true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};
   return files;

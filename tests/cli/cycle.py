@@ -131,6 +131,12 @@ class Cycle(CliTest):
             heat += 0.2 * abs(force * slip) * step
         self.assertLess(min(times), 0)
         self.assert_close(cycle["work"]["friction"]["value"], heat, 0.01, "heat")
+        thickness = 0.6795 * 0.0254
+        for heat_per_area, place in (("wall_heat", "pin_distance"), ("pin_heat", "pin_turn")):
+            places = [value * (1 if place == "pin_distance" else 0.5 * 0.6795 * 0.0254) for value in curve[place]]
+            heats = [value or 0. for value in curve[heat_per_area]]
+            total = sum(0.5 * (heats[i] + heats[i + 1]) * abs(places[i + 1] - places[i]) for i in range(len(heats) - 1))
+            self.assert_close(total * thickness, cycle["work"]["friction"]["value"], 0.03, heat_per_area)
         self.assertLess(cycle["work"]["driving_efficiency"], 1)
 
     def test_a_roller_is_solved_at_every_instant(self):

@@ -35,7 +35,7 @@ FORMS = ({"key", "value", "unit", "relative_tolerance"}, {"key", "value", "relat
 GREATEST_REPORT = 6e6
 
 # What each command writes: single figures and a table.
-FILES = {"run": ("summary.json", "contact.csv"), "kinematics": ("kinematics.json", "kinematics.csv"),
+FILES = {"run": ("summary.json", "contact.csv"), "cycle": ("cycle.json", "cycle.csv"), "kinematics": ("kinematics.json", "kinematics.csv"),
          "design": ("design.json", "design.csv"), "synthesize": ("synthesis.json", "synthesis.csv")}
 
 

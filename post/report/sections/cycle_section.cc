@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "post/report/html/html.h"
@@ -87,6 +88,24 @@ Chart torque_chart(const json& cycle, const UnitSystem units) {
                                   Dimension::moment, units),
                   instants_series(cycle, "expected_bore_torque", "load", SeriesStyle::dashed,
                                   Dimension::moment, units)};
+  return chart;
+}
+
+/// Pressure times slip at the wall: wear and heat.
+Chart slip_chart(const json& cycle, const UnitSystem units) {
+  constexpr Dimension wear = Dimension::pressure_times_speed;
+  Chart chart = chart_over_angle("slip", "Peak pressure times slip speed on the wall",
+                                 "pressure times slip", wear, units);
+  const json& curve = cycle.at("curve");
+  const double degrees = base::output_unit(units, Dimension::angle).factor;
+  const double factor = base::output_unit(units, wear).factor;
+  ChartSeries series{"pressure times slip", SeriesStyle::line, {}};
+  for (std::size_t i = 0; i < curve.at("driver_angle").size(); ++i)
+    if (const json& pressure = curve.at("peak_pressure")[i]; !pressure.is_null())
+      series.points.push_back(
+          {curve.at("driver_angle")[i].get<double>() * degrees,
+           factor * pressure.get<double>() * std::abs(curve.at("slip_speed")[i].get<double>())});
+  chart.series = {series};
   return chart;
 }
 
@@ -176,7 +195,8 @@ std::string head(const json& cycle, const UnitSystem units) {
 ReportPart cycle_part(const ResultsDirectory& results) {
   const json& cycle = *results.document("cycle");
   const UnitSystem units = results.units();
-  std::vector<Chart> charts{pressure_chart(cycle, units), force_chart(cycle, units)};
+  std::vector<Chart> charts{pressure_chart(cycle, units), force_chart(cycle, units),
+                            slip_chart(cycle, units)};
   if (Chart torque = torque_chart(cycle, units); !torque.series.front().points.empty())
     charts.push_back(std::move(torque));
   if (Chart stress = stress_chart(cycle, units); !stress.series.empty())
