@@ -166,19 +166,20 @@ std::vector<ChosenTime> times_of(const Loading& loading, const SmoothPart& part,
   for (int i = 1; i < first_intervals; ++i)
     times.push_back({part.begin.time + length * i / first_intervals, InstantRole::between});
   times.push_back(part.end);
+  int passes = 0;
+  while (passes < most_passes && add_middles(loading, tolerance, times)) ++passes;
+  // No spline goes through these: one close to another instant would make it swing.
   for (const ChosenTime& chosen : special) {
     if (chosen.time <= part.begin.time || chosen.time >= part.end.time) continue;
     const auto next = std::find_if(times.begin(), times.end(),
                                    [&](const ChosenTime& one) { return one.time > chosen.time; });
     const auto near =
         chosen.time - std::prev(next)->time < next->time - chosen.time ? std::prev(next) : next;
-    if (std::abs(near->time - chosen.time) < same_instant * length)
-      near->role = chosen.role;
-    else
+    if (std::abs(near->time - chosen.time) > same_instant * length)
       times.insert(next, chosen);
+    else if (near->role == InstantRole::between)
+      near->role = chosen.role;
   }
-  int passes = 0;
-  while (passes < most_passes && add_middles(loading, tolerance, times)) ++passes;
   return times;
 }
 
@@ -249,9 +250,11 @@ CycleInstants cycle_instants(const DrivenMechanism& driven, const WheelTrain& tr
   CycleInstants result;
   for_each_engagement(
       driven, loading, result, [&](const std::size_t index, const TimedEngagement& engagement) {
+        const double shortest = 1e-6 * (engagement.end - engagement.begin);
         std::vector<double> zeros;
         for (const SmoothPart& part :
              smooth_parts(loading, engagement, jumps(driven, train, engagement), zeros)) {
+          if (part.end.time - part.begin.time < shortest) continue;
           if (!loading.presses(loading.force(0.5 * (part.begin.time + part.end.time)))) continue;
           for (const ChosenTime& chosen : times_of(loading, part, special, tolerance))
             if (const PinLoad load = loading.load(chosen.time); loading.presses(load.force))

