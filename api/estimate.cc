@@ -86,14 +86,15 @@ void append_engagement(post::EstimateReport& report) {
 }
 
 void append_strength(post::EstimateReport& report, const loads::Allowables& allowed,
-                     const bool has_root) {
+                     const bool has_root, const bool has_stud) {
   const bool has_peak = report.line && report.doubt == loads::PeakDoubt::none;
   const double pressure = has_peak ? report.line->peak_pressure : report.even.peak_pressure;
   if (allowed.contact_pressure && (has_peak || !report.line))
     report.rows.push_back({"safety factor of the contact pressure", Dimension::dimensionless,
                            *allowed.contact_pressure / pressure, "Contact pressure allowed"});
   const auto yield = allowed.yield_strengths.find("pin");
-  if (has_root && report.line->root_stress > 0. && yield != allowed.yield_strengths.end())
+  if (has_root && !has_stud && report.line->root_stress > 0. &&
+      yield != allowed.yield_strengths.end())
     report.rows.push_back({"safety factor of the pin's root", Dimension::dimensionless,
                            yield->second / report.line->root_stress, "Yield strength"});
 }
@@ -114,6 +115,21 @@ std::string sentence_of(const loads::PeakDoubt doubt) {
   return "";
 }
 
+/// In 3-D a roller is a solid pin, which bends less than the stud that it turns on.
+void leave_out_stud(post::EstimateReport& report) {
+  const auto of_pin = [](const post::EstimateRow& row) {
+    return row.quantity == "bending stress at the root" || row.quantity == "pin deflection" ||
+           row.quantity == "pin slope in the slot";
+  };
+  auto& rows = report.rows;
+  const auto kept = std::remove_if(rows.begin(), rows.end(), of_pin);
+  if (kept == rows.end()) return;
+  rows.erase(kept, rows.end());
+  report.left_out.emplace_back(
+      "deflection and root stress of the roller's stud ('Dimension' = 2 gives its root stress by "
+      "beam theory)");
+}
+
 void append_left_out(post::EstimateReport& report, const model::MechanismCase& mechanism) {
   std::vector<std::string>& sentences = report.left_out;
   sentences.emplace_back(
@@ -126,6 +142,7 @@ void append_left_out(post::EstimateReport& report, const model::MechanismCase& m
         "bending, profile and edges: no model without finite elements for a pin in the round "
         "bottom of its slot, or with a negative Poisson's ratio");
   if (report.doubt != loads::PeakDoubt::none) sentences.push_back(sentence_of(report.doubt));
+  if (mechanism.roller) leave_out_stud(report);
 }
 
 post::EstimateReport estimate_report(const Case& given) {
@@ -158,7 +175,8 @@ post::EstimateReport estimate_report(const Case& given) {
   report.engagement =
       api::engagement(mechanism, state, known ? std::optional(known->pin) : std::nullopt);
   append_engagement(report);
-  append_strength(report, given.allowed, known && loads::is_beam(known->pin));
+  append_strength(report, given.allowed, known && loads::is_beam(known->pin),
+                  mechanism.roller.has_value());
   append_left_out(report, mechanism);
   return report;
 }

@@ -10,6 +10,7 @@
 #include "api/analysis.h"
 #include "api/case.h"
 #include "api/crown.h"
+#include "api/cycle.h"
 #include "api/design.h"
 #include "api/estimate.h"
 #include "api/kinematics.h"

@@ -426,7 +426,7 @@ Written write(const Optimum& optimum, const std::filesystem::path& directory) {
       {{"optimum.json", post::optimum_summary(optimum.report).dump(2) + "\n"},
        {"optimum.csv", post::optimum_csv(optimum.report, optimum.given.units)},
        {"optimum.prm", optimum.best.completed},
-       {"mechanism.json", api::mechanism_text(*optimum.given.mechanism)}});
+       {"mechanism.json", api::mechanism_text(*optimum.best.mechanism)}});
 }
 
 }  // namespace geneva

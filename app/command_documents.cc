@@ -30,7 +30,8 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 /// Text in which man(1) sees no markup.
 std::string plain(const std::string& text) {
-  std::string result;
+  // At the start of a line a point or an apostrophe would begin a request.
+  std::string result = text.find_first_of(".'") == 0 ? "\\&" : "";
   for (const char letter : text) {
     if (letter == '\\' || letter == '-') result += '\\';
     result += letter;

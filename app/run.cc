@@ -38,6 +38,10 @@ void show_start(const AnalysisStart& start, const std::string& left, ProgressDis
 void present(const Analysis& analysis, const std::size_t told, ProgressDisplay& progress) {
   for (std::size_t i = told; i < analysis.notices.size(); ++i)
     progress.line("note: " + analysis.notices[i]);
+  for (const post::Check& check : analysis.checks)
+    if (!check.is_passed() && check.name != "convergence")  // which the shortfall tells
+      progress.line(fmt::format("note: the check '{}' failed ({}): {:.2g}, at most {:.2g} is sound",
+                                check.name, check.meaning, check.value, check.limit));
   if (!analysis.shortfall.empty()) progress.warning(analysis.shortfall);
   progress.line("\n" + analysis.table);
 }

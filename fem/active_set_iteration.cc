@@ -4,24 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
-#include <tuple>
 
 #include "fem/contact/active_set.h"
 #include "fem/contact/conditions.h"
+#include "fem/holding_nodes.h"
 #include "fem/linear/constraints.h"
 
 namespace geneva::fem {
 
 namespace {
 
-using Sets = std::vector<std::vector<NodeStatus>>;
-
 template <int dim>
-Sets active_sets(const Level<dim>& level) {
-  Sets sets;
+ActiveSets active_sets(const Level<dim>& level) {
+  ActiveSets sets;
   for (const ContactInterface<dim>& interface : level.interfaces) sets.push_back(interface.status);
   return sets;
 }
@@ -52,165 +49,6 @@ void only_close(const std::vector<NodeStatus>& now, std::vector<NodeStatus>& nex
   for (std::size_t i = 0; i < next.size(); ++i) next[i] = std::max(next[i], now[i]);
 }
 
-/// A place in the sets.
-struct PlaceInSets {
-  std::size_t interface;
-  std::size_t row;
-};
-
-/// How near a node in contact is to sticking; less is nearer.
-struct Nearness {
-  bool has_slipped;  ///< those that stuck come first
-  double rank;  ///< of those their friction over their pressure; of the others minus the pressure
-
-  bool operator<(const Nearness& other) const {
-    return std::tie(has_slipped, rank) < std::tie(other.has_slipped, other.rank);
-  }
-};
-
-Nearness nearness(const NodeStatus status, const ContactState& state, const std::size_t row) {
-  const double pressure = std::max(state.pressure[row], std::numeric_limits<double>::min());
-  if (status != NodeStatus::stick) return {true, -pressure};
-  return {false, std::hypot(state.friction[row][0], state.friction[row][1]) / pressure};
-}
-
-/// Of the nodes in contact that some interfaces have, the one that is nearest to sticking. Nothing
-/// if one sticks, or none touches.
-template <int dim>
-std::optional<PlaceInSets> nearest_to_sticking(const Level<dim>& level,
-                                               const std::vector<ContactState>& states,
-                                               const Sets& next,
-                                               const std::vector<std::size_t>& interfaces) {
-  std::optional<PlaceInSets> nearest;
-  Nearness least{};
-  for (const std::size_t i : interfaces)
-    for (std::size_t row = 0; row < next[i].size(); ++row) {
-      if (next[i][row] == NodeStatus::stick) return std::nullopt;
-      if (!is_closed(next[i][row])) continue;
-      const Nearness now = nearness(level.interfaces[i].status[row], states[i], row);
-      if (nearest && !(now < least)) continue;
-      least = now;
-      nearest = {i, row};
-    }
-  return nearest;
-}
-
-/// The direction in which a node slides that stuck and is to slip, against the friction on it.
-template <int dim>
-dealii::Tensor<1, dim> released_direction(const Level<dim>& level,
-                                          const std::vector<ContactState>& states,
-                                          const PlaceInSets& place) {
-  dealii::Tensor<1, dim> direction;
-  const auto& tangents = level.interfaces[place.interface].rows[place.row].frame.tangents;
-  for (std::size_t t = 0; t < tangents.size(); ++t)
-    direction -= states[place.interface].friction[place.row][t] * tangents[t];
-  return direction;
-}
-
-/// Of the nodes that slip backwards, the one that has slipped least: the first to turn where the
-/// body moves on.
-template <int dim>
-std::optional<PlaceInSets> first_to_turn(const Level<dim>& level,
-                                         const std::vector<ContactState>& states,
-                                         const std::vector<std::size_t>& interfaces,
-                                         const dealii::Tensor<1, dim>& forwards) {
-  std::optional<PlaceInSets> first;
-  double least = std::numeric_limits<double>::max();
-  for (const std::size_t i : interfaces) {
-    const ContactInterface<dim>& interface = level.interfaces[i];
-    for (std::size_t row = 0; row < interface.rows.size(); ++row) {
-      if (interface.status[row] != NodeStatus::slip) continue;
-      double speed = 0.;
-      double slip = 0.;
-      for (std::size_t t = 0; t + 1 < dim; ++t) {
-        const double since = states[i].slip[row][t] - interface.slip_before_at(row)[t];
-        speed +=
-            interface.sliding_at(row)[t + 1] * (forwards * interface.rows[row].frame.tangents[t]);
-        slip += since * since;
-      }
-      if (speed >= 0. || slip >= least) continue;
-      least = slip;
-      first = {i, row};
-    }
-  }
-  return first;
-}
-
-template <int dim>
-std::size_t n_sticking(const Level<dim>& level, const std::vector<std::size_t>& interfaces) {
-  std::size_t sticking = 0;
-  for (const std::size_t i : interfaces)
-    sticking += static_cast<std::size_t>(std::count(
-        level.interfaces[i].status.begin(), level.interfaces[i].status.end(), NodeStatus::stick));
-  return sticking;
-}
-
-/// Where friction alone holds a body and no node is to stick any more, one does: without it the
-/// system would be singular. It is the nearest one to sticking, or, where that stuck alone and
-/// carries too much, one that it makes turn.
-/// @return whether a node sticks that should not
-template <int dim>
-bool keep_one_stuck(const Level<dim>& level, const std::vector<ContactState>& states, Sets& next) {
-  bool is_kept = false;
-  const auto keep_in = [&](const std::vector<std::size_t>& interfaces) {
-    auto stuck = nearest_to_sticking(level, states, next, interfaces);
-    if (!stuck) return;
-    if (n_sticking(level, interfaces) == 1) {
-      const auto turning =
-          first_to_turn(level, states, interfaces, released_direction(level, states, *stuck));
-      if (turning) {
-        next[turning->interface][turning->row] = NodeStatus::stick;
-        return;
-      }
-    }
-    next[stuck->interface][stuck->row] = NodeStatus::stick;
-    is_kept = true;
-  };
-  std::vector<std::size_t> all;
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    if (!level.interfaces[i].may_stick()) continue;
-    all.push_back(i);
-    if (level.holds_by_friction[i]) keep_in({i});
-  }
-  keep_in(all);
-  return is_kept;
-}
-
-/// The closed row with the greatest pressure; nothing if all are open.
-template <int dim>
-std::optional<std::size_t> most_pressed(const ContactInterface<dim>& interface,
-                                        const ContactState& state) {
-  std::optional<std::size_t> greatest;
-  for (std::size_t row = 0; row < interface.status.size(); ++row)
-    if (is_closed(interface.status[row]) &&
-        (!greatest || state.pressure[row] > state.pressure[*greatest]))
-      greatest = row;
-  return greatest;
-}
-
-/// Where a contact would open wholly that alone holds a body, one of its nodes is closed: without
-/// it the system would be singular. It is the one that touches next as the source leaves the node
-/// that is pulled least, or else this one.
-/// @return whether a node is closed that is pulled
-template <int dim>
-bool keep_one_closed(const Level<dim>& level, const std::vector<ContactState>& states, Sets& next) {
-  bool is_kept = false;
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    const ContactInterface<dim>& interface = level.interfaces[i];
-    if (!level.holds_by_contact[i] || std::any_of(next[i].begin(), next[i].end(), is_closed))
-      continue;
-    const auto left = most_pressed(interface, states[i]);
-    if (!left) continue;
-    if (const auto ahead = first_ahead(interface, states[i], interface.rows[*left].frame.normal)) {
-      next[i][*ahead] = interface.law->touching();
-      continue;
-    }
-    next[i][*left] = interface.status[*left];
-    is_kept = true;
-  }
-  return is_kept;
-}
-
 /// The active sets seen on one mesh. A set that has been there before means cycling: from then on
 /// nodes only close, or begin to slip, so that the iteration ends, and the next mesh starts from
 /// there.
@@ -226,7 +64,7 @@ class ActiveSetSearch {
     const auto before = active_sets(level);
     seen_.insert(before);
     double turn = 0.;
-    Sets all_next;
+    ActiveSets all_next;
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
       all_next.push_back(updated(level.interfaces[i], states[i]));
       if (only_closes_) only_close(level.interfaces[i].status, all_next.back());
@@ -261,13 +99,13 @@ class ActiveSetSearch {
   [[nodiscard]] bool lifts_off() const { return lifts_off_; }
 
  private:
-  std::set<Sets> seen_;
+  std::set<ActiveSets> seen_;
   bool only_closes_ = false;
   bool slides_ = false;
   bool lifts_off_ = false;
 };
 
-std::size_t n_active(const Sets& sets) {
+std::size_t n_active(const ActiveSets& sets) {
   std::size_t active = 0;
   for (const std::vector<NodeStatus>& set : sets)
     active += static_cast<std::size_t>(std::count_if(set.begin(), set.end(), is_closed));
@@ -275,7 +113,7 @@ std::size_t n_active(const Sets& sets) {
 }
 
 /// Number of nodes that differ over that of the active ones.
-double changed_share(const Sets& before, const Sets& now) {
+double changed_share(const ActiveSets& before, const ActiveSets& now) {
   std::size_t changed = 0;
   for (std::size_t i = 0; i < now.size(); ++i)
     for (std::size_t j = 0; j < now[i].size(); ++j)
@@ -293,7 +131,7 @@ class SystemOfSets {
 
   /// Goes over to the level's active sets.
   void update(const Level<dim>& level) {
-    const Sets sets = active_sets(level);
+    const ActiveSets sets = active_sets(level);
     is_smoothing_ = !level.is_factorised && n_smoothing_steps_ < most_smoothing_steps &&
                     n_active(sets) >= fewest_for_smoothing &&
                     (!system_ || changed_share(last_sets_, sets) > few_for_smoothing);
@@ -348,7 +186,7 @@ class SystemOfSets {
   const dealii::DoFHandler<dim>& dof_handler_;
   const Settings& settings_;
   std::optional<LinearSystem<dim>> system_;
-  Sets last_sets_;
+  ActiveSets last_sets_;
   unsigned int n_smoothing_steps_ = 0;
   bool is_smoothing_ = false;
   bool is_set_up_ = false;

@@ -165,6 +165,15 @@ std::string greater_force(const MechanismState& state) {
       angle / loads::degree, 100. * excess, excess < 0.1 ? 1 : 0);
 }
 
+/// That a roller in 3-D is a solid pin, which bends less than a roller's stud, if it is one.
+std::string solid_roller(const MechanismCase& mechanism) {
+  if (!mechanism.roller || !mechanism.space || mechanism.pin_holding.hold == PinHolding::Hold::core)
+    return "";
+  return "in 3-D the roller is one solid pin of its diameter: deflection, slope and the stress at "
+         "the root are that pin's, several times smaller than those of the stud it turns on; "
+         "'Dimension' = 2 gives the stud's by beam theory";
+}
+
 /// That the analysed angle is one at which slot friction turns round, if it is.
 std::string friction_reversal(const MechanismCase& mechanism, const MechanismState& state) {
   constexpr double at_rest = 1e-6;
@@ -195,7 +204,8 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given, mesh::Mesh
     model.mechanism = mechanism_state(*given.mechanism);
     model.notices = notices_of(*given.mechanism, given.units);
     for (const std::string& notice :
-         {greater_force(*model.mechanism), friction_reversal(*given.mechanism, *model.mechanism)})
+         {greater_force(*model.mechanism), friction_reversal(*given.mechanism, *model.mechanism),
+          solid_roller(*given.mechanism)})
       if (!notice.empty()) model.notices.push_back(notice);
     const MechanismState& state = *model.mechanism;
     const ContactGeometry geometry = contact_geometry(*given.mechanism, state);

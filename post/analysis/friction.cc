@@ -18,6 +18,18 @@ std::vector<fem::ContactPair>::const_iterator problem_pair(const fem::Solution<d
   });
 }
 
+/// Of the area in contact.
+template <int dim>
+double sticking_share(const fem::ContactResult<dim>& contact) {
+  double closed = 0.;
+  double sticking = 0.;
+  for (const fem::ContactNode<dim>& node : contact.nodes) {
+    if (fem::is_closed(node.status)) closed += node.tributary;
+    if (node.status == fem::NodeStatus::stick) sticking += node.tributary;
+  }
+  return closed > 0. ? sticking / closed : 0.;
+}
+
 }  // namespace
 
 template <int dim>
@@ -43,9 +55,14 @@ std::optional<FrictionFigures> friction_figures(const fem::Solution<dim>& soluti
         std::count_if(contact.nodes.begin(), contact.nodes.end(),
                       [&](const auto& node) { return node.status == status; }));
   };
-  FrictionFigures figures{
-      pair->friction.coefficient,    fem::magnitude(contact.friction_force), 0.,
-      count(fem::NodeStatus::stick), count(fem::NodeStatus::slip),           std::nullopt};
+  FrictionFigures figures{pair->friction.coefficient,
+                          fem::magnitude(contact.friction_force),
+                          0.,
+                          count(fem::NodeStatus::stick),
+                          count(fem::NodeStatus::slip),
+                          std::nullopt,
+                          std::nullopt};
+  if (!pair->friction.slides()) figures.sticking_share = sticking_share(contact);
   if (!solution.instants.empty())
     figures.dissipated =
         solution.instants.back().pairs[static_cast<std::size_t>(pair - pairs.begin())].dissipated;

@@ -16,6 +16,9 @@ struct FrictionFigures {
   double dissipated;     ///< over the load steps [J], of the modelled part, >= 0
   std::size_t sticking;  ///< nodes
   std::size_t slipping;
+  /// Area that the sticking nodes stand for over that of all in contact: in the plane c/a, between
+  /// spheres (c/a)^2; none where sliding is imposed.
+  std::optional<double> sticking_share;
   std::optional<double> speed;  ///< with which all of it slides, of a mechanism [m/s], > 0
 };
 

@@ -106,6 +106,7 @@ json friction_section(const FrictionFigures& friction, const double parts) {
                {"force", quantity(parts * friction.force, "N")},
                {"sticking_nodes", friction.sticking},
                {"slipping_nodes", friction.slipping}};
+  if (friction.sticking_share) section["sticking_share"] = *friction.sticking_share;
   if (friction.speed)
     section["power"] = quantity(parts * friction.force * *friction.speed, "W");
   else

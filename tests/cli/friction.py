@@ -230,7 +230,7 @@ class StickAndSlip(CliTest):
     def test_the_stick_zone_and_the_traction_are_cattaneo_s_and_mindlin_s(self):
         for displacement in ("2.2e-5", "4.5e-5", "7e-5"):
             case = self.case(f"to{displacement}", displacement, [0, 1])
-            self.run_case(case)
+            summary = self.run_case(case)
             share = self.share(self.table(case, "steps.csv")[-1])
             stick = self.half_width * math.sqrt(1 - share)
             self.assertLess(self.difference(case, lambda x, c=stick: self.bound(x, self.half_width) - self.bound(x, c)), 0.02, share)
@@ -238,6 +238,7 @@ class StickAndSlip(CliTest):
             spacing = float(nodes[1]["x"]) - float(nodes[0]["x"])
             found = max(abs(float(node["x"])) for node in nodes if node["status"] == "1")
             self.assertLess(abs(found - stick), 1.01 * abs(spacing), "to the nodes")
+            self.assertAlmostEqual(look_up(summary, "contact.friction.sticking_share"), stick / self.half_width, delta=0.02)
 
     def test_unloading_slips_back_from_the_edges(self):
         case = self.case("back", "4.5e-5", [0, 1, 0])

@@ -116,7 +116,7 @@ Chart stress_chart(const json& cycle, const UnitSystem units) {
   for (const json& range : cycle.at("stresses")) {
     ChartSeries series{fmt::format("{}, {}", range.at("body").get<std::string>(),
                                    range.at("quantity").get<std::string>()),
-                       SeriesStyle::line,
+                       chart.series.empty() ? SeriesStyle::line : SeriesStyle::dashed,
                        {}};
     for (const json& instant : cycle.at("instants")) {
       if (instant.at("contact").is_null()) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
@@ -160,6 +161,54 @@ std::string safety_table(const json& summary, const UnitSystem units) {
   return table.html();
 }
 
+/// A figure of cycle.json that a limit of the run is for: its value and its driver angle.
+struct OverCycle {
+  const json* value;
+  const json* driver_angle;
+};
+
+bool begins_with(const std::string& text, const std::string& begin) {
+  return text.rfind(begin, 0) == 0;
+}
+
+/// What the instants of a cycle say of the quantity of a limit; nothing where they do not know it.
+std::optional<OverCycle> over_cycle(const std::string& quantity, const json& cycle) {
+  const json& greatest = cycle.at("greatest");
+  if (begins_with(quantity, "contact, ") || quantity == "peak contact pressure") {
+    if (greatest.is_null()) return std::nullopt;
+    return OverCycle{&greatest.at("contact").at("peak_pressure"), &greatest.at("driver_angle")};
+  }
+  for (const json& range : cycle.at("stresses")) {
+    const std::string name = range.at("quantity").get<std::string>() + " away from the contact";
+    const std::string body = ", " + range.at("body").get<std::string>();
+    if (quantity == name + body || quantity == name + " (fatigue)" + body)
+      return OverCycle{&range.at("value"), &range.at("driver_angle")};
+  }
+  return std::nullopt;
+}
+
+/// The limits beside what `geneva cycle` found over the engagement; empty without either.
+std::string cycle_table(const json& summary, const json* const cycle, const UnitSystem units) {
+  if (cycle == nullptr) return "";
+  HtmlTable table{"The same limits over the engagement, by finite elements at every instant",
+                  {"quantity", "greatest", labelled("driver angle", Dimension::angle, units),
+                   "allowed", "safety factor", "verdict"},
+                  {}};
+  for (const json& row : summary.at("safety")) {
+    const auto found = over_cycle(row.at("quantity"), *cycle);
+    if (!found) continue;
+    const double factor = number_of(row.at("allowed")) / number_of(*found->value);
+    table.rows.push_back({escaped(labelled(row.at("quantity"), Dimension::stress, units)),
+                          shown(*found->value, Dimension::stress, units),
+                          shown(*found->driver_angle, Dimension::angle, units),
+                          shown(row.at("allowed"), Dimension::stress, units),
+                          significant(factor, 3),
+                          factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
+                                       : "<span class=\"fail\">✗ exceeded</span>"});
+  }
+  return table.rows.empty() ? "" : table.html();
+}
+
 std::string inputs_table(const std::vector<CaseInput>& inputs, const bool is_given) {
   HtmlTable table{is_given ? "What the case gives" : "What it leaves at the default",
                   {"parameter", "value"},
@@ -176,7 +225,8 @@ std::string inputs_section(const std::string& case_text) {
   if (inputs.empty()) return "";
   return html_section("inputs", "Inputs",
                       inputs_table(inputs, true) +
-                          "<details>\n<summary>Everything else is at its default</summary>\n" +
+                          "<details>\n<summary>Everything else: defaults, and values of named "
+                          "materials</summary>\n" +
                           inputs_table(inputs, false) + "</details>\n");
 }
 
@@ -188,7 +238,8 @@ ReportPart verdict_part(const ResultsDirectory& results) {
                        main_figure(summary, results.units()) +
                            nearest_limit(summary, results.units()) + verdict_sentence(summary) +
                            notices(summary) + verdict_table(summary, results.units()) +
-                           safety_table(summary, results.units())) +
+                           safety_table(summary, results.units()) +
+                           cycle_table(summary, results.document("cycle"), results.units())) +
               inputs_section(results.case_text) +
               html_section("checks", "Is it right?", checks_table(summary)),
           {}};

@@ -1,0 +1,49 @@
+#include "model/input/parameter_parts.h"
+
+#include <utility>
+
+namespace geneva::model {
+
+using base::Dimension;
+
+/// May be left empty.
+QuantityRule whole_or_nothing(const double lower, const double upper, const std::string& text) {
+  QuantityRule rule = whole(lower, upper, text);
+  rule.words = {""};
+  return rule;
+}
+
+void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
+  for (Parameter& parameter : more) parameters.push_back(std::move(parameter));
+}
+
+/// Of a case or of the collection.
+std::vector<Parameter> elastic_parameters(const SectionPath& section) {
+  const Range poissons_ratio{-1., 0.4999, false, true, "greater than -1 and at most 0.4999"};
+  return {
+      {section, "Young's modulus", "207 GPa", positive(Dimension::stress),
+       "Modulus of elasticity E. The default is that of steel."},
+      {section, "Poisson's ratio", "0.3", quantity(Dimension::dimensionless, poissons_ratio),
+       "Poisson's ratio nu, up to 0.4999 (nearly incompressible). The default is that of steel."},
+      {section, "Density", "7850 kg/m^3", positive(Dimension::density),
+       "Mass density. The default is that of steel."},
+      {section, "Yield strength", "", positive(Dimension::stress, {""}),
+       "Von Mises stress at which the material yields; if given, the safety factor against it is "
+       "reported."},
+      {section, "Fatigue strength", "", positive(Dimension::stress, {""}),
+       "Maximum tensile stress that the material bears any number of times, from nought to maximum "
+       "(pulsating), with the surface and size of the part; if given, the safety factor of the "
+       "maximum tensile stress away from the contact is reported."}};
+}
+
+/// Of a case: by name, by value, or both.
+std::vector<Parameter> material_parameters(const SectionPath& section) {
+  std::vector<Parameter> parameters{
+      {section, names::material, "", TextRule{"a name of 'geneva materials', or nothing"},
+       "Material whose typical values stand for those that are not given here: elastic constants, "
+       "density, yield and fatigue strength, and the contact pressure that it allows."}};
+  append(parameters, elastic_parameters(section));
+  return parameters;
+}
+
+}  // namespace geneva::model

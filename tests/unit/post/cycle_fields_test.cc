@@ -1,0 +1,87 @@
+#include "post/output/cycle_fields.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace geneva::post {
+namespace {
+
+/// Two squares: a wheel from x = 0 to 1 and a pin around (2, 0), both of side 1; stress xx is a
+/// linear function of the place in the pin's own frame or the wheel's.
+CycleFields instant(const double angle, const double pin_distance, const double pin_turn,
+                    const double factor) {
+  CycleFields result{angle, pin_distance, pin_turn, {}};
+  const double cosine = std::cos(-pin_turn);
+  const double sine = std::sin(-pin_turn);
+  for (const unsigned int body : {0U, 1U}) {
+    std::vector<std::size_t> cell;
+    for (int corner = 0; corner < 4; ++corner) {
+      const double x = corner % 2 - 0.5;
+      const double y = corner / 2 - 0.5;
+      cell.push_back(result.fields.places.size());
+      const double value = factor * (2.5 + x + 3. * y);
+      result.fields.places.push_back(
+          body == 0 ? std::array<double, 3>{0.5 + x, y, 0.}
+                    : std::array<double, 3>{pin_distance + cosine * x - sine * y,
+                                            sine * x + cosine * y, 0.});
+      result.fields.displacements.push_back({x, y, 0.});
+      result.fields.stress.push_back({value, 0., 0., 0.1, 0., 0.});
+      result.fields.von_mises.push_back(std::abs(value));
+    }
+    result.fields.cells.push_back(cell);
+    result.fields.bodies.push_back(body);
+  }
+  return result;
+}
+
+TEST(NodalFields, MirroredTwiceAreTheSame) {
+  const NodalFields fields = instant(0., 2., 0.3, 1.).fields;
+  const NodalFields once = mirrored(fields);
+  EXPECT_EQ(once.places[5][1], -fields.places[5][1]);
+  EXPECT_EQ(once.displacements[5][1], -fields.displacements[5][1]);
+  EXPECT_EQ(once.stress[5][3], -0.1);
+  EXPECT_EQ(once.stress[5][0], fields.stress[5][0]);
+  EXPECT_NE(once.cells, fields.cells) << "corners go round the same way";
+  const NodalFields twice = mirrored(once);
+  EXPECT_EQ(twice.places, fields.places);
+  EXPECT_EQ(twice.stress, fields.stress);
+  EXPECT_EQ(twice.cells, fields.cells);
+}
+
+TEST(FirstPrincipal, IsTheGreatestEigenvalue) {
+  EXPECT_NEAR(first_principal({3., 1., -5., 0., 0., 0.}), 3., 1e-14);
+  EXPECT_NEAR(first_principal({0., 0., 0., 2., 0., 0.}), 2., 1e-14);
+  EXPECT_NEAR(first_principal({-1., -1., -1., 0., 0., 0.}), -1., 1e-14);
+  EXPECT_NEAR(first_principal({2., 2., 0., 1., 0., 0.}), 3., 1e-14);
+}
+
+TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
+  const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5),
+                                          instant(0.6, 1.2, 1.1, 0.5)};
+  const Envelope greatest = envelope(instants, 0, {false, true});
+  const NodalFields& own = instants[0].fields;
+  for (std::size_t node = 0; node < own.places.size(); ++node) {
+    const double here = own.stress[node][0];
+    const double principal = [](const double normal) {
+      return normal / 2. + std::hypot(normal / 2., 0.1);
+    }(here > 0. ? 1.5 * here : 0.5 * here);
+    EXPECT_NEAR(greatest.first_principal[node], principal, 1e-9) << node;
+    EXPECT_NEAR(greatest.von_mises[node], std::sqrt(std::pow(1.5 * here, 2) + 0.03), 1e-9) << node;
+    EXPECT_EQ(greatest.von_mises_angle[node], 0.1) << node;
+  }
+}
+
+TEST(CycleSeries, NamesEveryInstantAtItsAngle) {
+  const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5)};
+  const auto texts = cycle_series(instants, 1, {false, true}, base::UnitSystem::mm_newton);
+  EXPECT_EQ(texts.size(), 4U);
+  const std::string& list = texts.at("cycle.pvd");
+  EXPECT_NE(list.find("timestep=\"-28.6478898\" part=\"0\" file=\"cycle.0.vtu\""),
+            std::string::npos)
+      << list;
+  EXPECT_NE(texts.at("envelope.vtu").find("von_mises_driver_angle"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace geneva::post
