@@ -3,6 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/contact/interface.h"
+#include "fem/contact/mortar.h"
 #include "tests/unit/fem/hand_made.h"
 
 namespace geneva::fem::test {
