@@ -42,8 +42,7 @@ class Loading {
     if (greatest_ == 0.)
       throw base::InputError(
           "the pin never presses on a wall: there is no load; give the wheel an inertia, a "
-          "friction "
-          "moment or an external torque");
+          "friction moment or an external torque");
   }
 
   static constexpr int samples = 256;

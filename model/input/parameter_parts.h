@@ -10,6 +10,7 @@ namespace geneva::model {
 /// A whole number that may be left empty.
 QuantityRule whole_or_nothing(double lower, double upper, const std::string& text);
 
+/// Puts more parameters behind those that are there.
 void append(std::vector<Parameter>& parameters, std::vector<Parameter> more);
 
 /// Of a material of a case or of the collection.

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "loads/pi.h"
 #include "post/output/kinematics_output.h"
 
 namespace geneva::post {
@@ -21,7 +21,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double degrees = 180. / 3.14159265358979323846;
+constexpr double degrees = 1. / loads::degree;
 
 double relative(const double value, const double to) { return to == 0. ? 0. : value / to - 1.; }
 
