@@ -65,9 +65,15 @@ bool confirm(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const 
       std::find_if(figures.begin(), figures.end(),
                    [&](const post::OptimumFigure& figure) { return figure.quantity == name; });
   if (bottom == figures.end())
-    bottom =
-        figures.insert(figures.end(), {name, base::Dimension::stress, std::nullopt, stress->value,
-                                       std::nullopt, false, std::nullopt, std::nullopt});
+    bottom = figures.insert(figures.end(), {name,
+                                            base::Dimension::stress,
+                                            std::nullopt,
+                                            stress->value,
+                                            std::nullopt,
+                                            false,
+                                            std::nullopt,
+                                            std::nullopt,
+                                            {}});
   bottom->confirmed = stress->value;
   bottom->error = stress->error;
   return analysis.is_converged;

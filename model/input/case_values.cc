@@ -47,7 +47,7 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
 }
 
 [[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
-  if (line == 0) throw base::InputError(fmt::format("{} and --set: {}", text.file, reason));
+  if (line == 0) throw base::InputError(fmt::format("{} and {}: {}", text.file, text.varied_by, reason));
   throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
 }
 
@@ -201,9 +201,13 @@ void CaseValues::refuse_section(const SectionPath& section, const std::string& r
 }
 
 std::string CaseValues::completed() const {
-  return parameter_listing(parameters_, [this](const Parameter& parameter) {
-    return text(parameter.section, parameter.name);
-  });
+  return parameter_listing(
+      parameters_,
+      [this](const Parameter& parameter) { return text(parameter.section, parameter.name); },
+      [this](const Parameter& parameter) {
+        const Assignment* const found = text_.find(parameter.section, parameter.name);
+        return found != nullptr && !found->value.empty();
+      });
 }
 
 CaseSection::CaseSection(const CaseValues& values, SectionPath path)

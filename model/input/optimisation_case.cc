@@ -69,6 +69,7 @@ void check_known(const CaseSection& section, const OptimisationCase& wanted,
   };
   refuse_undrawn("Minimise", wanted.goal == Goal::mass || wanted.goal == Goal::slot_bottom);
   refuse_undrawn("Largest mass", wanted.largest_mass.has_value());
+  refuse_undrawn("Least wall", wanted.least_wall.has_value());
   refuse_undrawn("Largest stress at the slot bottom", wanted.largest_slot_bottom.has_value());
   if (wanted.largest_root_stress && mechanism.pin_holding.hold == PinHolding::Hold::core)
     section.refuse("Largest stress at the pin root", "the pin is held at its core: it has no root");
@@ -98,6 +99,9 @@ std::vector<Parameter> optimisation_parameters() {
        "Limit of Hertz's pressure over the cycle."},
       {section, "Largest mass", "", positive(Dimension::mass, {""}),
        "Limit of the drawn wheel's mass."},
+      {section, "Least wall", "", positive(Dimension::length, {""}),
+       "The least that is left of the drawn wheel between slots, locking arcs, bore and rim, the "
+       "tip beside a slot's mouth among them. Left out: a tenth of the slot's width."},
       {section, "Largest stress at the slot bottom", "", stress,
        "Limit of the wheel's maximum tensile stress away from the contact, by finite elements."},
       {section, "Largest stress at the pin root", "", stress,
@@ -118,6 +122,7 @@ std::optional<OptimisationCase> read_optimisation(const CaseValues& values,
                           goal_of(section.text("Minimise")),
                           section.optional_value("Largest contact pressure"),
                           section.optional_value("Largest mass"),
+                          section.optional_value("Least wall"),
                           section.optional_value("Largest stress at the slot bottom"),
                           section.optional_value("Largest stress at the pin root")};
   std::size_t begin = 0;

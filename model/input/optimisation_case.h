@@ -28,6 +28,7 @@ struct OptimisationCase {
   Goal goal;
   std::optional<double> largest_pressure;     ///< of the cycle [Pa]
   std::optional<double> largest_mass;         ///< of the wheel [kg]
+  std::optional<double> least_wall;           ///< of the wheel [m]; none: a rule gives it
   std::optional<double> largest_slot_bottom;  ///< tensile stress of the wheel [Pa]
   std::optional<double> largest_root_stress;  ///< of the pin, by beam theory [Pa]
 };

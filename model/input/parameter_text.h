@@ -14,7 +14,7 @@ struct Assignment {
   SectionPath section;
   std::string name;
   std::string value;  ///< trimmed; the lines of a continued one joined
-  int line;           ///< its first, from 1; 0: set on the command line
+  int line;           ///< its first, from 1; 0: varied
 };
 
 /// A line "subsection name".
@@ -28,6 +28,7 @@ struct ParameterText {
   std::string file;  ///< for messages
   std::vector<Assignment> assignments;
   std::vector<OpenedSection> sections;
+  std::string varied_by = "--set";  ///< what sets the varied ones, for messages
 
   /// The assignment of that name; nothing if there is none.
   [[nodiscard]] const Assignment* find(const SectionPath& section, const std::string& name) const;

@@ -28,7 +28,9 @@ std::vector<std::string> binding(const OptimumReport& report) {
     if (!dimension.bound.empty())
       words.push_back(fmt::format("the {} bound of '{}'", dimension.bound, dimension.name));
   for (const OptimumFigure& figure : report.figures)
-    if (figure.binds) words.push_back("the limit of the " + figure.quantity);
+    if (figure.binds)
+      words.push_back("the limit of the " + figure.quantity +
+                      (figure.place.empty() ? "" : " between " + figure.place));
   return words;
 }
 
@@ -49,6 +51,7 @@ json optimum_summary(const OptimumReport& report) {
                        {"before", optional_quantity(figure.before, figure.dimension)},
                        {"after", base::quantity(figure.after, figure.dimension)},
                        {"limit", optional_quantity(figure.limit, figure.dimension)},
+                       {"place", figure.place},
                        {"binds", figure.binds},
                        {"confirmed", optional_quantity(figure.confirmed, figure.dimension)},
                        {"confirmed_error", figure.error ? json(*figure.error) : json()}});

@@ -29,6 +29,7 @@ struct OptimumFigure {
   bool binds;                       ///< the limit
   std::optional<double> confirmed;  ///< of `after`, by finite elements
   std::optional<double> error;      ///< of that, relative
+  std::string place;                ///< of `after`, where it has one
 };
 
 /// The best dimensions that were found.

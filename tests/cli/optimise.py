@@ -74,6 +74,16 @@ class Optimise(CliTest):
         self.assert_close(thickness, 15 * (478.8 / 600)**2, 0.01, "thickness")
         self.assertEqual(optimum["binds"], ["the limit of the peak contact pressure of the cycle"])
 
+    def test_the_least_mass_keeps_a_wall_that_can_be_made(self):
+        free = "Wheel diameter: 80 mm .. 200 mm; Pin diameter: 5 mm .. 40 mm"
+        for given, share in ((None, 0.1), ("3 mm", None)):
+            values = {"Least_wall": given} if given else {}
+            optimum, printed = self.optimum(self.case(f"wall-{given}", Free=free, Minimise="mass of the wheel", **values))
+            slot = 1e-3 * float(self.dimension(optimum, "Pin diameter")["after"].split()[0])
+            self.assert_close(self.figure(optimum, "least wall of the wheel"), share * slot if share else 3e-3, 1e-4, "wall")
+            self.assertIn("the limit of the least wall of the wheel", printed)
+            self.assertIsNotNone(optimum["figures"][0]["confirmed"])
+
     def test_the_slot_s_bottom_may_be_the_goal(self):
         case = self.case("bottom", Free="Pin diameter: 8 mm .. 24 mm", Minimise="stress at the slot bottom")
         change_case(case, {"Structural accuracy": "4 %"})
@@ -98,7 +108,7 @@ class Optimise(CliTest):
         self.assertIn("Best dimensions", (case / "results" / "report.html").read_text())
 
     def test_a_best_case_that_cannot_be_meshed_keeps_what_is_known_of_it(self):
-        case = self.case("thick", Free="Pin diameter: 5 mm .. 40 mm")
+        case = self.case("thick", Free="Pin diameter: 5 mm .. 40 mm", Least_wall="1 nm")
         run = self.call("optimise", case)
         self.assertEqual(run.returncode, 2, run.stdout)
         self.assertIn("the best case could not be solved", run.stderr)
@@ -140,6 +150,7 @@ class Optimise(CliTest):
                  "which comes nearest, the peak contact pressure of the cycle is"),
                 (self.case("f", Largest_mass="1 kg"), "'Free' only, which is missing"),
                 (self.case("g", Free="Pin diameter: 8 mm .. 9 mm; Pin diameter: 8 mm .. 9 mm"), "stands there twice"),
+                (self.case("j", Free="Pin diameter: 8 mm .. 90 mm; Pin/Overhang: -9 m .. -8 m"), "case.prm and 'Free': "),
                 (self.case("h", "long-dwell", Free="Pin diameter: 8 mm .. 14 mm", Minimise="stress at the slot bottom"),
                  "is not drawn"),
                 (self.case("i", "four-bar-geneva", Free="Pin diameter: 8 mm .. 14 mm", Largest_mass="1 kg"),
