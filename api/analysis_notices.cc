@@ -95,8 +95,13 @@ std::vector<std::string> strength_notices(const model::Case& given,
 std::vector<std::string> material_notices(const model::Case& given) {
   std::vector<std::string> notices;
   for (const auto& [body, material] : given.materials)
-    notices.push_back(fmt::format("'{}' of the {} stands for typical values ({})", material.name,
-                                  body, material.source));
+    notices.push_back(fmt::format(
+        "'{}' of the {} stands for typical values: 'geneva materials \"{}\"' tells where they are "
+        "from{}",
+        material.name, body, material.name,
+        material.contact_pressure ? ""
+                                  : "; what its surface bears for long is not known, so that no "
+                                    "limit of pitting or wear is judged"));
   return notices;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "model/input/materials.h"
+#include "model/input/parameter_rule.h"
 
 namespace geneva::app {
 
@@ -41,14 +42,30 @@ void print_list(const std::vector<model::KnownMaterial>& materials) {
          "others (doc/materials.md).\n";
 }
 
+/// Of a text that is divided by semicolons.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(';', begin), text.size());
+    parts.push_back(model::trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
 void print_one(const model::KnownMaterial& material) {
   const auto line = [](const char* const name, const std::string& value) {
-    std::cout << fmt::format("  {:<18}{}\n", name, value);
+    std::cout << fmt::format("  {:<22}{}\n", name, value);
   };
   std::cout << material.name << '\n';
   for (const model::Parameter& parameter : model::known_material_parameters(material.name)) {
     const auto text = material.texts.find(parameter.name);
-    if (text != material.texts.end()) line(parameter.name.c_str(), text->second);
+    if (text == material.texts.end()) continue;
+    const char* label = parameter.name.c_str();
+    for (const std::string& part : parts_of(text->second)) {
+      line(label, part);
+      label = "";
+    }
   }
 }
 

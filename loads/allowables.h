@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "loads/contact_limits.h"
+
 namespace geneva::loads {
 
 /// What the case allows.
@@ -13,6 +15,7 @@ struct Allowables {
   std::map<std::string, double> yield_strengths;    ///< [Pa] by body
   std::map<std::string, double> fatigue_strengths;  ///< under pulsating tension [Pa] by body
   std::map<std::string, double> flank_pressures;    ///< of contact, of the body's material [Pa]
+  std::map<std::string, HardenedLayer> layers;      ///< of bodies whose surface is hardened
 };
 
 }  // namespace geneva::loads

@@ -16,6 +16,10 @@ constexpr HertzLine unit_contact{1., 1., 0., 0.};
 /// k over Y by von Mises.
 const double shear_yield = 1. / std::sqrt(3.);
 
+/// Of searches that are repeated: to about 1e-5.
+constexpr int coarse_steps = 12;
+constexpr int coarse_zooms = 4;
+
 struct PlacedMaximum {
   double value;
   double depth;
@@ -23,9 +27,7 @@ struct PlacedMaximum {
 
 /// Maximum over |x| <= 2, 0 < z <= 2: a grid, and finer ones around its best point.
 PlacedMaximum maximum_below(const std::function<double(double, double)>& value,
-                            const double least_depth) {
-  constexpr int steps = 40;
-  constexpr int zooms = 8;
+                            const double least_depth, const int steps = 40, const int zooms = 8) {
   double x = 0., z = 1., reach_x = 2., reach_z = 1.;
   double best = 0.;
   for (int zoom = 0; zoom < zooms; ++zoom) {
@@ -53,6 +55,44 @@ double von_mises(const ContactStress& stress, const double poissons_ratio) {
   return std::sqrt(
       (square(stress.xx - stress.zz) + square(stress.zz - yy) + square(yy - stress.xx)) / 2. +
       3. * square(stress.xz));
+}
+
+/// Of a line contact with peak pressure and half-width 1, at or below a depth.
+double mises_below(const double poissons_ratio, const double friction, const double depth) {
+  return maximum_below(
+             [&](const double x, const double z) {
+               return von_mises(sliding_stress(unit_contact, friction, x, z), poissons_ratio);
+             },
+             depth, coarse_steps, coarse_zooms)
+      .value;
+}
+
+double shear_below(const double friction, const double depth) {
+  return maximum_below(
+             [&](const double x, const double z) {
+               return std::abs(sliding_stress(unit_contact, friction, x, z).xz);
+             },
+             depth, coarse_steps, coarse_zooms)
+      .value;
+}
+
+/// Largest pressure up to the layer's limit with which the core is not beyond its strength.
+/// @param stress_below greatest stress of a contact of pressure and width 1, by the least depth
+double layered_limit(const double layer_limit, const double core, const double depth,
+                     const double width_per_pressure,
+                     const std::function<double(double)>& stress_below) {
+  const auto is_borne = [&](const double pressure) {
+    return pressure * stress_below(depth / (width_per_pressure * pressure)) <= core;
+  };
+  if (is_borne(layer_limit)) return layer_limit;
+  double borne = 0.;
+  double beyond = layer_limit;
+  constexpr int halvings = 24;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (borne + beyond) / 2.;
+    (is_borne(middle) ? borne : beyond) = middle;
+  }
+  return borne;
 }
 
 }  // namespace
@@ -101,6 +141,42 @@ ContactLimits line_contact_limits(const double poissons_ratio, const double fric
                     below_surface)
           .value;
   return {1. / mises, shear_yield / std::max(shear, friction)};
+}
+
+double yield_strength_by_hardness(const double hardness) {
+  require_positive("hardness", hardness, "");
+  constexpr double standard_gravity = 9.80665;
+  constexpr double per_kgf_per_mm2 = standard_gravity * 1e6;
+  constexpr double tabor = 3.;
+  return hardness * per_kgf_per_mm2 / tabor;
+}
+
+ContactLimits layered_line_limits(const double poissons_ratio, const double friction,
+                                  const HardenedLayer& layer, const double core,
+                                  const double half_width_per_pressure) {
+  const ContactLimits of_layer = line_contact_limits(poissons_ratio, friction);
+  return {
+      layered_limit(
+          of_layer.first_yield * layer.yield_strength, core, layer.depth, half_width_per_pressure,
+          [&](const double depth) { return mises_below(poissons_ratio, friction, depth); }),
+      layered_limit(of_layer.shakedown * layer.yield_strength, shear_yield * core, layer.depth,
+                    half_width_per_pressure,
+                    [&](const double depth) { return shear_below(friction, depth); })};
+}
+
+ContactLimits layered_point_limits(const double poissons_ratio, const HardenedLayer& layer,
+                                   const double core, const double radius_per_pressure) {
+  const ContactLimits of_layer = point_contact_limits(poissons_ratio);
+  const HertzPoint contact = hertz_point(1., 1., 1., poissons_ratio);
+  const double deepest = contact.max_shear_depth / contact.contact_radius;
+  const auto shear_at = [&](const double depth) {
+    return axial_shear(std::max(depth, deepest), poissons_ratio);
+  };
+  const auto mises_at = [&](const double depth) { return 2. * shear_at(depth); };
+  return {layered_limit(of_layer.first_yield * layer.yield_strength, core, layer.depth,
+                        radius_per_pressure, mises_at),
+          layered_limit(of_layer.shakedown * layer.yield_strength, shear_yield * core, layer.depth,
+                        radius_per_pressure, shear_at)};
 }
 
 ContactLimits point_contact_limits(const double poissons_ratio) {

@@ -24,6 +24,17 @@ struct ContactLimits {
                        ///< passes, without hardening
 };
 
+/// A hard layer at the surface of a softer core.
+struct HardenedLayer {
+  double depth;           ///< [m]
+  double yield_strength;  ///< of the layer [Pa]
+};
+
+/// The layer's yield strength [Pa] by its hardness H: H/3 (D. Tabor, The Hardness of Metals, 1951),
+/// which holds for metals that harden little, as hardened steel.
+/// @param hardness Vickers or Brinell number [kgf/mm^2]
+double yield_strength_by_hardness(double hardness);
+
 /// Of a line contact in plane strain. Shakedown: k over the greatest shear xz below the surface
 /// (Melan's theorem; K. L. Johnson 1985, 9.1), 4 k without friction, at most k/mu, where the
 /// surface decides (Tresca).
@@ -31,6 +42,21 @@ struct ContactLimits {
 /// @param friction coefficient mu of gross sliding, 0 <= mu <= 1
 /// @throws base::InputError outside of these ranges
 ContactLimits line_contact_limits(double poissons_ratio, double friction);
+
+/// Peak pressures [Pa] of a line contact up to which neither layer nor core yields, and up to which
+/// both shake down: those of the layer's strength, and of the core's with the greatest stresses at
+/// and below the layer's depth, while half-width and pressure grow together.
+/// @param core yield strength [Pa]
+/// @param half_width_per_pressure b/p0 [m/Pa]
+/// @throws base::InputError as line_contact_limits()
+ContactLimits layered_line_limits(double poissons_ratio, double friction,
+                                  const HardenedLayer& layer, double core,
+                                  double half_width_per_pressure);
+
+/// The same of a circular contact without friction. The core's shakedown is by the greatest
+/// principal shear on the axis, which is above the shear that decides: on the safe side.
+ContactLimits layered_point_limits(double poissons_ratio, const HardenedLayer& layer, double core,
+                                   double radius_per_pressure);
 
 /// Of a circular contact without friction. Shakedown: 4.68 k (A. R. S. Ponter, A. D. Hearle and
 /// K. L. Johnson 1985).

@@ -116,6 +116,11 @@ DeepStress maximum_von_mises(const HertzLine& contact, const double poissons_rat
   return {-negative, depth * contact.half_width};
 }
 
+double axial_shear(const double zeta, const double poissons_ratio) {
+  return 0.75 / (1. + zeta * zeta) -
+         (1. + poissons_ratio) / 2. * (1. - zeta * std::atan2(1., zeta));
+}
+
 HertzPoint hertz_point(double force, double relative_radius, double contact_modulus,
                        double poissons_ratio) {
   require_positive("force", force, "N");
@@ -125,9 +130,8 @@ HertzPoint hertz_point(double force, double relative_radius, double contact_modu
   const double radius = std::cbrt(3. * force * relative_radius / (4. * contact_modulus));
   const double peak = 3. * force / (2. * pi * radius * radius);
   const double zeta = depth_of_maximum_shear(poissons_ratio);
-  const double shear = peak * (0.75 / (1. + zeta * zeta) -
-                               (1. + poissons_ratio) / 2. * (1. - zeta * std::atan2(1., zeta)));
-  return {peak, radius, radius * radius / relative_radius, shear, zeta * radius};
+  return {peak, radius, radius * radius / relative_radius, peak * axial_shear(zeta, poissons_ratio),
+          zeta * radius};
 }
 
 namespace {

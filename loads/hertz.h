@@ -72,6 +72,10 @@ struct HertzPoint {
   [[nodiscard]] double pressure(double r) const;
 };
 
+/// tau/p0 on the axis of a point contact (K. L. Johnson 1985, Eq. 3.45).
+/// @param zeta depth over contact radius, >= 0
+double axial_shear(double zeta, double poissons_ratio);
+
 /// @param force F > 0 [N]
 /// @param relative_radius R > 0 [m]
 /// @param contact_modulus E* > 0 [Pa]

@@ -196,10 +196,22 @@ void refuse_limits_of_contact(const CaseValues& values, const Case& given) {
   refuse(names::published, "Peak pressure");
 }
 
+/// @throws base::InputError for a depth without a hardness
+std::optional<loads::HardenedLayer> read_layer(const CaseSection& material) {
+  const auto depth = material.optional_value("Hardened depth");
+  if (!depth) return std::nullopt;
+  const auto hardness = material.optional_value("Hardness");
+  if (!hardness)
+    material.refuse("Hardened depth",
+                    "'Hardness' is missing: it gives the yield strength of the hardened layer");
+  return loads::HardenedLayer{*depth, loads::yield_strength_by_hardness(*hardness)};
+}
+
 loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   const CaseSection section(values, {names::allowable});
   loads::Allowables result{section.optional_value("Contact pressure"),
                            section.optional_value("Pressure times slip speed"),
+                           {},
                            {},
                            {},
                            {}};
@@ -212,9 +224,14 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   for (const auto& [body, path] : materials_of(given))
     if (const auto fatigue = CaseSection(values, path).optional_value("Fatigue strength"))
       result.fatigue_strengths[body] = *fatigue;
-  for (const auto& [body, material] : given.materials)
-    if (material.contact_pressure && has_contact(given))
-      result.flank_pressures[body] = *material.contact_pressure;
+  for (const auto& [body, path] : materials_of(given))
+    if (const auto layer = read_layer(CaseSection(values, path))) result.layers[body] = *layer;
+  for (const auto& [body, material] : given.materials) {
+    const auto hardness =
+        CaseSection(values, materials_of(given).at(body)).optional_value("Hardness");
+    if (const auto pressure = flank_pressure(material, hardness); pressure && has_contact(given))
+      result.flank_pressures[body] = *pressure;
+  }
   return result;
 }
 

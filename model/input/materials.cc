@@ -37,11 +37,15 @@ KnownMaterial read_known_material(const CaseValues& values, const ParameterText&
   material.yield_strength = section.optional_value("Yield strength");
   material.fatigue_strength = section.optional_value("Fatigue strength");
   material.contact_pressure = section.optional_value("Contact pressure");
+  material.hardness = section.optional_value("Hardness");
+  if (const auto line = section.values("Pressure by hardness"); !line.empty())
+    material.pressure_by_hardness = std::make_pair(line[0], line[1]);
   if (const auto wear = section.values("Wear coefficient"); !wear.empty()) {
     if (wear[0] > wear[1])
       section.refuse("Wear coefficient", "the lesser one comes first, then the greater");
     material.wear = std::make_pair(wear[0], wear[1]);
   }
+  material.also_called = section.text("Also called");
   material.source = section.text("Source");
   return material;
 }
@@ -96,8 +100,8 @@ const KnownMaterial& material_named(const std::vector<KnownMaterial>& materials,
   for (const KnownMaterial& material : materials) {
     if (lower_case(material.name) == lower_case(name)) return material;
     names.push_back(material.name);
-    if (lower_case(material.name).find(lower_case(name)) != std::string::npos)
-      containing.push_back(material.name);
+    const std::string all_names = lower_case(material.name + ", " + material.also_called);
+    if (all_names.find(lower_case(name)) != std::string::npos) containing.push_back(material.name);
   }
   const auto nearest = nearest_word(name, names);
   if (!containing.empty() && !name.empty())
@@ -105,6 +109,13 @@ const KnownMaterial& material_named(const std::vector<KnownMaterial>& materials,
   throw base::InputError(
       fmt::format("no such material is known{}; 'geneva materials' lists them",
                   nearest ? fmt::format(": did you mean {}?", base::in_quotes(*nearest)) : ""));
+}
+
+std::optional<double> flank_pressure(const KnownMaterial& material,
+                                     const std::optional<double>& hardness) {
+  if (hardness == material.hardness || !hardness || !material.pressure_by_hardness)
+    return material.contact_pressure;
+  return material.pressure_by_hardness->first * *hardness + material.pressure_by_hardness->second;
 }
 
 std::map<SectionPath, KnownMaterial> take_materials(std::vector<Parameter>& parameters,

@@ -16,16 +16,24 @@ namespace geneva::model {
 /// A material of the collection; SI units.
 struct KnownMaterial {
   std::string name;
+  std::string also_called;                   ///< other names, divided by commas
   std::map<std::string, std::string> texts;  ///< by parameter of a case's material, as written
   double youngs_modulus;                     ///< [Pa]
   double poissons_ratio;
-  double density;                                 ///< [kg/m^3]
-  std::optional<double> yield_strength;           ///< [Pa]
-  std::optional<double> fatigue_strength;         ///< pulsating [Pa]
-  std::optional<double> contact_pressure;         ///< that it bears for long [Pa]
+  double density;                                                 ///< [kg/m^3]
+  std::optional<double> yield_strength;                           ///< [Pa]
+  std::optional<double> fatigue_strength;                         ///< pulsating [Pa]
+  std::optional<double> contact_pressure;                         ///< that it bears for long [Pa]
+  std::optional<double> hardness;                                 ///< Vickers or Brinell number
+  std::optional<std::pair<double, double>> pressure_by_hardness;  ///< slope and offset [Pa]
   std::optional<std::pair<double, double>> wear;  ///< coefficient, lubricated and dry [m^2/N]
-  std::string source;                             ///< of the values
+  std::string source;                             ///< of each value, divided by semicolons
 };
+
+/// What the flanks of gears of the material bear, by a hardness other than the material's own where
+/// one is given and the endurance follows from it.
+std::optional<double> flank_pressure(const KnownMaterial& material,
+                                     const std::optional<double>& hardness);
 
 /// The file of materials that the program brings.
 extern const std::string_view materials_file;

@@ -297,7 +297,7 @@ std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
 void check_no_stud(const CaseValues& values) {
   const CaseSection section(values, {names::mechanism, names::stud_material});
   for (const char* const name : {names::material, "Young's modulus", "Poisson's ratio", "Density",
-                                 "Yield strength", "Fatigue strength"})
+                                 "Yield strength", "Fatigue strength", "Hardness", "Hardened depth"})
     if (section.is_changed(name))
       section.refuse(name, "this has an effect with Pin type = roller only");
 }

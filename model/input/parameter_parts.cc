@@ -19,6 +19,7 @@ void append(std::vector<Parameter>& parameters, std::vector<Parameter> more) {
 
 /// Of a case or of the collection.
 std::vector<Parameter> elastic_parameters(const SectionPath& section) {
+  const Range hardness{20., 1500., true, true, "from 20 to 1500"};
   const Range poissons_ratio{-1., 0.4999, false, true, "greater than -1 and at most 0.4999"};
   return {
       {section, "Young's modulus", "207 GPa", positive(Dimension::stress),
@@ -33,7 +34,15 @@ std::vector<Parameter> elastic_parameters(const SectionPath& section) {
       {section, "Fatigue strength", "", positive(Dimension::stress, {""}),
        "Maximum tensile stress that the material bears any number of times, from nought to maximum "
        "(pulsating), with the surface and size of the part; if given, the safety factor of the "
-       "maximum tensile stress away from the contact is reported."}};
+       "maximum tensile stress away from the contact is reported."},
+      {section, "Hardness", "", quantity(Dimension::dimensionless, hardness, {""}),
+       "Vickers (or Brinell) number of the surface: what gears of this hardness bear where the "
+       "material is one whose endurance follows from it, and a third of it (Tabor) as the yield "
+       "strength of a hardened layer."},
+      {section, "Hardened depth", "", positive(Dimension::length, {""}),
+       "Depth of a case-hardened, nitrided or induction-hardened layer: contact limits are those "
+       "of the layer down to this depth and of 'Yield strength', the core's, below it. Left out: "
+       "one strength throughout."}};
 }
 
 /// Of a case: by name, by value, or both.

@@ -134,9 +134,14 @@ std::vector<Parameter> known_material_parameters(const std::string& name) {
   append(parameters,
          {{section, "Contact pressure", "", positive(Dimension::stress, {""}),
            "Peak contact pressure that the material bears for long, as far as it is known."},
+          {section, "Pressure by hardness", "", QuantityRule{Dimension::stress, {}, {""}, 2, 2},
+           "What the contact pressure becomes with another hardness: the first value times the "
+           "hardness and the second."},
           {section, "Wear coefficient", "",
            QuantityRule{Dimension::wear_coefficient, greater_than_zero(), {""}, 2, 2},
            "Worn volume over force and sliding distance, from lubricated to dry."},
+          {section, "Also called", "", TextRule{"other names, separated by commas"},
+           "Other names by which it is found: of other standards, of its kind."},
           {section, "Source", "", TextRule{"where the values are from"},
            "Where the values are from.", true}});
   return parameters;

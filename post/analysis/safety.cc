@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "loads/contact_limits.h"
-#include "post/analysis/surface_body.h"
+#include "post/analysis/material_limits.h"
 
 namespace geneva::post {
 
@@ -32,6 +30,13 @@ std::optional<double> SafetyRow::driver_angle() const {
 
 namespace {
 
+/// A stress over the cycle as if it went with a power of the pin force: 1 as beams do, 1/2 as
+/// Hertz's line contact.
+CycleValue scaled(const double stress, const MechanismReport& mechanism, const double power) {
+  const loads::PlacedPeak& force = mechanism.cycle_force;
+  return {stress * std::pow(force.value / mechanism.load.force, power), force.driver_angle};
+}
+
 /// Of a pin of which only its section is modelled: of the greatest stress at its root, by beam
 /// theory. Bending is greatest where shear is zero, and the other way round.
 std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
@@ -41,25 +46,14 @@ std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
     return std::nullopt;
   const loads::BeamBending& beam = *mechanism.beam;
   const double stress = std::max(beam.root_stress, std::sqrt(3.) * beam.root_shear);
-  const loads::PlacedPeak& force = mechanism.cycle_force;
   const std::string part = mechanism.roller ? "stud" : "pin";
   return SafetyRow{fmt::format("von Mises stress at the {}'s root (beam theory)", part),
                    Dimension::stress,
                    stress,
                    yield->second,
                    mechanism.load.driver_angle,
-                   CycleValue{stress * force.value / mechanism.load.force, force.driver_angle},
+                   scaled(stress, mechanism, 1.),
                    fmt::format("below it the {} does not yield where the crank holds it", part)};
-}
-
-/// Whether the leading contact is a line or a circle, by Hertz; nothing of others.
-std::optional<bool> is_line_contact(const ContactAnalysis<2>& analysis) {
-  if (!analysis.hertz) return std::nullopt;
-  return analysis.hertz->line.has_value();
-}
-std::optional<bool> is_line_contact(const ContactAnalysis<3>& analysis) {
-  if (!analysis.hertz || !analysis.hertz->line) return std::nullopt;
-  return true;
 }
 
 /// Limits of the peak contact pressure that follow from the materials of the bodies in contact.
@@ -70,32 +64,62 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
                                      const SafetyRow& pressure, const std::string& of,
                                      const double friction) {
   std::vector<SafetyRow> rows;
-  const auto add = [&](const std::string& name, const double allowed, const std::string& meaning) {
+  for (const MaterialLimit& limit :
+       material_limits(solution, contact, analysis, report.allowed, friction)) {
+    const bool is_of_flanks = limit.kind == MaterialLimit::Kind::flanks;
+    if (is_of_flanks && of != "contact") continue;
     rows.push_back(pressure);
-    rows.back().quantity = name;
-    rows.back().allowed = allowed;
-    rows.back().meaning = meaning;
-  };
-  const std::optional<bool> is_line = is_line_contact(analysis);
-  const std::set<unsigned int> touching{body_of(solution, contact.source),
-                                        body_of(solution, contact.target)};
-  for (const unsigned int touched : touching) {
-    const fem::Body<dim>& body = solution.problem.bodies[touched];
-    const auto yield = report.allowed.yield_strengths.find(body.name);
-    if (is_line && yield != report.allowed.yield_strengths.end()) {
-      const double nu = body.material.poissons_ratio;
-      const loads::ContactLimits limits =
-          *is_line ? loads::line_contact_limits(nu, friction) : loads::point_contact_limits(nu);
-      add(of + ", first yield, " + body.name, limits.first_yield * yield->second,
-          "below it no point of the material yields");
-      add(of + ", shakedown, " + body.name, limits.shakedown * yield->second,
-          "below it the material yields at first and is elastic again under any number of passes");
-    }
-    if (const auto flank = report.allowed.flank_pressures.find(body.name);
-        of == "contact" && flank != report.allowed.flank_pressures.end())
-      add("contact, as gear flanks, " + body.name, flank->second,
-          "below it the flanks of gears of this material bear any number of passes without pits");
+    rows.back().quantity = of + ", " + limit.name;
+    rows.back().allowed = limit.pressure;
+    rows.back().meaning = limit.meaning;
   }
+  return rows;
+}
+
+/// Limits of the stresses of a body.
+template <int dim>
+std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
+                                        const Results<dim>& results, const RunReport& report,
+                                        const std::size_t body) {
+  std::vector<SafetyRow> rows;
+  const std::string& name = solution.problem.bodies[body].name;
+  const fem::BodyStrength<dim>& strength = solution.strength[body];
+  const bool has_contact = fem::has_contact(solution.problem);
+  const std::string where = has_contact ? " away from the contact" : "";
+  const auto& mechanism = report.mechanism;
+  const auto add = [&](const std::string& quantity, const std::optional<double> computed,
+                       const double limit, const std::optional<CycleValue>& cycle,
+                       const std::string& meaning) {
+    rows.push_back({quantity, Dimension::stress, computed, limit,
+                    mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt,
+                    computed ? cycle : std::nullopt, meaning});
+  };
+  const auto with_force = [&](const double stress, const double power) {
+    return mechanism ? std::optional(scaled(stress, *mechanism, power)) : std::nullopt;
+  };
+  const auto& yields = report.allowed.yield_strengths;
+  if (const auto yield = yields.find(name); yield != yields.end()) {
+    const StressPeak<dim>& peak = results.max_von_mises[body];
+    const bool in_layer = has_contact && is_in_layer(solution, results, report.allowed, body);
+    if (has_contact)
+      add("maximum von Mises stress of the " + name,
+          is_bounded(solution) ? std::optional(peak.value) : std::nullopt,
+          in_layer ? report.allowed.layers.at(name).yield_strength : yield->second,
+          with_force(peak.value, 0.5),
+          in_layer ? "below it the hardened layer yields nowhere"
+                   : "below it the computed stress yields nowhere");
+    if (strength.von_mises.value > 0.)
+      add("von Mises stress" + where + ", " + name, strength.von_mises.value, yield->second,
+          with_force(strength.von_mises.value, 1.),
+          "below it nothing yields" + where + "; over the cycle as if it went with the pin force");
+  }
+  const auto& fatigues = report.allowed.fatigue_strengths;
+  if (const auto fatigue = fatigues.find(name);
+      fatigue != fatigues.end() && strength.tensile.value > 0.)
+    add("tensile stress" + where + " (fatigue), " + name, strength.tensile.value, fatigue->second,
+        with_force(strength.tensile.value, 1.),
+        "below it the material bears any number of cycles" + where +
+            "; over the cycle as if it went with the pin force");
   return rows;
 }
 
@@ -106,19 +130,14 @@ std::vector<SafetyRow> bore_rows(const fem::Solution<dim>& solution, const Resul
                                  const RunReport& report) {
   if (!report.mechanism || !report.mechanism->roller) return {};
   const loads::PinLoad& load = report.mechanism->load;
-  const loads::PlacedPeak& greatest = report.mechanism->cycle_force;
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
     const fem::ContactResult<dim>& bore = solution.contacts[i];
     constexpr double most = 1.;  // of the closed form
     if (bore.source != "stud" || report.mechanism->roller->friction > most) continue;
-    const SafetyRow pressure{"",
-                             Dimension::stress,
-                             bore.peak_pressure,
-                             0.,
-                             load.driver_angle,
-                             CycleValue{bore.peak_pressure * std::sqrt(greatest.value / load.force),
-                                        greatest.driver_angle},
-                             ""};
+    const SafetyRow pressure{
+        "", Dimension::stress, bore.peak_pressure,
+        0., load.driver_angle, scaled(bore.peak_pressure, *report.mechanism, 0.5),
+        ""};
     return material_rows(solution, bore, results.contacts[i], report, pressure, "roller bore",
                          report.mechanism->roller->friction);
   }
@@ -168,27 +187,8 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
                                       : if_bounded(pressure * std::abs(load.slip_speed)),
                     *allowed.pressure_times_slip, analysed, of_cycle(mechanism->cycle_wear), ""});
   }
-  for (std::size_t i = 0; i < results.max_von_mises.size(); ++i) {
-    const std::string& body = solution.problem.bodies[i].name;
-    const fem::BodyStrength<dim>& strength = solution.strength[i];
-    const std::string where = has_contact ? " away from the contact" : "";
-    const auto add = [&](const std::string& quantity, const std::optional<double> computed,
-                         const double limit) {
-      rows.push_back({quantity, Dimension::stress, computed, limit, analysed, std::nullopt, ""});
-    };
-    if (const auto yield = allowed.yield_strengths.find(body);
-        yield != allowed.yield_strengths.end()) {
-      if (has_contact)
-        add("maximum von Mises stress of the " + body, if_bounded(results.max_von_mises[i].value),
-            yield->second);
-      if (strength.von_mises.value > 0.)
-        add("von Mises stress" + where + ", " + body, strength.von_mises.value, yield->second);
-    }
-    if (const auto fatigue = allowed.fatigue_strengths.find(body);
-        fatigue != allowed.fatigue_strengths.end() && strength.tensile.value > 0.)
-      add("tensile stress" + where + " (fatigue), " + body, strength.tensile.value,
-          fatigue->second);
-  }
+  for (std::size_t i = 0; i < results.max_von_mises.size(); ++i)
+    for (const SafetyRow& row : strength_rows_of(solution, results, report, i)) rows.push_back(row);
   if (const auto root = mechanism ? root_row(*mechanism, allowed) : std::nullopt)
     rows.push_back(*root);
   return rows;

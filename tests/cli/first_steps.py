@@ -99,11 +99,39 @@ class FirstSteps(CliTest):
         self.assert_close(number(yielding["allowed"]), 1.79367 * 750e6, 1e-5, "elastic limit")
         self.assert_close(yielding["computed_factor"], number(yielding["allowed"]) / pressure, 1e-12, "factor")
         self.assert_close(number(factors["contact, shakedown, wheel"]["allowed"]), 4 / 3**0.5 * 750e6, 1e-5, "shakedown")
-        self.assert_close(number(factors["contact, as gear flanks, wheel"]["allowed"]), 780e6, 1e-12, "flanks")
+        self.assert_close(number(factors["contact, pitting, wheel"]["allowed"]), 780e6, 1e-12, "flanks")
         self.assertTrue(any("typical values" in notice for notice in summary["notices"]))
         (case / "case.prm").write_text(text.replace("tempered\n", "tempered\n    set Yield strength = 500 MPa\n"))
         rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
         self.assert_close(number(rows["contact, first yield, wheel"]["allowed"]), 1.79367 * 500e6, 1e-5, "own value")
+
+    def test_a_hardened_layer_bears_what_its_depth_leaves_the_core(self):
+        case = self.directory / "hardened"
+        self.prints("init", case)
+        text = (case / "case.prm").read_text()
+        allowed = {}
+        for depth in ("10 mm", "0.3 mm", "1 nm"):
+            (case / "case.prm").write_text(text.replace(
+                "Material = 42CrMo4 quenched and tempered\n",
+                f"Material = 16MnCr5 case-hardened\n    set Hardness = 600\n    set Hardened depth = {depth}\n"))
+            rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
+            allowed[depth] = number(rows["contact, first yield, wheel"]["allowed"])
+            stress = number(rows["maximum von Mises stress of the wheel"]["allowed"])
+            layer = 600 * 9.80665e6 / 3
+            self.assert_close(stress, 590e6 if depth == "1 nm" else layer, 1e-9, "von Mises stress")
+        self.assert_close(allowed["10 mm"], 1.79367 * layer, 1e-4, "the layer's")
+        self.assert_close(allowed["1 nm"], 1.79367 * 590e6, 1e-3, "the core's")
+        self.assertTrue(allowed["1 nm"] < allowed["0.3 mm"] < allowed["10 mm"], allowed)
+        (case / "case.prm").write_text(text.replace("tempered\n", "tempered\n    set Hardness = 340\n"))
+        rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
+        self.assert_close(number(rows["contact, pitting, wheel"]["allowed"]), (1.313 * 340 + 373) * 1e6, 1e-9, "pitting")
+        (case / "case.prm").write_text(text.replace("Material = 42CrMo4 quenched and tempered\n", "Hardened depth = 1 mm\n"))
+        self.assertIn("'Hardness' is missing", self.refuses("run", case))
+
+    def test_a_material_is_found_by_its_other_names(self):
+        self.assertIn("'42CrMo4 nitrided'", self.refuses("materials", "AISI 4140"))
+        self.assertIn("'S235JR'", self.refuses("materials", "steel"))
+        self.assertIn("'POM-C'", self.refuses("materials", "acetal"))
 
     def test_a_file_of_materials_adds_to_them(self):
         case = self.directory / "own"

@@ -81,5 +81,66 @@ TEST(ContactLimits, RefusesANegativeFriction) {
   test::expect_refused([] { line_contact_limits(0.3, -0.1); }, {"friction"});
 }
 
+constexpr double layer_yield = 2000e6;
+constexpr double core_yield = 600e6;
+
+TEST(HardenedLayer, ThatIsDeepBearsWhatItsOwnStrengthDoes) {
+  const double width = 0.1e-3 / 1e9;
+  for (const double mu : {0., 0.2}) {
+    const ContactLimits own = line_contact_limits(0.3, mu);
+    const ContactLimits deep = layered_line_limits(0.3, mu, {1., layer_yield}, core_yield, width);
+    EXPECT_NEAR(deep.first_yield, own.first_yield * layer_yield, 1e-6 * layer_yield);
+    EXPECT_NEAR(deep.shakedown, own.shakedown * layer_yield, 1e-6 * layer_yield);
+  }
+}
+
+TEST(HardenedLayer, ThatIsThinBearsWhatTheCoreDoes) {
+  const double width = 0.1e-3 / 1e9;
+  const ContactLimits core = line_contact_limits(0.3, 0.);
+  const ContactLimits thin =
+      layered_line_limits(0.3, 0., {1e-9, layer_yield}, core_yield, width);
+  EXPECT_NEAR(thin.first_yield, core.first_yield * core_yield, 1e-4 * core_yield);
+  EXPECT_NEAR(thin.shakedown, core.shakedown * core_yield, 1e-4 * core_yield);
+  const ContactLimits point = point_contact_limits(0.3);
+  EXPECT_NEAR(layered_point_limits(0.3, {1e-9, layer_yield}, core_yield, width).first_yield,
+              point.first_yield * core_yield, 1e-4 * core_yield);
+}
+
+/// On the axis sxx = -p0 ((1 + 2 z^2)/s - 2 z), szz = -p0/s, s = sqrt(1 + z^2), lengths over b.
+TEST(HardenedLayer, CoreYieldsOnTheAxisRightBelowIt) {
+  const double depth = 0.3e-3;
+  const double width = 0.2e-3 / 1e9;
+  const double nu = 0.3;
+  const double limit =
+      layered_line_limits(nu, 0., {depth, layer_yield}, core_yield, width).first_yield;
+  EXPECT_LT(limit, line_contact_limits(nu, 0.).first_yield * layer_yield);
+  const double z = depth / (width * limit);
+  ASSERT_GT(z, 0.8);  // below the greatest stress
+  const double s = std::hypot(1., z);
+  const double xx = -limit * ((1. + 2. * z * z) / s - 2. * z);
+  const double zz = -limit / s;
+  const double yy = nu * (xx + zz);
+  const double mises = std::sqrt(
+      ((xx - zz) * (xx - zz) + (zz - yy) * (zz - yy) + (yy - xx) * (yy - xx)) / 2.);
+  EXPECT_NEAR(mises, core_yield, 1e-3 * core_yield);
+}
+
+TEST(HardenedLayer, BearsMoreTheDeeperItIs) {
+  const double width = 0.2e-3 / 1e9;
+  ContactLimits before{0., 0.};
+  for (const double depth : {1e-5, 1e-4, 2e-4, 4e-4, 8e-4}) {
+    const ContactLimits limits =
+        layered_line_limits(0.3, 0.1, {depth, layer_yield}, core_yield, width);
+    EXPECT_GE(limits.first_yield, before.first_yield * (1. - 1e-5)) << depth;
+    EXPECT_GE(limits.shakedown, before.shakedown * (1. - 1e-5)) << depth;
+    before = limits;
+  }
+}
+
+TEST(HardenedLayer, YieldsAtAThirdOfItsHardness) {
+  EXPECT_NEAR(yield_strength_by_hardness(700.), 2288.2e6, 0.1e6);
+  test::expect_refused([] { yield_strength_by_hardness(0.); }, {"hardness"});
+}
+
 }  // namespace
 }  // namespace geneva::loads
