@@ -321,7 +321,9 @@ std::string parameter_file() {
         optimisation_parameters(), geometry_parameters({"NAME"}, {"NAME"}, ""),
         synthesis_parameters(), published_parameters(), allowable_parameters()})
     all.insert(all.end(), some.begin(), some.end());
-  return parameter_listing(all, [](const Parameter& parameter) { return parameter.default_value; });
+  return parameter_listing(
+      all, [](const Parameter& parameter) { return parameter.default_value; },
+      [](const Parameter&) { return false; });
 }
 
 }  // namespace geneva::model

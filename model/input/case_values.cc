@@ -206,7 +206,7 @@ std::string CaseValues::completed() const {
       [this](const Parameter& parameter) { return text(parameter.section, parameter.name); },
       [this](const Parameter& parameter) {
         const Assignment* const found = text_.find(parameter.section, parameter.name);
-        return found != nullptr && !found->value.empty();
+        return found != nullptr && !found->value.empty() && !found->is_filled_in;
       });
 }
 

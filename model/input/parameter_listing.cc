@@ -27,6 +27,7 @@ std::vector<std::string> lines_of(const std::string& text, const std::size_t wid
 struct Entry {
   const Parameter* parameter;
   std::string value;
+  bool is_given;
 };
 
 /// A subsection, or the whole file.
@@ -67,7 +68,7 @@ std::string listed_entries(const std::vector<Entry>& entries, const std::string&
          lines_of(explanation_of(parameter), line_width - indent.size() - 2))
       text += fmt::format("{}# {}\n", indent, line);
     text += fmt::format("{}set {:{}} = {}", indent, parameter.name, name_width, entry.value);
-    if (entry.value != parameter.default_value)
+    if (entry.is_given || entry.value != parameter.default_value)
       text += fmt::format("{:{}} # default: {}", "", value_width - entry.value.size(),
                           parameter.default_value);
     text += '\n';
@@ -88,10 +89,12 @@ std::string listed_section(const Section& section, const std::size_t depth) {
 }  // namespace
 
 std::string parameter_listing(const std::vector<Parameter>& parameters,
-                              const std::function<std::string(const Parameter&)>& value_of) {
+                              const std::function<std::string(const Parameter&)>& value_of,
+                              const std::function<bool(const Parameter&)>& is_given) {
   Section root;
   for (const Parameter& parameter : parameters)
-    section_at(root, parameter.section).entries.push_back({&parameter, value_of(parameter)});
+    section_at(root, parameter.section)
+        .entries.push_back({&parameter, value_of(parameter), is_given(parameter)});
   return "# Listing of Parameters\n# ---------------------\n" + listed_section(root, 0);
 }
 

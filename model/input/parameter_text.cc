@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::size_t largest_file = 1000000;  // bytes
 constexpr std::size_t deepest_section = 2;
+constexpr const char* listing_title = "# Listing of Parameters";
+constexpr const char* given_mark = "# default:";  // behind what a case gave
 
 [[noreturn]] void refuse(const std::string& file, int line, const std::string& reason) {
   throw base::InputError(fmt::format("{}, line {}: {}", file, line, reason));
@@ -87,6 +89,7 @@ void check_characters(const std::string& text, const std::string& file) {
 struct Line {
   std::string text;
   int number;
+  bool has_mark;
 };
 
 /// Lines without comments and white space at their ends; continued ones joined.
@@ -103,7 +106,7 @@ std::vector<Line> logical_lines(const std::string& content, const std::string& f
     if (continues)
       lines.back().text += text;
     else
-      lines.push_back({text, number});
+      lines.push_back({text, number, raw.find(given_mark) != std::string::npos});
     continues = goes_on;
   }
   if (continues) refuse(file, number, "the last line ends in '\\', but there is no next line");
@@ -122,10 +125,11 @@ class Scanner {
   explicit Scanner(std::string file) { text_.file = std::move(file); }
 
   ParameterText scan(const std::string& content) {
+    const bool is_listing = content.rfind(listing_title, 0) == 0;
     for (const Line& line : logical_lines(content, text_.file)) {
       const auto [word, rest] = split_word(trimmed(line.text));
       if (word == "set")
-        add_assignment(rest, line.number);
+        add_assignment(rest, line.number, is_listing && !line.has_mark);
       else if (word == "subsection")
         open_section(rest, line.number);
       else if (word == "end" && rest.empty())
@@ -146,7 +150,7 @@ class Scanner {
   }
 
  private:
-  void add_assignment(const std::string& rest, int line) {
+  void add_assignment(const std::string& rest, int line, bool is_filled_in) {
     const std::size_t sign = rest.find('=');
     const std::string name = trimmed(rest.substr(0, sign));
     if (sign == std::string::npos || name.empty())
@@ -157,7 +161,7 @@ class Scanner {
       refuse(
           text_.file, line,
           fmt::format("{} has already been set in line {}", base::in_quotes(name), first->second));
-    text_.assignments.push_back({path_, name, trimmed(rest.substr(sign + 1)), line});
+    text_.assignments.push_back({path_, name, trimmed(rest.substr(sign + 1)), line, is_filled_in});
   }
 
   void open_section(const std::string& name, int line) {

@@ -13,8 +13,9 @@ using SectionPath = std::vector<std::string>;
 struct Assignment {
   SectionPath section;
   std::string name;
-  std::string value;  ///< trimmed; the lines of a continued one joined
-  int line;           ///< its first, from 1; 0: varied
+  std::string value;          ///< trimmed; the lines of a continued one joined
+  int line;                   ///< its first, from 1; 0: varied
+  bool is_filled_in = false;  ///< by a listing of all parameters, which had its default there
 };
 
 /// A line "subsection name".

@@ -89,9 +89,17 @@ TEST(Parameters, AListingNamesTheDefaultBehindAnotherValue) {
   const Parameter first{{}, "First", "1", TextRule{"any text"}, "What it is."};
   const Parameter second{{"Outer", "Inner"},   "Second one", "",
                          TextRule{"any text"}, "It too.",    true};
-  const std::string text = parameter_listing({first, second}, [](const Parameter& parameter) {
-    return parameter.name == "First" ? std::string("another") : parameter.default_value;
-  });
+  const auto text_with = [&](const bool is_given) {
+    return parameter_listing(
+        {first, second},
+        [](const Parameter& parameter) {
+          return parameter.name == "First" ? std::string("another") : parameter.default_value;
+        },
+        [&](const Parameter&) { return is_given; });
+  };
+  const std::string text = text_with(false);
+  EXPECT_NE(text_with(true).find("set Second one =  # default: \n"), std::string::npos)
+      << "what is given is marked, be it the default or not";
   EXPECT_EQ(text,
             "# Listing of Parameters\n# ---------------------\n"
             "# What it is. [Any text.]\nset First = another # default: 1\n\n\n"
@@ -105,7 +113,8 @@ TEST(Parameters, AListingFillsItsLines) {
                             "",
                             TextRule{"any text"},
                             std::string(40, 'a') + " " + std::string(33, 'b') + " c"};
-  const std::string text = parameter_listing({parameter}, [](const Parameter&) { return ""; });
+  const std::string text = parameter_listing(
+      {parameter}, [](const Parameter&) { return ""; }, [](const Parameter&) { return false; });
   EXPECT_NE(text.find("  # " + std::string(40, 'a') + " " + std::string(33, 'b') +
                       "\n  # c [Any text.]\n"),
             std::string::npos)
