@@ -52,18 +52,22 @@ std::vector<SweepFigure> figures_in(const json& summary) {
   for (const json& row : summary.at("comparison")) {
     const bool is_closed_form = row.at("bounded").get<bool>() && row.at("computed").is_null();
     const json& value = is_closed_form ? row.at("closed_form") : row.at("computed");
+    if (is_closed_form && value.is_null()) continue;
     figures.push_back({row.at("quantity"), base::dimension_named(row.at("dimension")),
                        number_in(value), number_in(row.value("error", json())), std::nullopt});
   }
   std::optional<double> least;
+  bool is_bounded = true;
   for (const json& row : summary.at("safety")) {
     const std::string quantity = row.at("quantity");
     const std::optional<double> factor = number_in(row.at("factor"));
     for (SweepFigure& figure : figures)
       if (figure.quantity == quantity) figure.limit = number_in(row.at("allowed"));
     if (factor) least = std::min(*factor, least.value_or(*factor));
+    is_bounded = is_bounded && factor;
   }
-  if (least)
+  if (!is_bounded) least.reset();
+  if (!summary.at("safety").empty())
     figures.push_back({"least safety factor", Dimension::dimensionless, least, std::nullopt, 1.});
   for (const json& row : summary.at("safety"))
     figures.push_back({"safety factor: " + row.at("quantity").get<std::string>(),

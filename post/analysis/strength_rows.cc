@@ -21,13 +21,25 @@ const std::map<std::pair<std::string, bool>, std::string> drawn_places{
     {{"slots", false}, "wall of another slot"},
     {{"locking arcs", true}, "locking arc"}};
 
+/// Whether what is taken for the contact's own field decides on a maximum: it is not away from it.
 template <int dim>
-std::string where(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
+bool is_beside_contact(const fem::StressMaximum<dim>& maximum) {
+  constexpr double most = 0.1;  // relative
+  return maximum.choice > most;
+}
+
+template <int dim>
+std::string surface_at(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
   if (maximum.surface < 0) return "inside";
   const std::string& surface = solution.mesh.surfaces[static_cast<std::size_t>(maximum.surface)];
   const auto drawn = drawn_places.find({surface, maximum.is_round});
   if (drawn != drawn_places.end()) return drawn->second;
   return surface.empty() ? "surface without a name" : surface;
+}
+
+template <int dim>
+std::string where(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
+  return surface_at(solution, maximum) + (is_beside_contact(maximum) ? ", beside the contact" : "");
 }
 
 }  // namespace
@@ -66,9 +78,20 @@ std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution)
 template <int dim>
 std::vector<ComparisonRow> strength_rows(const fem::Solution<dim>& solution) {
   std::vector<ComparisonRow> rows;
-  for (const NamedStress<dim>& stress : named_stresses(solution))
-    rows.push_back({stress.name + ", " + stress.body, base::Dimension::stress, stress.maximum.value,
-                    stress.maximum.total_error(), true, std::nullopt, std::nullopt});
+  for (const NamedStress<dim>& stress : named_stresses(solution)) {
+    ComparisonRow row{stress.name + ", " + stress.body,
+                      base::Dimension::stress,
+                      std::nullopt,
+                      std::nullopt,
+                      stress.is_bounded,
+                      std::nullopt,
+                      std::nullopt};
+    if (stress.is_bounded) {
+      row.computed = stress.maximum.value;
+      row.error = stress.maximum.total_error();
+    }
+    rows.push_back(row);
+  }
   return rows;
 }
 
@@ -105,7 +128,7 @@ std::string line_of_left_out(const fem::Solution<dim>& solution) {
 template <int dim>
 std::string strength_line(const fem::Solution<dim>& solution) {
   const char* const begin =
-      fem::has_contact(solution.problem) ? "away from the contact: " : "where: ";
+      fem::has_contact(solution.problem) ? "outside the contact's own field: " : "where: ";
   std::string line;
   for (const NamedStress<dim>& stress : named_stresses(solution))
     line += fmt::format("{}{} of '{}': {}", line.empty() ? begin : "; ", stress.name, stress.body,

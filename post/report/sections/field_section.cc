@@ -60,7 +60,7 @@ std::string list_of_marks(const nlohmann::json& view) {
     items += fmt::format("<li>{}</li>\n", titles);
   }
   return fmt::format("<p>Places of the maximum stresses{}:</p>\n<ol class=\"marks\">\n{}</ol>\n",
-                     is_on_contact(view) ? " away from the contact" : "", items);
+                     is_on_contact(view) ? " outside the contact's own field" : "", items);
 }
 
 std::string figure(const std::string& style, const std::string& picture,
