@@ -81,6 +81,12 @@ def read_report(file):
     return outline
 
 
+# Captions of the tables that are wider than their place.
+CUT_OFF_TABLES = """
+  return [...document.querySelectorAll('.scroll')].filter((s) => s.scrollWidth > s.clientWidth + 1).map((s) => s.querySelector('caption').textContent);
+"""
+
+
 class ReportTest(CliTest):
     """A report that one run made, for all tests of a class."""
 
@@ -138,6 +144,7 @@ class ReportTest(CliTest):
                 "return [...document.querySelectorAll('td, th[scope=row]')].filter((c) => c.getBoundingClientRect().right > innerWidth + 1)"
                 ".map((c) => c.textContent)")
             self.assertEqual(hidden, [], f"out of sight at {width} pixels")
+            self.assertEqual(self.browser.run(CUT_OFF_TABLES), [], f"tables cut off at {width} pixels")
         self.browser.resize(1280, 1000)
         self.check_paper()
 
@@ -155,6 +162,9 @@ class ReportTest(CliTest):
             self.assertLessEqual(canvas[1] - figure[2], figure[1] + 1, name)
             self.assertLessEqual(figure[1], 718, name)
             self.assertAlmostEqual(canvas[2] / ratio, 1., delta=0.01, msg=name)  # whole pixels of 200 or more
+        wide = self.browser.run("document.body.style.width = '718px'; const cut = (() => {" + CUT_OFF_TABLES + "})();"
+                                "document.body.style.width = ''; return cut;")
+        self.assertEqual(wide, [], "tables cut off on paper")
         self.browser.protocol("Emulation.setEmulatedMedia", media="")
         pages = len(re.findall(rb"/Type\s*/Page[^s]", self.browser.pdf()))
         self.assertTrue(1 <= pages <= self.most_pages, f"{pages} pages")
@@ -190,16 +200,26 @@ class ReportTest(CliTest):
         self.assertGreater(n_engaged, 0)
 
     def check_drawing(self, step):
-        """No label covers another, no pin is clipped, and caption and charts tell the position."""
-        covering, clipped, caption, cursors = self.browser.run("""
+        """No label covers another or an arrow's head, no pin is clipped, and caption and charts tell the position."""
+        covering, clipped, caption, cursors, heads, below = self.browser.run("""
           const d = document.getElementById('mechanism-drawing'), frame = d.getBoundingClientRect();
           const boxes = [...d.querySelectorAll('.label')].map((l) => [l.textContent, l.getBoundingClientRect()]);
           const covers = ([, a], [, b]) => Math.min(a.right, b.right) > Math.max(a.left, b.left) + 1 && Math.min(a.bottom, b.bottom) > Math.max(a.top, b.top) + 1;
           const pairs = boxes.flatMap((a, i) => boxes.slice(i + 1).filter((b) => covers(a, b)).map((b) => a[0] + ' and ' + b[0]));
           const out = [...d.querySelectorAll('.pin'), ...d.querySelectorAll('.label')].filter((p) => { const b = p.getBoundingClientRect();
             return b.left < frame.left - 1 || b.right > frame.right + 1 || b.top < frame.top - 1 || b.bottom > frame.bottom + 1; }).length;
+          const inside = (x, y) => boxes.filter(([, b]) => x > b.left && x < b.right && y > b.top && y < b.bottom).map((b) => b[0]);
+          const heads = [...d.querySelectorAll('line.dimension[marker-end]')].flatMap((l) => {
+            const [from, to] = [[l.x1, l.y1], [l.x2, l.y2]].map(([x, y]) =>
+              new DOMPoint(x.baseVal.value, y.baseVal.value).matrixTransform(d.getScreenCTM()));
+            const length = Math.hypot(to.x - from.x, to.y - from.y);
+            return [1, 1 - 7 / length].flatMap((s) => inside(from.x + s * (to.x - from.x), from.y + s * (to.y - from.y))); });
+          const force = document.getElementById('mechanism-force');
+          const below = [...d.querySelectorAll('.label')].every((l) => l.compareDocumentPosition(force) & Node.DOCUMENT_POSITION_FOLLOWING);
           return [pairs, out, document.getElementById('mechanism-angle').textContent,
-                  Object.values(genevaCharts).filter((c) => c.options.isOverCycle).length];""")
+                  Object.values(genevaCharts).filter((c) => c.options.isOverCycle).length, heads, below];""")
+        self.assertEqual(heads, [], "labels on heads of arrows")
+        self.assertTrue(below, "a label may hide the force")
         self.assertEqual(covering, [])
         self.assertEqual(clipped, 0)
         self.assertAlmostEqual(float(caption), math.degrees(step["driver_angle"]), delta=0.01)
@@ -384,6 +404,21 @@ class PlaneReport(ReportTest):
                        f"± {100 * self.summary['contact']['half_width_error']:.2g} %"):
             self.assertIn(figure, text)
         self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
+
+    def test_prints_every_input(self):
+        opened = self.browser.run("return [...document.querySelectorAll('#inputs summary')].map((s) => s.textContent)")
+        self.assertEqual(len(opened), 2)
+        text = read_report(self.results / "report.html").text
+        given = text[text.index("What the case gives"):text.index("Everything else")]
+        self.assertEqual(given.count("Poisson's ratio"), 2, "is given, be it the default or not")
+        self.assertIn("0.283 lb/in³", text)
+        self.assertIn("set Density          = 0.283 lb/in^3", text)
+        self.browser.protocol("Emulation.setEmulatedMedia", media="print")
+        heights = self.browser.run(
+            "return [...document.querySelectorAll('#inputs details > :not(summary)')].map((e) => e.getBoundingClientRect().height)")
+        self.browser.protocol("Emulation.setEmulatedMedia", media="")
+        for height in heights:
+            self.assertGreater(height, 50, "folded on paper")
 
     def test_draws_the_pressure_of_the_summary(self):
         drawn = max(point["y"] for point in self.chart("chart-pressure")["this program"])
@@ -620,6 +655,36 @@ class WholeReport(ReportTest):
         kinematics = json.loads((self.results / "kinematics.json").read_text())
         drawn = max(point["y"] for point in self.chart("chart-hertz_pressure")["Hertz pressure"])
         self.assert_close(drawn * PSI, kinematics["peak_hertz_pressure"]["value"], 1e-3, "pressure")
+
+
+class SweepReport(ReportTest):
+    """The report of estimates and of motions for several diameters and speeds."""
+
+    case_name = "indexing-table"
+    command = "kinematics"
+
+    @classmethod
+    def prepare(cls, runner):
+        run = runner.geneva("sweep", cls.case, "--with", "kinematics", "--set", "Mechanism/Pin diameter = 8 mm .. 14 mm, 3", "--set",
+                            "Mechanism/Driver speed = 100 rpm; 200 rpm", "-o", cls.case / "sweep")
+        runner.assertEqual(run.code, 0, run.describe())
+        cls.results = cls.case / "sweep"
+
+    def test_is_a_sound_page(self):
+        self.check_page()
+
+    def test_shows_every_figure_of_every_point(self):
+        points = json.loads((self.results / "sweep.json").read_text())["points"]
+        shown = self.browser.run("return [...document.querySelectorAll('#sweep thead th')].map((h) => h.textContent)")
+        for figure in points[0]["figures"]:
+            if not figure["quantity"].startswith("safety factor: "):
+                self.assertTrue(any(heading.split(" [")[0] == figure["quantity"] for heading in shown), figure["quantity"])
+
+    def test_tells_the_curves_apart(self):
+        colours = self.browser.run(
+            "return Object.values(genevaCharts).map((c) => c.data.datasets.map((d) => d.borderColor))")
+        for of_chart in colours:
+            self.assertEqual(len(set(of_chart)), len(of_chart))
 
 
 class Reporting(CliTest):

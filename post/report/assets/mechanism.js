@@ -44,12 +44,18 @@
     setLine(line, along(radius), along(radius + (arrow * Math.abs(step.pin_force)) / greatestForce / scale));
   }
 
-  // The pin's diameter stands beside the pin where no other label is, and away from the force.
-  const labels = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")].map(boxOf);
+  // The pin's diameter stands beside the pin where no other label is, and away from the force and the heads of arrows.
+  const heads = [...drawing.querySelectorAll("line.dimension[marker-end]")].map(headOf);
+  const labels = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")].map(boxOf).concat(heads);
   function boxOf(label) {
     const { x, y, width, height } = label.getBBox();
     const { e, f } = label.transform.baseVal.consolidate().matrix;
     return { x: x + e, y: y + f, width, height };
+  }
+  function headOf({ x1, y1, x2, y2 }) {
+    const [from, to] = [[x1, y1], [x2, y2]].map((at) => at.map((c) => c.baseVal.value));
+    const back = 5 / Math.hypot(to[0] - from[0], to[1] - from[1]);
+    return { x: to[0] + back * (from[0] - to[0]) - 8, y: to[1] + back * (from[1] - to[1]) - 8, width: 16, height: 16 };
   }
   function covered(box, other) {
     const wide = Math.min(box.x + box.width, other.x + other.width) - Math.max(box.x, other.x);
@@ -66,9 +72,11 @@
       const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
       return [at[0] + c * (radius + wide / 2), at[1] + s * (radius + high / 2)];
     });
+    const force = document.getElementById("mechanism-force");
+    const taken = force.style.visibility === "hidden" ? labels : [...labels, force.getBBox()];
     const cost = ([x, y]) => {
       const box = { x: x - wide / 2, y: y - high / 2, width: wide, height: high };
-      return labels.reduce((sum, other) => sum + covered(box, other), 0) + 10 * outside(box);
+      return taken.reduce((sum, other) => sum + covered(box, other), 0) + 10 * outside(box);
     };
     const best = places.reduce((found, place) => (cost(place) < cost(found) ? place : found));
     label.setAttribute("transform", `translate(${best[0].toFixed(2)} ${best[1].toFixed(2)})`);
@@ -83,10 +91,10 @@
       circle.setAttribute("cx", at[0].toFixed(2));
       circle.setAttribute("cy", at[1].toFixed(2));
     });
-    labelPin(pixel(step.pins[0]));
     if (mechanism.driver_axis)
       drawing.querySelectorAll(".mechanism-crank").forEach((line, i) => setLine(line, pixel(mechanism.driver_axis), pixel(step.pins[i])));
     drawForce(step);
+    labelPin(pixel(step.pins[0]));
     document.querySelectorAll("#mechanism-readings output").forEach((output) => {
       const value = step[output.dataset.key];
       output.textContent = value === null ? "not bounded" : genevaNumber(value * Number(output.dataset.factor), 5);

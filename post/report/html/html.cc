@@ -28,6 +28,15 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+namespace {
+
+/// On narrow screens a cell lays its parts out side by side: marked-up text is to stay one part.
+std::string in_one_part(const std::string& cell) {
+  return cell.find('<') == std::string::npos ? cell : "<span>" + cell + "</span>";
+}
+
+}  // namespace
+
 std::string HtmlTable::html() const {
   std::string text = "<div class=\"scroll\" tabindex=\"0\">\n<table>\n<caption>" + caption +
                      "</caption>\n<thead><tr>";
@@ -39,7 +48,7 @@ std::string HtmlTable::html() const {
     for (std::size_t i = 0; i < row.size(); ++i)
       text += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row[i])
                      : fmt::format("<td data-label=\"{}\">{}</td>",
-                                   i < headings.size() ? headings[i] : "", row[i]);
+                                   i < headings.size() ? headings[i] : "", in_one_part(row[i]));
     text += "</tr>\n";
   }
   return text + "</tbody>\n</table>\n</div>\n";

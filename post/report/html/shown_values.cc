@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace geneva::post {
 
@@ -95,6 +97,25 @@ std::string shown_unit(const std::string& unit) {
     if (is_power && (unit[i + 1] == '2' || unit[i + 1] == '3')) ++i;
   }
   return shown;
+}
+
+std::string shown_input(const std::string& value) {
+  constexpr int most_digits = 6;
+  std::string text;
+  bool is_unit = false;  // what follows a number
+  std::istringstream words(value);
+  for (std::string word; words >> word;) {
+    char* end = nullptr;
+    const double number = std::strtod(word.c_str(), &end);
+    const std::string rest = end;
+    const bool is_number = end != word.c_str() && (rest.empty() || rest == "," || rest == ";");
+    text += (text.empty() ? "" : " ") + (is_number && std::isfinite(number)
+                                             ? significant(number, most_digits) + rest
+                                         : is_unit ? shown_unit(word)
+                                                   : word);
+    is_unit = is_number;
+  }
+  return text;
 }
 
 std::string labelled(const std::string& name, const Dimension dimension, const UnitSystem units) {

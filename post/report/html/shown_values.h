@@ -45,6 +45,10 @@ std::string shown_error(const nlohmann::json& error);
 /// A unit as print has it: "rad/s²", "lbf·in".
 std::string shown_unit(const std::string& unit);
 
+/// A value of a case as print has it: numbers with at most six digits, thousands apart, and units:
+/// "10 472 rad/s²" of "10471.9755 rad/s^2".
+std::string shown_input(const std::string& value);
+
 /// "contact force [lbf]"; the name alone if the dimension has no unit.
 std::string labelled(const std::string& name, base::Dimension dimension, base::UnitSystem units);
 

@@ -198,9 +198,16 @@ std::string driver(const json& mechanism, const json& step, const Projection& pr
   return svg;
 }
 
+constexpr double label_height = 18.;
+
+/// Of a label [pixels].
+double label_width(const std::string& content) {
+  return 7.4 * static_cast<double>(n_letters(content)) + 6.;
+}
+
 /// A text in the middle of a ground that interrupts the lines below it.
 std::string label_at(const std::string& id, const Pixel& at, const std::string& content) {
-  const double wide = 7.4 * static_cast<double>(n_letters(content)) + 6.;
+  const double wide = label_width(content);
   return fmt::format(
       "<g{} class=\"label\" transform=\"translate({:.2f} {:.2f})\">"
       "<rect x=\"{:.2f}\" y=\"-9\" width=\"{:.2f}\" height=\"18\"/>"
@@ -232,16 +239,26 @@ std::string dimension_text(const std::string& sign, const double length, const U
                      output_unit(units, Dimension::length).name);
 }
 
+/// Where on an arrow its label stands [pixels from its beginning]: before the head, or behind it
+/// where the arrow is too short.
+double label_place(const double length, const double direction, const std::string& label) {
+  constexpr double head = 12.;
+  const double half = std::min(label_width(label) / 2. / std::abs(std::cos(direction)),
+                               label_height / 2. / std::abs(std::sin(direction)));
+  const double before = std::min(0.62 * length, length - head - half);
+  return before > half ? before : length + half + 2.;
+}
+
 /// An arrow from the middle of a circle to its line.
 void add_radius(Dimensions& dimensions, const Pixel& centre, const double radius,
                 const double direction, const std::string& label) {
-  const auto on_arrow = [&](const double share) {
-    return Pixel{centre[0] + share * radius * std::cos(direction),
-                 centre[1] - share * radius * std::sin(direction)};
+  const auto on_arrow = [&](const double length) {
+    return Pixel{centre[0] + length * std::cos(direction),
+                 centre[1] - length * std::sin(direction)};
   };
-  dimensions.add(
-      line("class=\"dimension\" marker-end=\"url(#dimension-end)\"", on_arrow(0.), on_arrow(1.)),
-      on_arrow(0.62), label);
+  dimensions.add(line("class=\"dimension\" marker-end=\"url(#dimension-end)\"", on_arrow(0.),
+                      on_arrow(radius)),
+                 on_arrow(label_place(radius, direction, label)), label);
 }
 
 /// The distance of two places of one height, below the drawing.
@@ -306,8 +323,9 @@ std::string mechanism_drawing(const json& mechanism, const json& step, const std
              "aria-label=\"{}\">\n{}",
              width, height, escaped(label), markers) +
          wheel_and_path(mechanism, step, projection) + dimensioned.lines +
-         driver(mechanism, step, projection) + force_arrow(mechanism, step, projection) +
-         dimensioned.labels + pin_label(mechanism, step, projection, units) + "</svg>\n";
+         driver(mechanism, step, projection) + dimensioned.labels +
+         pin_label(mechanism, step, projection, units) + force_arrow(mechanism, step, projection) +
+         "</svg>\n";
 }
 
 json drawing_projection(const json& mechanism) {

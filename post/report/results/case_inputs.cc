@@ -6,6 +6,8 @@ namespace geneva::post {
 
 namespace {
 
+constexpr const char* mark = "# default:";  ///< behind what the case gives
+
 std::string without_spaces(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(' ');
   return begin == std::string::npos ? ""
@@ -15,7 +17,6 @@ std::string without_spaces(const std::string& text) {
 }  // namespace
 
 std::vector<CaseInput> case_inputs(const std::string& case_text) {
-  const std::string mark = "# default:";
   std::vector<CaseInput> inputs;
   std::vector<std::string> path;
   std::istringstream lines(case_text);
@@ -34,6 +35,30 @@ std::vector<CaseInput> case_inputs(const std::string& case_text) {
                       comment != std::string::npos});
   }
   return inputs;
+}
+
+std::string given_lines(const std::string& case_text) {
+  std::string given;
+  std::vector<std::string> opened;  // subsections of which nothing is given so far
+  std::size_t depth = 0;            // of those that are in the text
+  std::istringstream lines(case_text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string text = without_spaces(line);
+    if (text.rfind("subsection ", 0) == 0) opened.push_back(text);
+    if (text == "end") {
+      if (!opened.empty())
+        opened.pop_back();
+      else if (depth > 0)
+        given += std::string(2 * --depth, ' ') + "end\n";
+    }
+    const std::size_t comment = text.find(mark);
+    if (text.rfind("set ", 0) != 0 || comment == std::string::npos) continue;
+    for (const std::string& section : opened)
+      given += std::string(2 * depth++, ' ') + section + '\n';
+    opened.clear();
+    given += std::string(2 * depth, ' ') + without_spaces(text.substr(0, comment)) + '\n';
+  }
+  return given;
 }
 
 }  // namespace geneva::post

@@ -12,8 +12,8 @@
 #include "base/errors.h"
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
-#include "post/report/results/case_inputs.h"
 #include "post/report/sections/field_section.h"
+#include "post/report/sections/inputs_section.h"
 #include "post/report/sections/run_section.h"
 
 namespace geneva::post {
@@ -102,14 +102,15 @@ std::string table_of(const std::vector<ResultsDirectory>& all,
         [&](const json& summary) { return computed_cell(summary, *row, units); });
   add("estimated error", error_cell);
   add("checks", checks_cell);
-  add("unknowns", [](const json& summary) { return summary.at("mesh").at("dofs").dump(); });
+  add("unknowns",
+      [](const json& summary) { return grouped(summary.at("mesh").at("dofs").dump()); });
   return table.html();
 }
 
 /// Value of an input; a dash where the case has none of that name.
 std::string input_cell(const std::vector<CaseInput>& inputs, const std::string& name) {
   for (const CaseInput& input : inputs)
-    if (input.name == name) return input.value.empty() ? "–" : escaped(input.value);
+    if (input.name == name) return input.value.empty() ? "–" : escaped(shown_value(input));
   return "–";
 }
 
@@ -178,8 +179,8 @@ Chart laid_over(const std::vector<ResultsDirectory>& all, const std::vector<std:
         const auto relabel = [](std::string& label, const std::string& unit) {
           label = label.substr(0, label.find(" [")) + " [" + unit + "]";
         };
-        relabel(result.x.label, x_unit.name);
-        relabel(result.y.label, y_unit.name);
+        relabel(result.x.label, shown_unit(x_unit.name));
+        relabel(result.y.label, shown_unit(y_unit.name));
         result.series.clear();
       }
       ChartSeries series = chart.series.front();

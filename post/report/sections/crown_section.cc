@@ -80,7 +80,7 @@ std::string finding(const json& crown, const UnitSystem units) {
 Chart along_pin(const Pins& pins, const CsvTable& table, const char* const column,
                 const std::string& name) {
   const auto label = [&](const std::string& text, const char* const of) {
-    return fmt::format("{} [{}]", text, table.column(of).unit);
+    return fmt::format("{} [{}]", text, shown_unit(table.column(of).unit));
   };
   Chart chart{fmt::format("chart-crown-{}", column),
               fmt::format("The {} along the pin", name),

@@ -36,8 +36,8 @@ Chart chart_of(const CsvTable& table, const char* const across, const std::strin
   Chart chart{fmt::format("chart-estimate-{}", up),
               up_label,
               fmt::format("Estimate of the {}", up_label),
-              {fmt::format("{} [{}]", across_label, table.column(across).unit)},
-              {fmt::format("{} [{}]", up_label, table.column(up).unit)},
+              {fmt::format("{} [{}]", across_label, shown_unit(table.column(across).unit))},
+              {fmt::format("{} [{}]", up_label, shown_unit(table.column(up).unit))},
               {}};
   ChartSeries series{up_label, SeriesStyle::line, {}};
   for (std::size_t i = 0; i < table.n_rows(); ++i)

@@ -22,15 +22,16 @@ using nlohmann::json;
 
 namespace {
 
-/// "t_m" with its letter lowered.
+/// "t_m" with its letter lowered, on one line.
 std::string html_symbol(const std::string& symbol) {
-  std::string html;
+  if (symbol.empty()) return "";
+  std::string html = "<span class=\"symbol\">";
   for (std::size_t i = 0; i < symbol.size(); ++i)
     if (symbol[i] == '_' && i + 1 < symbol.size())
       html += fmt::format("<sub>{}</sub>", symbol[++i]);
     else
       html += symbol[i];
-  return html;
+  return html + "</span>";
 }
 
 std::string characteristics_table(const json& kinematics, const UnitSystem units) {
@@ -41,13 +42,15 @@ std::string characteristics_table(const json& kinematics, const UnitSystem units
   for (const json& row : kinematics.at("characteristics")) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const std::string quantity = row.at("quantity");
+    const std::string symbol = row.value("symbol", "");
     const std::size_t first = quantity.find_first_not_of(' ');
-    table.rows.push_back({fmt::format("{}<abbr title=\"{}\">{}</abbr>", first > 0 ? "&emsp;" : "",
-                                      escaped(row.value("meaning", "")),
-                                      escaped(labelled(quantity.substr(first), dimension, units))),
-                          html_symbol(row.value("symbol", "")),
-                          shown(row.at("value"), dimension, units),
-                          shown(row.at("driver_angle"), Dimension::angle, units)});
+    const std::size_t name_end = symbol.empty() ? std::string::npos : quantity.find(", " + symbol);
+    const std::string name = quantity.substr(first, name_end - first);
+    table.rows.push_back(
+        {fmt::format("{}<abbr title=\"{}\">{}</abbr>", first > 0 ? "&emsp;" : "",
+                     escaped(row.value("meaning", "")), escaped(labelled(name, dimension, units))),
+         html_symbol(symbol), shown(row.at("value"), dimension, units),
+         shown(row.at("driver_angle"), Dimension::angle, units)});
   }
   return table.html();
 }
@@ -86,8 +89,8 @@ Chart column_chart(const CsvTable& table, const std::string& x_column, const std
   Chart chart{"chart-" + column,
               fmt::format("The {}", name),
               fmt::format("The {} against the {}", name, x_name),
-              {fmt::format("{} [{}]", x_name, x.unit)},
-              {fmt::format("{} [{}]", name, y.unit)},
+              {fmt::format("{} [{}]", x_name, shown_unit(x.unit))},
+              {fmt::format("{} [{}]", name, shown_unit(y.unit))},
               {{name, SeriesStyle::line, {}}}};
   for (std::size_t i = 0; i < x.values.size(); ++i)
     chart.series[0].points.push_back({x.values[i], y.values[i]});
@@ -104,7 +107,7 @@ Chart slip_chart(const CsvTable& table, const bool is_roller) {
   const Chart travel = column_chart(table, "driver_angle", "driver angle", "travel_speed",
                                     "speed of the pin's axis along the slot");
   chart.series.push_back({travel.series[0].name, SeriesStyle::dashed, travel.series[0].points});
-  chart.y.label = fmt::format("speed [{}]", table.column("travel_speed").unit);
+  chart.y.label = fmt::format("speed [{}]", shown_unit(table.column("travel_speed").unit));
   return chart;
 }
 

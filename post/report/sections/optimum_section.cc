@@ -17,8 +17,9 @@ std::string dimensions_table(const json& optimum) {
   HtmlTable table{"Dimensions", {"dimension", "as it is", "best", "bound"}, {}};
   for (const json& row : optimum.at("dimensions")) {
     const std::string before = row.at("before");
-    table.rows.push_back({escaped(row.at("name")), before.empty() ? "by rule" : escaped(before),
-                          escaped(row.at("after")), escaped(row.at("bound"))});
+    table.rows.push_back({escaped(row.at("name")),
+                          before.empty() ? "by rule" : escaped(shown_input(before)),
+                          escaped(shown_input(row.at("after"))), escaped(row.at("bound"))});
   }
   return table.html();
 }

@@ -35,7 +35,7 @@ void thin_out(ChartSeries& series) {
 }
 
 std::string axis_label(const std::string& name, const CsvColumn& column) {
-  return column.unit.empty() ? name : fmt::format("{} [{}]", name, column.unit);
+  return column.unit.empty() ? name : fmt::format("{} [{}]", name, shown_unit(column.unit));
 }
 
 /// "pin -> driving wall".
@@ -106,14 +106,14 @@ Chart pressure_chart(const ResultsDirectory& results, const json& contact,
   const double half_width = in_units(contact.at("half_width"), Dimension::length, units);
   const bool is_axis = std::abs(arc.values.front()) < half_width && pressure.values.front() > 0.;
   const double middle = is_axis ? arc.values.front() : force > 0. ? moment / force : 0.;
-  Chart chart{
-      about.id,
-      about.title,
-      fmt::format("Contact pressure along {}; its maximum value is {} {}", about.where,
-                  shown(contact.at("peak_pressure"), Dimension::stress, units), pressure.unit),
-      {axis_label("distance from the middle of the contact", arc)},
-      {axis_label("contact pressure", pressure)},
-      {{"this program", SeriesStyle::markers, {}}}};
+  Chart chart{about.id,
+              about.title,
+              fmt::format("Contact pressure along {}; its maximum value is {} {}", about.where,
+                          shown(contact.at("peak_pressure"), Dimension::stress, units),
+                          shown_unit(pressure.unit)),
+              {axis_label("distance from the middle of the contact", arc)},
+              {axis_label("contact pressure", pressure)},
+              {{"this program", SeriesStyle::markers, {}}}};
   std::vector<double> friction;
   if (contact.contains("friction")) {
     friction = friction_along(rows);
@@ -211,7 +211,11 @@ Chart error_chart(const json& summary) {
 Chart convergence_chart(const json& summary, const UnitSystem units) {
   const OutputUnit stress = output_unit(units, Dimension::stress);
   const bool has_contact = summary.contains("contact");
-  const std::string title = has_contact ? "Peak contact pressure" : "Maximum von Mises stress";
+  const bool is_unbounded = has_contact && summary.at("contact").contains("edge") &&
+                            summary.at("contact").at("edge").at("bounded") == false;
+  const std::string title = is_unbounded  ? "Pressure at the edge, which is not bounded"
+                            : has_contact ? "Peak contact pressure"
+                                          : "Maximum von Mises stress";
   const std::string label = has_contact ? "peak contact pressure" : "maximum von Mises stress";
   const char* const key = has_contact ? "peak_pressure" : "maximum_von_mises";
   Chart chart{"chart-convergence",
@@ -280,8 +284,8 @@ std::string effort_table(const json& summary) {
   const json& levels = summary.at("solver").at("levels");
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double error = levels[i].at("error_estimate");
-    table.rows.push_back({std::to_string(i + 1), levels[i].at("dofs").dump(),
-                          levels[i].at("active_nodes").dump(),
+    table.rows.push_back({std::to_string(i + 1), grouped(levels[i].at("dofs").dump()),
+                          grouped(levels[i].at("active_nodes").dump()),
                           levels[i].at("active_set_iterations").dump(),
                           error < 1. ? fmt::format("{:.2g} %", 100. * error) : "–",
                           fmt::format("{:.2f}", number_of(levels[i].at("elapsed")))});

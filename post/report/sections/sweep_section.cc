@@ -37,6 +37,12 @@ struct Quantity {
   base::Dimension dimension;
 };
 
+bool is_leading(const Quantity& quantity) {
+  return quantity.name == "least safety factor" ||
+         quantity.name.rfind("peak contact pressure", 0) == 0;
+}
+
+/// Those that decide first.
 std::vector<Quantity> quantities_of(const json& points) {
   std::vector<Quantity> quantities;
   for (const json& point : points)
@@ -48,6 +54,7 @@ std::vector<Quantity> quantities_of(const json& points) {
       if (is_new && name.rfind("safety factor: ", 0) != 0)
         quantities.push_back({name, base::dimension_named(figure.at("dimension"))});
     }
+  std::stable_partition(quantities.begin(), quantities.end(), is_leading);
   return quantities;
 }
 
@@ -57,36 +64,97 @@ const json* figure_of(const json& point, const std::string& quantity) {
   return nullptr;
 }
 
-std::string values_table(const json& sweep, const std::vector<Quantity>& quantities,
-                         const base::UnitSystem units) {
-  HtmlTable table{"Every point", {"point"}, {}};
-  for (const json& parameter : sweep.at("parameters"))
-    table.headings.push_back(escaped(short_name(parameter)));
-  for (const Quantity& quantity : quantities)
-    table.headings.push_back(escaped(labelled(quantity.name, quantity.dimension, units)));
-  table.headings.emplace_back("remark");
-  int number = 0;
-  for (const json& point : sweep.at("points")) {
-    std::vector<std::string> row{std::to_string(++number)};
-    for (const json& value : point.at("values")) row.push_back(escaped(value));
-    for (const Quantity& quantity : quantities) {
-      const json* const figure = figure_of(point, quantity.name);
-      row.push_back(figure == nullptr ? "–"
-                                      : shown(figure->at("value"), quantity.dimension, units));
-    }
-    row.push_back(escaped(point.at("message")));
-    table.rows.push_back(row);
+/// A safety factor keeps its limit above it, everything else below.
+bool is_exceeded(const std::string& quantity, const json& figure) {
+  if (figure.at("limit").is_null() || figure.at("value").is_null()) return false;
+  const double value = number_of(figure.at("value"));
+  const double limit = number_of(figure.at("limit"));
+  return quantity.find("safety factor") != std::string::npos ? value < limit : value > limit;
+}
+
+/// Whether the points differ in a parameter.
+bool varies(const json& points, const std::size_t parameter) {
+  return std::any_of(points.begin(), points.end(), [&](const json& point) {
+    return point.at("values")[parameter] != points.at(0).at("values")[parameter];
+  });
+}
+
+/// A table with the number of each point and the parameters in which they differ.
+HtmlTable points_table(const json& sweep, const std::string& caption) {
+  const json& points = sweep.at("points");
+  HtmlTable table{caption, {"point"}, {}};
+  for (std::size_t point = 0; point < points.size(); ++point)
+    table.rows.push_back({std::to_string(point + 1)});
+  for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
+    if (!varies(points, i)) continue;
+    table.headings.push_back(escaped(short_name(sweep.at("parameters")[i])));
+    for (std::size_t point = 0; point < points.size(); ++point)
+      table.rows[point].push_back(escaped(shown_input(points[point].at("values")[i])));
   }
-  return table.html();
+  return table;
+}
+
+/// A figure of a point; marked where its limit is exceeded.
+std::string value_cell(const json& point, const Quantity& quantity, const base::UnitSystem units) {
+  const json* const figure = figure_of(point, quantity.name);
+  if (figure == nullptr) return "–";
+  if (figure->at("value").is_null())
+    return quantity.name == "least safety factor" ? "<span class=\"fail\">✗ none</span>"
+                                                  : "not bounded";
+  constexpr int digits_of_factor = 3;
+  const bool is_factor = quantity.name == "least safety factor";
+  const std::string value = is_factor
+                                ? significant(number_of(figure->at("value")), digits_of_factor)
+                                : shown(figure->at("value"), quantity.dimension, units);
+  return is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>"
+                                             : value;
+}
+
+/// All figures of all points, in tables that are no wider than a sheet of paper.
+std::string values_tables(const json& sweep, const std::vector<Quantity>& quantities,
+                          const base::UnitSystem units) {
+  constexpr std::size_t most_columns = 8;
+  const json& points = sweep.at("points");
+  const std::size_t n_leading = points_table(sweep, "").headings.size();
+  const std::size_t room = most_columns - std::min(n_leading, most_columns - 3);
+  const std::size_t n_tables = std::max<std::size_t>(1, (quantities.size() + room - 1) / room);
+  const std::size_t n_figures = (quantities.size() + n_tables - 1) / n_tables;
+  std::string text;
+  for (std::size_t first = 0; first < quantities.size(); first += n_figures) {
+    HtmlTable table = points_table(sweep, first == 0 ? "Every point" : "Every point, continued");
+    for (std::size_t i = first; i < std::min(first + n_figures, quantities.size()); ++i) {
+      table.headings.push_back(
+          escaped(labelled(quantities[i].name, quantities[i].dimension, units)));
+      for (std::size_t point = 0; point < points.size(); ++point)
+        table.rows[point].push_back(value_cell(points[point], quantities[i], units));
+    }
+    text += table.html();
+  }
+  return text;
+}
+
+/// What the commands said of points; empty where they said nothing.
+std::string remarks_table(const json& sweep) {
+  HtmlTable table = points_table(sweep, "Remarks");
+  table.headings.emplace_back("remark");
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t point = 0; point < table.rows.size(); ++point) {
+    const std::string message = sweep.at("points")[point].at("message");
+    if (message.empty()) continue;
+    rows.push_back(std::move(table.rows[point]));
+    rows.back().push_back(escaped(message));
+  }
+  table.rows = std::move(rows);
+  return table.rows.empty() ? "" : table.html();
 }
 
 /// The other parameters' values of a point, in words.
 std::string others_of(const json& sweep, const json& point, const std::size_t across) {
   std::string text;
   for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
-    if (i == across) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_name(sweep.at("parameters")[i]),
-                        point.at("values")[i].get<std::string>());
+    if (i == across || !varies(sweep.at("points"), i)) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : "; ", short_name(sweep.at("parameters")[i]),
+                        shown_input(point.at("values")[i]));
   }
   return text;
 }
@@ -96,10 +164,7 @@ std::vector<std::size_t> numeric_parameters(const json& sweep) {
   std::vector<std::size_t> found;
   const json& points = sweep.at("points");
   for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i) {
-    const bool varies = std::any_of(points.begin(), points.end(), [&](const json& point) {
-      return point.at("values")[i] != points.at(0).at("values")[i];
-    });
-    if (!sweep.at("units")[i].is_null() && varies) found.push_back(i);
+    if (!sweep.at("units")[i].is_null() && varies(points, i)) found.push_back(i);
   }
   return found;
 }
@@ -107,7 +172,7 @@ std::vector<std::size_t> numeric_parameters(const json& sweep) {
 std::string parameter_label(const json& sweep, const std::size_t parameter) {
   const std::string name = short_name(sweep.at("parameters")[parameter]);
   const std::string unit = sweep.at("units")[parameter];
-  return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+  return unit.empty() ? name : fmt::format("{} [{}]", name, shown_unit(unit));
 }
 
 /// Values of a parameter in ascending order.
@@ -120,14 +185,6 @@ std::vector<double> grid_of(const json& sweep, const std::size_t parameter) {
 
 std::size_t place_in(const std::vector<double>& grid, const double value) {
   return static_cast<std::size_t>(std::lower_bound(grid.begin(), grid.end(), value) - grid.begin());
-}
-
-/// A safety factor keeps its limit above it, everything else below.
-bool is_exceeded(const std::string& quantity, const json& figure) {
-  if (figure.at("limit").is_null() || figure.at("value").is_null()) return false;
-  const double value = number_of(figure.at("value"));
-  const double limit = number_of(figure.at("limit"));
-  return quantity.find("safety factor") != std::string::npos ? value < limit : value > limit;
 }
 
 /// A figure over the only two parameters that vary.
@@ -215,6 +272,17 @@ Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t ac
   return chart;
 }
 
+/// ", all with Accuracy 2 %"; empty where all parameters vary.
+std::string what_stays(const json& sweep) {
+  std::string text;
+  for (std::size_t i = 0; i < sweep.at("parameters").size(); ++i)
+    if (!varies(sweep.at("points"), i))
+      text += fmt::format("{}{} {}", text.empty() ? ", all with " : ", ",
+                          short_name(sweep.at("parameters")[i]),
+                          shown_input(sweep.at("points")[0].at("values")[i]));
+  return text;
+}
+
 }  // namespace
 
 ReportPart sweep_part(const ResultsDirectory& results) {
@@ -227,12 +295,14 @@ ReportPart sweep_part(const ResultsDirectory& results) {
       Chart chart = chart_of(sweep, quantity, numeric.front(), results.units(), charts.size());
       if (!chart.series.empty()) charts.push_back(std::move(chart));
     }
-  const std::string head = fmt::format("<p>'geneva {}' for {} combinations.</p>\n",
-                                       escaped(sweep.at("command")), sweep.at("points").size());
-  return {html_section("sweep", "Sweep",
-                       head + html(charts) + maps(sweep, quantities, results.units()) +
-                           values_table(sweep, quantities, results.units())),
-          charts};
+  const std::string head =
+      fmt::format("<p>'geneva {}' for {} combinations{}.</p>\n", escaped(sweep.at("command")),
+                  sweep.at("points").size(), escaped(what_stays(sweep)));
+  return {
+      html_section("sweep", "Sweep",
+                   head + html(charts) + maps(sweep, quantities, results.units()) +
+                       values_tables(sweep, quantities, results.units()) + remarks_table(sweep)),
+      charts};
 }
 
 }  // namespace geneva::post

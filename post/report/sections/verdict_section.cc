@@ -8,7 +8,7 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
-#include "post/report/results/case_inputs.h"
+#include "post/report/sections/inputs_section.h"
 
 namespace geneva::post {
 
@@ -72,10 +72,12 @@ std::string verdict_sentence(const json& summary) {
 std::string main_figure(const json& summary, const UnitSystem units) {
   const json* main = nullptr;
   for (const json& row : summary.at("comparison"))
-    if (main == nullptr || row.at("quantity") == "peak contact pressure") main = &row;
+    if (main == nullptr || row.at("quantity") == "peak contact pressure" ||
+        (row.at("quantity") == "edge pressure" && row.at("bounded") == false))
+      main = &row;
   if (main == nullptr) return "";
   const Dimension dimension = dimension_named(main->at("dimension"));
-  const std::string unit = base::output_unit(units, dimension).name;
+  const std::string unit = shown_unit(base::output_unit(units, dimension).name);
   const bool is_bounded = main->at("bounded") == true;
   return fmt::format("<p class=\"answer\"><span>{}</span> <strong>{} {}</strong> {}</p>\n",
                      escaped(main->at("quantity")),
@@ -105,7 +107,7 @@ std::string nearest_limit(const json& summary, const UnitSystem units) {
                         base::output_unit(units, Dimension::angle).name);
   return fmt::format(
       "<p class=\"answer\"><span>least safety factor</span> <strong>{}</strong> {} {}{}</p>\n",
-      factor.is_null() ? "–" : significant(number_of(factor), 3),
+      factor.is_null() ? "none" : significant(number_of(factor), 3),
       is_kept ? "<span class=\"pass\">✓ pass</span>" : "<span class=\"fail\">✗ EXCEEDED</span>",
       escaped(nearest->at("quantity")), escaped(at));
 }
@@ -152,8 +154,8 @@ std::string safety_table(const json& summary, const UnitSystem units) {
         {escaped(labelled(row.at("quantity"), dimension, units)) +
              (meaning.empty() ? "" : "<br><small>" + escaped(meaning) + "</small>"),
          is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
-         shown(row.at("cycle"), dimension, units), shown(row.at("allowed"), dimension, units),
-         is_known ? significant(factor, 3) : "–",
+         is_known ? shown(row.at("cycle"), dimension, units) : "not bounded",
+         shown(row.at("allowed"), dimension, units), is_known ? significant(factor, 3) : "none",
          shown(row.at("driver_angle"), Dimension::angle, units),
          is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
                                   : "<span class=\"fail\">✗ exceeded</span>"});
@@ -207,27 +209,6 @@ std::string cycle_table(const json& summary, const json* const cycle, const Unit
                                        : "<span class=\"fail\">✗ exceeded</span>"});
   }
   return table.rows.empty() ? "" : table.html();
-}
-
-std::string inputs_table(const std::vector<CaseInput>& inputs, const bool is_given) {
-  HtmlTable table{is_given ? "What the case gives" : "What it leaves at the default",
-                  {"parameter", "value"},
-                  {}};
-  for (const CaseInput& input : inputs)
-    if (input.is_given == is_given && !input.value.empty())
-      table.rows.push_back({escaped(input.name), escaped(input.value)});
-  return table.rows.empty() ? "" : table.html();
-}
-
-/// Every input; the defaults folded. Empty where the case file is not there.
-std::string inputs_section(const std::string& case_text) {
-  const std::vector<CaseInput> inputs = case_inputs(case_text);
-  if (inputs.empty()) return "";
-  return html_section("inputs", "Inputs",
-                      inputs_table(inputs, true) +
-                          "<details>\n<summary>Everything else: defaults, and values of named "
-                          "materials</summary>\n" +
-                          inputs_table(inputs, false) + "</details>\n");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "post/report/html/shown_values.h"
 #include "post/report/pictures/chart.h"
 #include "post/report/pictures/picture.h"
+#include "post/report/results/case_inputs.h"
 #include "post/report/results/csv_table.h"
 #include "post/view/hexahedron_cut.h"
 #include "post/view/quantised.h"
@@ -134,6 +135,31 @@ TEST(ShownValues, KeepTheirDigitsWithoutPowersOfTen) {
   EXPECT_EQ(significant(999.7, 3), "1000");
   EXPECT_EQ(significant(1471.34, 5), "1471.3") << "four digits stay together";
   EXPECT_EQ(significant(0., 5), "0");
+}
+
+TEST(ShownValues, ShowInputsAsPrintHasThem) {
+  EXPECT_EQ(shown_input("4.52661449 in"), "4.52661 in");
+  EXPECT_EQ(shown_input("30e6 psi"), "30\u202f000\u202f000 psi");
+  EXPECT_EQ(shown_input("4 N.m"), "4 N·m");
+  EXPECT_EQ(shown_input("0 m/s^2, 10471.9755 m/s^2"), "0 m/s², 10\u202f472 m/s²");
+  EXPECT_EQ(shown_input("1 in x 3 in"), "1 in x 3 in");
+  EXPECT_EQ(shown_input("pin.csv"), "pin.csv");
+}
+
+TEST(CaseInputs, AreGivenWhereTheirDefaultStandsBehindThem) {
+  const std::string text =
+      "# text\nset Title = a # default: \nsubsection Outer\n  subsection Inner\n"
+      "    set Ratio = 0.30000001 # default: 0.3\n    set Other = 1\n  end\n"
+      "  subsection Idle\n    set Nothing = 2\n  end\n  set Last = 3   # default: 3\nend\n";
+  const std::vector<CaseInput> inputs = case_inputs(text);
+  ASSERT_EQ(inputs.size(), 5U);
+  EXPECT_EQ(inputs[1].name, "Inner/Ratio");
+  EXPECT_TRUE(inputs[1].is_given);
+  EXPECT_FALSE(inputs[2].is_given);
+  EXPECT_TRUE(inputs[4].is_given);
+  EXPECT_EQ(given_lines(text),
+            "set Title = a\nsubsection Outer\n  subsection Inner\n    set Ratio = 0.30000001\n"
+            "  end\n  set Last = 3\nend\n");
 }
 
 TEST(ShownValues, HaveNoMarksBetweenNumbersThatDifferByRounding) {
