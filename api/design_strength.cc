@@ -14,9 +14,8 @@ namespace geneva {
 
 namespace {
 
-constexpr double first_diameter = 0.6;  // times the best one
-constexpr double last_diameter = 1.8;
-constexpr int steps = 8;
+constexpr int steps_on_either_side = 4;  // of the best diameter
+constexpr double step_ratio = 1.147;
 
 /// The case with a wheel of another diameter, as far as its arms count.
 Case resized_case(const Case& given, const double diameter) {
@@ -76,12 +75,11 @@ void add_wheel(Design& design, const double diameter, const MPI_Comm communicato
 void add_strength(Design& design, const MPI_Comm communicator, mesh::Mesher* const mesher,
                   const std::function<void(int, int)>& tell) {
   const double best = design.report.johnson.value_or(design.report.drawn.wheel).diameter;
-  for (int step = 0; step <= steps; ++step) {
-    const double diameter =
-        best * first_diameter *
-        std::pow(last_diameter / first_diameter, static_cast<double>(step) / steps);
-    add_wheel(design, diameter, communicator, mesher);
-    if (tell) tell(step + 1, steps + 1);
+  constexpr int wheels = 2 * steps_on_either_side + 1;
+  for (int wheel = 0; wheel < wheels; ++wheel) {
+    add_wheel(design, best * std::pow(step_ratio, wheel - steps_on_either_side), communicator,
+              mesher);
+    if (tell) tell(wheel + 1, wheels);
   }
   if (!design.report.strength.empty()) return;
   analyse(resized_case(design.given, best), communicator);  // says why there is none

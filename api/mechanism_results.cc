@@ -43,6 +43,17 @@ std::optional<double> bore_torque(const model::Model<dim>& model,
   return std::nullopt;
 }
 
+std::optional<post::NeedleReport> needle_report(const model::MechanismCase& mechanism,
+                                                const double force) {
+  if (!mechanism.roller || !mechanism.roller->needles) return std::nullopt;
+  const loads::NeedleBearing& needles = *mechanism.roller->needles;
+  const double load = std::abs(force);
+  return post::NeedleReport{
+      loads::greatest_needle_load(needles, load),
+      loads::needle_pressure(needles, mechanism.roller->diameter, load,
+                             {mechanism.stud.youngs_modulus, mechanism.stud.poissons_ratio})};
+}
+
 template <int dim>
 std::optional<post::MechanismReport> mechanism_report(
     const model::Model<dim>& model, const model::Case& given, const fem::Solution<dim>& solution,
@@ -64,6 +75,7 @@ std::optional<post::MechanismReport> mechanism_report(
       parts(mechanism, dim),
       state.train.roller,
       loads::bore_pressure(contact, state.train, state.load.force),
+      needle_report(mechanism, state.load.force),
       state.train.slot_friction,
       greatest_force(cycle),
       cycle.pressure,

@@ -32,6 +32,20 @@ std::optional<double> root_stress(const model::MechanismCase& mechanism,
   return loads::beam_bending(*beam, force).root_stress;
 }
 
+/// The duty of a bush, or the most loaded needle.
+post::PinChoiceRow bearing_row(const model::MechanismCase& mechanism,
+                               const loads::Characteristics& cycle) {
+  const loads::RollerBore& roller = *mechanism.roller;
+  if (!roller.needles)
+    return {"maximum mean bore pressure x sliding speed", Dimension::pressure_times_speed,
+            cycle.bore_pressure_times_speed.value, std::nullopt};
+  const double force = std::max(cycle.force.value, cycle.braking_force.value);
+  return {"maximum pressure, needle on stud", Dimension::stress,
+          loads::needle_pressure(*roller.needles, roller.diameter, force,
+                                 {mechanism.stud.youngs_modulus, mechanism.stud.poissons_ratio}),
+          std::nullopt};
+}
+
 }  // namespace
 
 std::vector<post::PinChoiceRow> roller_choice(const model::MechanismCase& mechanism,
@@ -57,8 +71,7 @@ std::vector<post::PinChoiceRow> roller_choice(const model::MechanismCase& mechan
        fixed.pressure.value},
       {"maximum pressure x slip on the wall", Dimension::pressure_times_speed,
        roller.pressure_times_slip.value, fixed.pressure_times_slip.value},
-      {"maximum mean bore pressure x sliding speed", Dimension::pressure_times_speed,
-       roller.bore_pressure_times_speed.value, std::nullopt}};
+      bearing_row(mechanism, roller)};
   const auto stud = root_stress(mechanism, roller);
   const auto pin = root_stress(alternative, fixed);
   if (stud && pin) rows.push_back({"bending stress at the root", Dimension::stress, *stud, *pin});

@@ -10,8 +10,11 @@
 #include "api/design.h"
 #include "api/estimate.h"
 #include "api/kinematics.h"
+#include "api/limits.h"
+#include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "base/errors.h"
+#include "model/mechanism_state.h"
 
 namespace geneva {
 
@@ -32,17 +35,85 @@ std::optional<double> number_in(const json& quantity) {
   return quantity.at("value").get<double>();
 }
 
+/// The limit of a figure is the least one of all that are for it.
+void set_limit(std::vector<SweepFigure>& figures, const std::string& quantity,
+               const double allowed) {
+  for (SweepFigure& figure : figures)
+    if (figure.quantity == quantity)
+      figure.limit = std::min(allowed, figure.limit.value_or(allowed));
+}
+
+bool is_of_pressure(const std::string& limit) {
+  return limit == "peak contact pressure" || limit.rfind("contact, ", 0) == 0;
+}
+
+/// The least safety factor and all of them, and the limits of the figures that they are for.
+/// @param pressures figures whose limit is that of the contact pressure
+/// @param wear the figure of pressure times slip speed; may be empty
+void append_limits(std::vector<SweepFigure>& figures, const std::vector<post::LimitRow>& limits,
+                   const std::vector<std::string>& pressures, const std::string& wear) {
+  for (const post::LimitRow& row : limits) {
+    if (is_of_pressure(row.quantity))
+      for (const std::string& pressure : pressures) set_limit(figures, pressure, row.allowed);
+    else
+      set_limit(figures, wear, row.allowed);
+  }
+  if (const auto least = post::least_factor(limits))
+    figures.push_back({"least safety factor", Dimension::dimensionless, least, std::nullopt, 1.});
+  for (const post::LimitRow& row : limits)
+    figures.push_back({"safety factor: " + row.quantity, Dimension::dimensionless, row.factor(),
+                       std::nullopt, 1.});
+}
+
 std::vector<SweepFigure> figures_of_design(const Case& given) {
   const post::DesignReport report = design(given).report;
   std::vector<SweepFigure> figures;
+  std::vector<std::string> pressures;
   const auto add = [&](const std::string& of, const loads::DesignedWheel& wheel) {
     figures.push_back(exact("diameter, " + of, Dimension::length, wheel.diameter));
-    figures.push_back(
-        exact("peak contact pressure, " + of, Dimension::stress, wheel.peak_pressure));
+    pressures.push_back("peak contact pressure, " + of);
+    figures.push_back(exact(pressures.back(), Dimension::stress, wheel.peak_pressure));
   };
   if (report.johnson) add("best wheel by Johnson", *report.johnson);
   add("best wheel as drawn", report.drawn.wheel);
   add("wheel of the case", report.own);
+  const loads::PinContact contact =
+      api::pin_contact(*given.mechanism, model::mechanism_dynamics(*given.mechanism).sizes);
+  for (const post::LimitRow& row :
+       api::pressure_limits(given, contact, {report.own.peak_pressure, 0.}))
+    for (const std::string& pressure : pressures) set_limit(figures, pressure, row.allowed);
+  return figures;
+}
+
+std::vector<SweepFigure> figures_of_estimate(const Case& given) {
+  const post::EstimateReport report = estimate(given).report;
+  std::vector<SweepFigure> figures;
+  for (const post::EstimateRow& row : report.rows)
+    figures.push_back(exact(row.quantity, row.dimension, row.value));
+  append_limits(figures, report.limits,
+                {"peak contact pressure", "greatest pressure of the engagement"}, "");
+  return figures;
+}
+
+std::vector<SweepFigure> figures_of_motion(const Case& given) {
+  const post::KinematicsReport report = kinematics(given, 1).report;
+  std::vector<SweepFigure> figures;
+  std::string above;  // an indented row belongs to it
+  for (const post::CharacteristicRow& row :
+       post::characteristic_rows(report.values, report.reference_speed)) {
+    const std::size_t indent = row.quantity.find_first_not_of(' ');
+    if (indent == 0) above = row.quantity;
+    const std::string name =
+        indent == 0 ? row.quantity : above + ", " + row.quantity.substr(indent);
+    const auto same = std::count_if(figures.begin(), figures.end(), [&](const SweepFigure& figure) {
+      return figure.quantity.rfind(name, 0) == 0;
+    });
+    figures.push_back(
+        exact(same == 0 ? name : fmt::format("{} ({})", name, same + 1), row.dimension, row.value));
+  }
+  append_limits(
+      figures, report.limits, {"maximum Hertz pressure"},
+      report.is_roller ? "maximum mean bore pressure x sliding speed" : "maximum pressure x slip");
   return figures;
 }
 
@@ -61,8 +132,8 @@ std::vector<SweepFigure> figures_in(const json& summary) {
   for (const json& row : summary.at("safety")) {
     const std::string quantity = row.at("quantity");
     const std::optional<double> factor = number_in(row.at("factor"));
-    for (SweepFigure& figure : figures)
-      if (figure.quantity == quantity) figure.limit = number_in(row.at("allowed"));
+    set_limit(figures, is_of_pressure(quantity) ? "peak contact pressure" : quantity,
+              *number_in(row.at("allowed")));
     if (factor) least = std::min(*factor, least.value_or(*factor));
     is_bounded = is_bounded && factor;
   }
@@ -77,8 +148,24 @@ std::vector<SweepFigure> figures_in(const json& summary) {
 
 }  // namespace
 
+namespace {
+
+/// @throws base::InputError for what changes no figure
+void refuse_texts(const std::vector<model::Variation>& variations) {
+  for (const model::Variation& variation : variations)
+    for (const char* const text : {"Title", "Project", "Author", "Source"})
+      if (variation.name == text)
+        throw base::InputError(fmt::format(
+            "--set {}: this is a text that changes no figure; vary a number or a choice, for "
+            "example 'Mechanism/Pin diameter = 8 mm .. 14 mm, 7'",
+            base::in_quotes(variation.name)));
+}
+
+}  // namespace
+
 std::vector<SweepCase> sweep_cases(const fs::path& directory,
                                    const std::vector<model::Variation>& variations) {
+  refuse_texts(variations);
   const Case whole = read_case(directory);
   const model::ParameterText text = model::read_parameter_text(whole.directory / "case.prm");
   std::vector<SweepCase> cases;
@@ -98,28 +185,8 @@ std::vector<SweepCase> sweep_cases(const fs::path& directory,
 }
 
 std::vector<SweepFigure> figures_of(const Case& given, const std::string& command) {
-  std::vector<SweepFigure> figures;
   if (command == "design") return figures_of_design(given);
-  if (command == "estimate") {
-    for (const post::EstimateRow& row : estimate(given).report.rows)
-      figures.push_back(exact(row.quantity, row.dimension, row.value));
-    return figures;
-  }
-  const post::KinematicsReport report = kinematics(given, 1).report;
-  std::string above;  // an indented row belongs to it
-  for (const post::CharacteristicRow& row :
-       post::characteristic_rows(report.values, report.reference_speed)) {
-    const std::size_t indent = row.quantity.find_first_not_of(' ');
-    if (indent == 0) above = row.quantity;
-    const std::string name =
-        indent == 0 ? row.quantity : above + ", " + row.quantity.substr(indent);
-    const auto same = std::count_if(figures.begin(), figures.end(), [&](const SweepFigure& figure) {
-      return figure.quantity.rfind(name, 0) == 0;
-    });
-    figures.push_back(
-        exact(same == 0 ? name : fmt::format("{} ({})", name, same + 1), row.dimension, row.value));
-  }
-  return figures;
+  return command == "estimate" ? figures_of_estimate(given) : figures_of_motion(given);
 }
 
 std::vector<SweepFigure> figures_of_run(const fs::path& results) try {

@@ -197,8 +197,9 @@ std::string manual_page(const CLI::App& command) {
   text += ".SH OPTIONS\n" + manual_options(command);
   if (is_program) text += ".SH EXAMPLES\n.nf\n" + plain(command.get_footer()) + "\n.fi\n";
   text +=
-      ".SH EXIT STATUS\n0: done. 1: wrong input. 2: the accuracy wanted or a limit was not "
-      "reached. 3: an error of the program.\n.SH SEE ALSO\n";
+      ".SH EXIT STATUS\n0: done; a safety factor below 1 does not change that (summary.json "
+      "tells them). 1: wrong input. 2: a limit of the run was reached before the accuracy that is "
+      "wanted. 3: an error of the program.\n.SH SEE ALSO\n";
   return text + (is_program ? "\\fBgeneva\\-run\\fR(1), \\fBgeneva\\-init\\fR(1)\n"
                             : "\\fBgeneva\\fR(1)\n");
 }

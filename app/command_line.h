@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,7 +40,7 @@ struct Request {
   std::string topic;                    ///< of help and manual a command, of completion a shell,
                                         ///< of materials one of them; may be empty
   std::string type = "external";        ///< of init
-  int stations = 6;                     ///< of init
+  std::optional<int> stations;          ///< of init
   std::string units = "mm-N";           ///< of init
   std::vector<std::string> variations;  ///< of sweep: "Mechanism/Pin diameter = 8 mm; 10 mm"
   std::string method = "run";           ///< of sweep: the command for each combination

@@ -1,5 +1,10 @@
 #include "app/grammar.h"
 
+#include <fmt/format.h>
+
+#include <charconv>
+#include <system_error>
+
 #include "api/version.h"
 
 namespace geneva::app {
@@ -15,6 +20,20 @@ constexpr const char* examples =
     "  geneva kinematics wheel                          motion, forces and pressure over the "
     "cycle\n"
     "'geneva help COMMAND' tells more of one.";
+
+/// Looks at an option's text before it is made a number.
+CLI::Validator whole_number(const int least, const int most) {
+  return CLI::Validator(
+      [least, most](const std::string& text) {
+        int value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, value);
+        const bool is_whole = error == std::errc() && rest == end;
+        if (is_whole && value >= least && value <= most) return std::string();
+        return fmt::format("'{}': a whole number from {} to {} is wanted", text, least, most);
+      },
+      "");
+}
 
 CLI::Option* add_case(CLI::App* command, std::string& directory) {
   return command->add_option("CASE_DIR", directory,
@@ -56,7 +75,8 @@ void Grammar::add_analyses() {
                    "of one's own (default: external)")
       ->type_name("TYPE");
   init->add_option("--stations", request_.stations, "Of the wheel (default: 6)")
-      ->type_name("NUMBER");
+      ->type_name("NUMBER")
+      ->check(whole_number(3, 24));
   init->add_option("--units", request_.units, "SI, mm-N or in-lbf (default: mm-N)")
       ->type_name("SYSTEM");
   CLI::App* run = add(Command::run, "run", "Solve a case and write its results");
@@ -82,7 +102,7 @@ void Grammar::add_analyses() {
   kinematics
       ->add_option("--steps", request_.steps, "Steps of the curves over the cycle (default: 720)")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1, 10000000).description(""));
+      ->check(whole_number(1, 10000000));
   CLI::App* estimate =
       add(Command::estimate, "estimate",
           "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");
@@ -137,7 +157,7 @@ void Grammar::add_design() {
       ->check(CLI::IsMember({"run", "estimate", "kinematics", "design"}).description(""));
   sweep->add_option("-j,--jobs", request_.jobs, "Runs at a time (default: as many as cores)")
       ->type_name("NUMBER")
-      ->check(CLI::Range(1, 1000).description(""));
+      ->check(whole_number(1, 1000));
   add_output(sweep, output_,
              "Where sweep.json, sweep.csv, the report and the points go (default: "
              "CASE_DIR/sweep)");

@@ -307,6 +307,9 @@ std::string hint(const Powers& found, const Powers& wanted) {
 std::string product_hint(const std::string& unit, const Dimension dimension) {
   constexpr std::size_t longest = 12;
   if (unit.size() > longest) return "";
+  if (dimension == Dimension::angular_speed &&
+      (unit == "1/min" || unit == "min^-1" || unit == "U/min" || unit == "min-1"))
+    return " (did you mean 'rpm'?)";
   for (std::size_t place = 1; place < unit.size(); ++place) {
     if (!is_letter(unit[place - 1]) || !is_letter(unit[place])) continue;
     const std::string product = unit.substr(0, place) + "." + unit.substr(place);

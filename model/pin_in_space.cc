@@ -118,7 +118,7 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
   const PinLengths lengths = pin_lengths(mechanism, sizes);
   const bool is_stud = !mechanism.space && mechanism.roller;
   const CaseMaterial& material = is_stud ? mechanism.stud : mechanism.pin;
-  return loads::PinBeam{is_stud ? mechanism.roller->diameter - mechanism.bore_clearance.value_or(0.)
+  return loads::PinBeam{is_stud ? mechanism.roller->stud() - mechanism.bore_clearance.value_or(0.)
                                 : sizes.pin_diameter,
                         sizes.thickness,
                         lengths.root_gap,

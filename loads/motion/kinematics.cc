@@ -61,7 +61,8 @@ double hertz_pressure(const PinContact& contact, const double force) {
 }
 
 double bore_pressure(const PinContact& contact, const WheelTrain& train, const double force) {
-  return train.roller ? std::abs(force) / (train.roller->diameter * contact.thickness) : 0.;
+  if (!train.roller || train.roller->needles) return 0.;
+  return std::abs(force) / (train.roller->diameter * contact.thickness);
 }
 
 std::vector<KinematicsRow> kinematics_rows(const DrivenMechanism& driven, const WheelTrain& train,

@@ -5,6 +5,7 @@
 
 #include "loads/motion/driven_mechanism.h"
 #include "loads/motion/slip.h"
+#include "loads/needle_bearing.h"
 
 namespace geneva::loads {
 
@@ -18,6 +19,12 @@ struct WheelLoad {
 struct RollerBore {
   double diameter;  ///< d_b [m], > 0, less than the pin's
   double friction;  ///< coefficient mu_b of roller and stud, >= 0
+  std::optional<NeedleBearing> needles = std::nullopt;  ///< none: a plain bore or bush
+
+  /// Diameter of the stud of a bore without clearance [m].
+  [[nodiscard]] double stud() const {
+    return needles ? stud_diameter(*needles, diameter) : diameter;
+  }
 };
 
 /// Everything that loads the wheel and its pin at any instant; SI units.

@@ -137,6 +137,9 @@ void check_dynamics(const CaseValues& values, const MechanismCase& given) {
   if (given.roller)
     checked(section, "Roller bore diameter",
             [&] { loads::check(*given.roller, dynamics.sizes.pin_diameter); });
+  if (given.roller && given.roller->needles)
+    checked(section, "Needles",
+            [&] { loads::check(*given.roller->needles, given.roller->diameter); });
   checked(section, given.roller ? "Roller bore friction" : "Slot friction",
           [&] { loads::check(dynamics.train, dynamics.driven); });
   if (given.space) check_pin(values, given, dynamics.sizes, slot_width(given, dynamics));
@@ -274,11 +277,25 @@ double read_load_inertia(const CaseSection& section) {
                                        section.value("Load density"));
 }
 
+/// Their length is the wheel's thickness where none is given.
+std::optional<loads::NeedleBearing> read_needles(const CaseSection& section) {
+  const auto count = section.optional_value("Needles");
+  const auto diameter = section.optional_value("Needle diameter");
+  const auto length = section.optional_value("Needle length");
+  if (!count && !diameter && !length) return std::nullopt;
+  if (!count) section.refuse_missing("Needles", "the bearing of the roller needs it");
+  if (!diameter) section.refuse_missing("Needle diameter", "'Needles' needs it");
+  if (section.is_changed("Roller bore clearance"))
+    section.refuse("Roller bore clearance", "there are needles between roller and stud");
+  return loads::NeedleBearing{static_cast<int>(*count), *diameter, length.value_or(0.)};
+}
+
 /// A roller has friction in its bore, a fixed pin on the wall.
 std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
   if (section.text("Pin type") != names::roller) {
     for (const char* name :
-         {"Roller bore diameter", "Roller bore friction", "Roller bore clearance"})
+         {"Roller bore diameter", "Roller bore friction", "Roller bore clearance", "Needles",
+          "Needle diameter", "Needle length"})
       if (section.is_changed(name))
         section.refuse(name, "this has an effect with Pin type = roller only");
     return std::nullopt;
@@ -290,14 +307,15 @@ std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
   if (!section.is_given("Roller bore diameter"))
     section.refuse_missing("Roller bore diameter", "'Pin type' = 'roller' needs it");
   return loads::RollerBore{section.value("Roller bore diameter"),
-                           section.value("Roller bore friction")};
+                           section.value("Roller bore friction"), read_needles(section)};
 }
 
 /// Only a roller has a stud of its own.
 void check_no_stud(const CaseValues& values) {
   const CaseSection section(values, {names::mechanism, names::stud_material});
-  for (const char* const name : {names::material, "Young's modulus", "Poisson's ratio", "Density",
-                                 "Yield strength", "Fatigue strength", "Hardness", "Hardened depth"})
+  for (const char* const name :
+       {names::material, "Young's modulus", "Poisson's ratio", "Density", "Yield strength",
+        "Fatigue strength", "Hardness", "Hardened depth"})
     if (section.is_changed(name))
       section.refuse(name, "this has an effect with Pin type = roller only");
 }
@@ -327,6 +345,8 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.roller = read_roller(section);
   if (result.roller) result.bore_clearance = section.optional_value("Roller bore clearance");
   if (!result.roller) check_no_stud(values);
+  if (result.roller && result.roller->needles && result.roller->needles->length == 0.)
+    result.roller->needles->length = sizes_of(result).thickness;
   read_contact_model(section, result);
   check_motion(values, kind, result);
   read_angle(section, driven_mechanism(result), result);

@@ -272,7 +272,16 @@ std::vector<Parameter> inertia_parameters() {
       {section, "Roller bore clearance", "", quantity(Dimension::length, zero_or_greater(), {""}),
        "Bore diameter less the stud's, at most a tenth of the bore; if given, roller and stud are "
        "bodies of their own with a contact between them, in the plane (Dimension = 2)." +
-           only_roller}};
+           only_roller},
+      {section, "Needles", "", whole_or_nothing(3., 200., "from 3 to 200"),
+       "Number of needles between roller and stud, in one row: the load of the most loaded one and "
+       "its pressure on the stud, of bore diameter less two needles, are worked out; the model is "
+       "a solid pin." +
+           only_roller},
+      {section, "Needle diameter", "", positive(Dimension::length, {""}),
+       "Diameter of the needles. Only with Needles."},
+      {section, "Needle length", "", positive(Dimension::length, {""}),
+       "Length of the needles that bears. Default: the wheel's thickness. Only with Needles."}};
 }
 
 std::vector<Parameter> design_parameters() {

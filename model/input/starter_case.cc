@@ -16,6 +16,7 @@ using base::Dimension;
 using base::UnitSystem;
 
 constexpr const char* geometry = "geometry";
+constexpr int usual_stations = 6;
 
 /// An SI value as the case file shows it, to three digits.
 std::string quantity(const UnitSystem units, const Dimension dimension, const double value) {
@@ -140,8 +141,8 @@ std::string heading(const std::string& what, const std::string& more) {
 }
 
 std::string mechanism_text(const Starter& starter) {
-  const std::string name =
-      fmt::format("{} Geneva mechanism, {} stations", starter.type, starter.stations);
+  const std::string name = fmt::format("{} Geneva mechanism, {} stations", starter.type,
+                                       starter.stations.value_or(usual_stations));
   const bool is_drawn = starter.type == "external" || starter.type == "internal";
   Lines general(0);
   general.set("Title", name)
@@ -151,7 +152,8 @@ std::string mechanism_text(const Starter& starter) {
       .comment("Of the peak contact pressure.")
       .set("Accuracy", "0.5 %");
   Lines kind(2);
-  kind.set("Type", starter.type).set("Stations", std::to_string(starter.stations));
+  kind.set("Type", starter.type)
+      .set("Stations", std::to_string(starter.stations.value_or(usual_stations)));
   const std::string more = "'geneva kinematics' shows its motion and forces. ";
   return heading(name, more) + general.text() + "\nsubsection Mechanism\n" + kind.text() +
          sizes_of(starter) + "\n" + load_of(starter, is_drawn) + linkage_of(starter) +
@@ -261,6 +263,9 @@ std::vector<StarterFile> starter_case(const Starter& starter) {
         "{}: there is no such type{}; one of {} is wanted", base::in_quotes(starter.type),
         nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : "", listed(types)));
   }
+  if (starter.type == geometry && starter.stations)
+    throw base::InputError(
+        "--stations: a geometry is no wheel; leave it away, or name another type");
   if (starter.type == geometry)
     return {{"case.prm", geometry_prm(starter.units)}, {"geometry.geo", cylinder_on_block}};
   return {{"case.prm", mechanism_text(starter)}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,8 @@ namespace geneva::model {
 
 /// What a new case is to be.
 struct Starter {
-  std::string type;  ///< one of starter_types()
-  int stations;      ///< of a mechanism
+  std::string type;             ///< one of starter_types()
+  std::optional<int> stations;  ///< of a mechanism; none: 6
   base::UnitSystem units;
 };
 

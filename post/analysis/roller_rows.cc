@@ -8,8 +8,14 @@ using base::Dimension;
 
 namespace {
 
-std::vector<ComparisonRow> mean_pressure_row(const RunReport& report) {
+/// What the closed forms know of the bore: its mean pressure, or its most loaded needle.
+std::vector<ComparisonRow> bearing_rows(const RunReport& report) {
   if (!report.mechanism || !report.mechanism->roller) return {};
+  if (const auto& needle = report.mechanism->needle)
+    return {{"load of the most loaded needle", Dimension::force, std::nullopt, std::nullopt, true,
+             needle->load, std::nullopt},
+            {"peak pressure, needle on stud", Dimension::stress, std::nullopt, std::nullopt, true,
+             needle->pressure, std::nullopt}};
   return {{"mean pressure, roller bore", Dimension::stress, std::nullopt, std::nullopt, true,
            report.mechanism->bore_pressure, std::nullopt}};
 }
@@ -18,7 +24,7 @@ std::vector<ComparisonRow> mean_pressure_row(const RunReport& report) {
 
 std::vector<ComparisonRow> roller_rows(const fem::Solution<2>& solution, const Results<2>& results,
                                        const RunReport& report) {
-  std::vector<ComparisonRow> rows = mean_pressure_row(report);
+  std::vector<ComparisonRow> rows = bearing_rows(report);
   if (rows.empty()) return rows;
   const auto bore =
       std::find_if(solution.contacts.begin(), solution.contacts.end(),
@@ -41,7 +47,7 @@ std::vector<ComparisonRow> roller_rows(const fem::Solution<2>& solution, const R
 
 std::vector<ComparisonRow> roller_rows(const fem::Solution<3>& /*solution*/,
                                        const Results<3>& /*results*/, const RunReport& report) {
-  return mean_pressure_row(report);
+  return bearing_rows(report);
 }
 
 }  // namespace geneva::post

@@ -32,6 +32,12 @@ struct PinReport {
   double crown_radius;                ///< [m]; 0: other ones
 };
 
+/// The most loaded needle of a roller's bearing.
+struct NeedleReport {
+  double load;      ///< [N]
+  double pressure;  ///< on the stud, by Hertz [Pa]
+};
+
 /// What the mechanism asks of the contact, SI units.
 struct MechanismReport {
   loads::PinLoad load;
@@ -45,9 +51,11 @@ struct MechanismReport {
   double parts;                            ///< of which the model is one: 2 of a half model
   std::optional<loads::RollerBore> roller;  ///< none: the pin is fixed to its carrier
   double bore_pressure;  ///< mean, of a roller at the analysed angle [Pa]; 0 of a fixed pin
-  double slot_friction;  ///< coefficient, of a pin fixed to its carrier
-  loads::PlacedPeak cycle_force;     ///< maximum pin force of the cycle [N]
-  loads::PlacedPeak cycle_pressure;  ///< maximum Hertz pressure of the cycle [Pa]
+                         ///< and of a roller on needles
+  std::optional<NeedleReport> needle;  ///< of a roller on needles, at the analysed angle
+  double slot_friction;                ///< coefficient, of a pin fixed to its carrier
+  loads::PlacedPeak cycle_force;       ///< maximum pin force of the cycle [N]
+  loads::PlacedPeak cycle_pressure;    ///< maximum Hertz pressure of the cycle [Pa]
   loads::PlacedPeak cycle_wear;  ///< maximum pressure times sliding speed of the cycle: Hertz's on
                                  ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
 };

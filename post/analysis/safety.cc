@@ -123,6 +123,19 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
   return rows;
 }
 
+/// Static limit of a roller's needles.
+SafetyRow needle_row(const MechanismReport& mechanism) {
+  const double pressure = mechanism.needle->pressure;
+  return {"needle on stud, dents (ISO 76)",
+          Dimension::stress,
+          pressure,
+          loads::static_needle_pressure,
+          mechanism.load.driver_angle,
+          scaled(pressure, mechanism, 0.5),
+          "below it a stud hardened to HRC 58 keeps dents of less than a ten-thousandth of the "
+          "needle"};
+}
+
 /// Limits of the pressure in a roller's bore; over the cycle it goes with the root of the force, as
 /// Hertz's does.
 template <int dim>
@@ -178,7 +191,8 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
                        of_pressure, "contact", mechanism ? mechanism->slot_friction : 0.))
       rows.push_back(row);
   for (const SafetyRow& row : bore_rows(solution, results, report)) rows.push_back(row);
-  if (allowed.pressure_times_slip && mechanism) {
+  if (mechanism && mechanism->needle) rows.push_back(needle_row(*mechanism));
+  if (allowed.pressure_times_slip && mechanism && !mechanism->needle) {
     const loads::PinLoad& load = mechanism->load;
     rows.push_back({mechanism->roller ? "mean bore pressure times sliding speed"
                                       : "peak contact pressure times slip speed",

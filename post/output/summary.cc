@@ -478,8 +478,14 @@ void add_pin(json& result, const MechanismReport& mechanism, const Figures& erro
   if (mechanism.pin) result["crown"] = crown_section(*mechanism.pin);
   if (mechanism.roller)
     result["roller"] = {{"bore_diameter", quantity(mechanism.roller->diameter, "m")},
-                        {"bearing_load", quantity(std::abs(mechanism.load.force), "N")},
-                        {"mean_bore_pressure", quantity(mechanism.bore_pressure, "Pa")}};
+                        {"bearing_load", quantity(std::abs(mechanism.load.force), "N")}};
+  if (mechanism.roller && !mechanism.needle)
+    result["roller"]["mean_bore_pressure"] = quantity(mechanism.bore_pressure, "Pa");
+  if (mechanism.needle) {
+    result["roller"]["stud_diameter"] = quantity(mechanism.roller->stud(), "m");
+    result["roller"]["needle_load"] = quantity(mechanism.needle->load, "N");
+    result["roller"]["needle_pressure"] = quantity(mechanism.needle->pressure, "Pa");
+  }
 }
 
 }  // namespace

@@ -74,7 +74,9 @@ class FirstSteps(CliTest):
     def test_a_new_case_overwrites_nothing_and_wrong_words_write_nothing(self):
         self.prints("init", "wheel")
         self.assertIn("case.prm is there already", self.refuses("init", "wheel"))
-        for wrong, words in ((("--type", "internl"), "did you mean 'internal'"), (("--stations", "2"), "'Stations' = '2'"),
+        for wrong, words in ((("--type", "internl"), "did you mean 'internal'"), (("--stations", "2"), "from 3 to 24"),
+                             (("--stations", "5.5"), "'5.5': a whole number from 3 to 24 is wanted"),
+                             (("--type", "geometry", "--stations", "5"), "a geometry is no wheel"),
                              (("--units", "mm"), "mm-N")):
             self.assertIn(words, self.refuses("init", "other", *wrong))
             self.assertFalse((self.directory / "other").exists())
@@ -171,6 +173,7 @@ class FirstSteps(CliTest):
                                 ("  subsection Pin material", "  set Wheel material = 42CrMo4\n  subsection Pin material",
                                  "write 'subsection Wheel material', below it 'set NAME = VALUE' lines such as "
                                  "'set Material = 42CrMo4'"),
+                                ("300 rpm", "300 1/min", "did you mean 'rpm'?"),
                                 ("100Cr6 hardened", "100Cr6 hardend", "did you mean '100Cr6 hardened'?"),
                                 ("100Cr6 hardened", "42crmo4", "'42CrMo4 nitrided'")):
             (case / "case.prm").write_text(good.replace(old, new))

@@ -47,6 +47,34 @@ class Roller(CliTest):
     def bore(self, summary):
         return next(pair for pair in summary["contact_pairs"] if pair["source"] == "stud")
 
+    def test_needles_carry_the_roller(self):
+        needles = {"Mechanism/Roller bore diameter": "10 mm", "Mechanism/Roller bore clearance": "",
+                   "Mechanism/Needles": "12", "Mechanism/Needle diameter": "2 mm",
+                   "Mechanism/Stud material/Yield strength": "600 MPa"}
+        case = self.case(changes=needles)
+        summary = self.run_case(case)
+        force = look_up(summary, "load.force.value")
+        self.assert_close(look_up(summary, "roller.needle_load.value"), 5 * force / 12, 1e-12, "5 F/Z")
+        # 1/R = 2/2 mm + 2/6 mm, p0 = sqrt(F E*/(pi R L)), E* = E/(2 (1 - nu^2)), L the wheel's thickness
+        line = 5 * force / 12 / 15e-3
+        pressure = (line * 207e9 / (2 * 0.91) * (1000 + 1000 / 3) / 3.141592653589793)**0.5
+        self.assert_close(look_up(summary, "roller.needle_pressure.value"), pressure, 1e-9, "Hertz")
+        self.assertAlmostEqual(look_up(summary, "roller.stud_diameter.value"), 6e-3)
+        rows = {row["quantity"]: row for row in summary["safety"]}
+        self.assert_close(rows["needle on stud, dents (ISO 76)"]["computed_factor"], 4e9 / pressure, 1e-9, "factor")
+        plain = self.case("plain", clearance="", changes={"Mechanism/Roller bore diameter": "6 mm"})
+        self.assertEqual(look_up(summary, "pin.root_stress_beam_theory.value"), look_up(self.run_case(plain), "pin.root_stress_beam_theory.value"))
+        kinematics = self.geneva("kinematics", case)
+        self.assertIn("maximum pressure, needle on stud", kinematics.out)
+        for changes, words in (({"Mechanism/Needles": "13"}, "at most 12 fit"),
+                               ({"Mechanism/Needle diameter": ""}, "'Needles' needs it"),
+                               ({"Mechanism/Roller bore clearance": "0.02 mm"}, "needles between roller and stud"),
+                               ({"Mechanism/Pin type": "fixed"}, "Pin type = roller only")):
+            with self.subTest(words):
+                wrong = self.geneva("kinematics", self.case(f"needles-{words[:9]}", changes={**needles, **changes}))
+                self.assertEqual(wrong.code, 1, wrong.describe())
+                self.assertIn(words, wrong.err)
+
     def test_wall_and_bore_carry_the_pin_force(self):
         summary = self.solved()
         force = look_up(summary, "load.force.value")

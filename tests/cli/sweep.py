@@ -194,7 +194,7 @@ class Sweep(CliTest):
                                  ("Mechanism/Pin diameter = -8 mm .. 14 mm, 3, log", "one sign"),
                                  ("Mechanism/Pn diameter = 8 mm; 9 mm", "did you mean 'Pin diameter'?"),
                                  ("Pin diameter = 8 mm; 9 mm", "it belongs in the subsection 'Mechanism'"),
-                                 ("Title = ", "there is no value")):
+                                 ("Title = ", "there is no value"), ("Title = a; b", "a text that changes no figure")):
             with self.subTest(variation):
                 run = self.call("sweep", case, "--set", variation)
                 self.assertEqual(run.returncode, 1)

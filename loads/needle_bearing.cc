@@ -1,0 +1,58 @@
+#include "loads/needle_bearing.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/errors.h"
+#include "loads/pi.h"
+#include "loads/require.h"
+
+namespace geneva::loads {
+
+namespace {
+
+double in_mm(const double length) { return 1e3 * length; }
+
+}  // namespace
+
+double stud_diameter(const NeedleBearing& needles, const double bore_diameter) {
+  return bore_diameter - 2. * needles.diameter;
+}
+
+double greatest_needle_load(const NeedleBearing& needles, const double force) {
+  constexpr double stribeck = 5.;
+  return stribeck * force / needles.count;
+}
+
+double needle_pressure(const NeedleBearing& needles, const double bore_diameter, const double force,
+                       const Elastic& stud) {
+  if (force == 0.) return 0.;
+  const double curvature = 2. / needles.diameter + 2. / stud_diameter(needles, bore_diameter);
+  return hertz_line(greatest_needle_load(needles, force) / needles.length, 1. / curvature,
+                    contact_modulus(stud, stud))
+      .peak_pressure;
+}
+
+void check(const NeedleBearing& needles, const double bore_diameter) {
+  require_positive_length("needle diameter", needles.diameter);
+  require_positive_length("needle length", needles.length);
+  constexpr int least = 3;
+  if (needles.count < least)
+    throw base::InputError(
+        fmt::format("there are {} needles: a bearing has {} or more", needles.count, least));
+  if (2. * needles.diameter >= bore_diameter)
+    throw base::InputError(fmt::format(
+        "needle diameter is {:.6g} mm: two needles leave no stud in a bore of {:.6g} mm; make them "
+        "thinner or the bore greater",
+        in_mm(needles.diameter), in_mm(bore_diameter)));
+  const double pitch = bore_diameter - needles.diameter;
+  const int most = static_cast<int>(pi / std::asin(needles.diameter / pitch));
+  if (needles.count > most)
+    throw base::InputError(fmt::format(
+        "there are {} needles of {:.6g} mm: at most {} fit beside each other in a bore of {:.6g} "
+        "mm",
+        needles.count, in_mm(needles.diameter), most, in_mm(bore_diameter)));
+}
+
+}  // namespace geneva::loads
