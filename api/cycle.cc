@@ -18,6 +18,7 @@
 #include "api/cycle_curve.h"
 #include "api/cycle_instant.h"
 #include "api/cycle_rim.h"
+#include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
@@ -154,6 +155,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
     result.fields = solve_shared(report.points, given, dynamics.driven, communicator, mesher, tell);
     report.curve = api::curve_of(report.points, dynamics.driven, dynamics.train, contact);
     report.work = api::work_of(dynamics.driven, dynamics.train);
+    report.limits = api::cycle_limits(given, contact, report);
     report.notices = notices_of(report, given);
     report.notices.insert(report.notices.end(), moved.begin(), moved.end());
     report.seconds = timer.wall_time();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/engagement.h"
+#include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/version.h"
@@ -69,8 +70,10 @@ void append_line(post::EstimateReport& report, const loads::PinLine& pin) {
   rows.push_back({"pin slope in the slot", Dimension::slope, line.slope, "beam"});
 }
 
-/// The greatest pressure over the engagements, by the best that is known of each angle.
-void append_engagement(post::EstimateReport& report) {
+/// The greatest pressure over the engagements, by the best that is known of each angle, and its
+/// limits where line contacts know a peak.
+void append_engagement(post::EstimateReport& report, const Case& given,
+                       const loads::PinContact& contact) {
   const auto pressure = [](const post::EngagementPoint& point) {
     return point.peak_pressure.value_or(point.even_pressure);
   };
@@ -83,6 +86,8 @@ void append_engagement(post::EstimateReport& report) {
   report.rows.push_back(
       {"greatest pressure of the engagement", Dimension::stress, pressure(*worst), basis});
   report.rows.push_back({"its driver angle", Dimension::angle, worst->driver_angle, basis});
+  if (report.doubt == loads::PeakDoubt::none)
+    report.limits = api::pressure_limits(given, contact, {pressure(*worst), worst->driver_angle});
 }
 
 void append_strength(post::EstimateReport& report, const loads::Allowables& allowed,
@@ -174,7 +179,7 @@ post::EstimateReport estimate_report(const Case& given) {
   }
   report.engagement =
       api::engagement(mechanism, state, known ? std::optional(known->pin) : std::nullopt);
-  append_engagement(report);
+  append_engagement(report, given, contact);
   append_strength(report, given.allowed, known && loads::is_beam(known->pin),
                   mechanism.roller.has_value());
   append_left_out(report, mechanism);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/roller_choice.h"
@@ -29,7 +30,8 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
           values,
           dynamics.driven.unbounded(),
           loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps),
-          api::roller_choice(mechanism, values)};
+          api::roller_choice(mechanism, values),
+          api::motion_limits(given, contact, values)};
 }
 
 }  // namespace

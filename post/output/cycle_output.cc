@@ -214,6 +214,7 @@ json cycle_summary(const CycleReport& report) {
           {"accuracy", report.accuracy},
           {"greatest", greatest != nullptr ? point_json(*greatest) : json()},
           {"stresses", ranges_json(report)},
+          {"safety", limits_section(report.limits)},
           {"instants", points},
           {"curve", curve_json(report.curve)},
           {"wall_changes", changes},
@@ -303,7 +304,7 @@ std::string cycle_table(const CycleReport& report, const UnitSystem units) {
                     greatest->contact->peak_pressure * stress.factor, stress.name,
                     100. * greatest->contact->error, greatest->instant.load.driver_angle * degrees,
                     name_of(greatest->instant.load.wall));
-  text += ranges_text(report, units);
+  text += ranges_text(report, units) + limit_lines(report.limits, units);
   const CycleWork& work = report.work;
   if (work.friction > 0.)
     text += fmt::format("friction in the slot takes {:.4g} J of each engagement{}\n", work.friction,

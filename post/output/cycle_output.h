@@ -8,6 +8,7 @@
 #include "base/json_values.h"
 #include "base/units.h"
 #include "loads/motion/cycle_instants.h"
+#include "post/output/limit_rows.h"
 
 namespace geneva::post {
 
@@ -75,6 +76,7 @@ struct CycleReport {
   std::vector<double> wall_changes;  ///< driver angles [rad]
   std::size_t left_out;              ///< engagements like the first one
   CycleWork work;                    ///< of the first engagement
+  std::vector<LimitRow> limits;
   std::vector<std::string> notices;
   double seconds;
   unsigned int ranks;

@@ -126,6 +126,7 @@ json estimate_summary(const EstimateReport& report) {
                 {{"peak_pressure", quantity(report.even.peak_pressure, "Pa")},
                  {"half_width", quantity(report.even.half_width, "m")}}},
                {"estimate", rows},
+               {"safety", limits_section(report.limits)},
                {"left_out", report.left_out}};
   summary["engagement"] = engagement_section(report.engagement);
   if (!report.line) return summary;

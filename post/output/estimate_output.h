@@ -10,6 +10,7 @@
 #include "loads/hertz.h"
 #include "loads/motion/pin_load.h"
 #include "loads/pin/pin_line.h"
+#include "post/output/limit_rows.h"
 
 namespace geneva::post {
 
@@ -46,6 +47,7 @@ struct EstimateReport {
   std::optional<double> expected_error;             ///< of its peak, relative; none without one
   std::vector<EngagementPoint> engagement;
   std::vector<EstimateRow> rows;
+  std::vector<LimitRow> limits;       ///< of the greatest pressure of the engagement
   std::vector<std::string> left_out;  ///< sentences
 };
 

@@ -222,6 +222,7 @@ json kinematics_summary(const KinematicsReport& report) {
               {"pin_type", report.is_roller ? "roller" : "fixed"},
               {"reference_speed", quantity(report.reference_speed, "rad/s")},
               {"versions", versions_section(report.geneva_version)}};
+  result["safety"] = limits_section(report.limits);
   result["peak_speed_ratio"] = values.speed_ratio.value;
   result["peak_acceleration_ratio"] = values.acceleration_ratio.value;
   result["peak_acceleration_angle"] = quantity(values.acceleration_ratio.driver_angle, "rad");
@@ -289,7 +290,7 @@ std::string kinematics_table(const KinematicsReport& report, const UnitSystem un
   std::string text = report.mechanism + "\n";
   for (const CharacteristicRow& row : characteristic_rows(report.values, report.reference_speed))
     text += line_of(row, units);
-  text += choice_table(report.choice, units);
+  text += choice_table(report.choice, units) + limit_lines(report.limits, units);
   const OutputUnit angle = output_unit(units, Dimension::angle);
   for (const loads::Unbounded& place : report.unbounded)
     text += fmt::format("not bounded: the {} at {:.6g} {}: {}\n", place.quantity,

@@ -8,6 +8,7 @@
 #include "base/json_values.h"
 #include "base/units.h"
 #include "loads/motion/kinematics.h"
+#include "post/output/limit_rows.h"
 
 namespace geneva::post {
 
@@ -30,6 +31,7 @@ struct KinematicsReport {
   std::vector<loads::Unbounded> unbounded;
   std::vector<loads::KinematicsRow> rows;
   std::vector<PinChoiceRow> choice;  ///< of a roller
+  std::vector<LimitRow> limits;      ///< by the closed forms
 };
 
 /// One line of the table of characteristic values; SI units.

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <utility>
 
 #include "base/errors.h"
 #include "post/report/html/html.h"
+#include "post/report/page_head.h"
 #include "post/report/pictures/mechanism_drawing.h"
 #include "post/report/pictures/picture.h"
 #include "post/report/report_assets.h"
+#include "post/report/sections/closed_verdict.h"
 #include "post/report/sections/comparison_section.h"
 #include "post/report/sections/crown_section.h"
 #include "post/report/sections/cycle_section.h"
@@ -35,38 +36,6 @@ std::string script(std::string text, const std::string& attributes = "") {
   return fmt::format("<script{}>\n{}\n</script>\n", attributes, text);
 }
 
-std::string page_title(const json& about) {
-  const std::string title = about.at("title");
-  const std::string name = about.at("name");
-  return title.empty() ? name : fmt::format("{}: {}", name, title);
-}
-
-std::string title_entry(const std::string& name, const std::string& content) {
-  return fmt::format("<li><span>{}</span> {}</li>\n", name, content);
-}
-
-/// Title and title block.
-std::string head(const ResultsDirectory& results) {
-  const json& document = results.leading();
-  const json& about = results.about();
-  std::string versions;
-  for (const char* const library : {"geneva", "deal.II", "gmsh"})
-    if (document.at("versions").contains(library))
-      versions += fmt::format("{}{} {}", versions.empty() ? "" : ", ", library,
-                              document.at("versions").at(library).get<std::string>());
-  const std::string date = about.at("date");
-  std::string block = title_entry("Case", escaped(about.at("name")));
-  for (const auto& [key, name] : {std::pair("project", "Project"), std::pair("author", "Author")})
-    if (const std::string value = about.value(key, ""); !value.empty())
-      block += title_entry(name, escaped(value));
-  block += title_entry("Date", fmt::format("<time datetime=\"{}\">{} {}</time>", date,
-                                           date.substr(0, 10), date.substr(11, 5))) +
-           title_entry("Units", escaped(about.at("output_units"))) +
-           title_entry("Versions", escaped(versions));
-  return fmt::format("<header>\n<h1>{}</h1>\n<ul class=\"title-block\">\n{}</ul>\n</header>\n",
-                     escaped(page_title(about)), block);
-}
-
 std::string missing_note(const Libraries& libraries) {
   std::string text;
   for (const std::string& package : libraries.missing)
@@ -85,11 +54,13 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
     page.charts.insert(page.charts.end(), part.charts.begin(), part.charts.end());
   };
   const bool is_run = results.document("summary") != nullptr;
+  const bool is_cycle = results.document("cycle") != nullptr;
   if (is_run) append(verdict_part(results));
+  if (!is_run && !is_cycle) append(closed_verdict_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
   if (results.document("optimum") != nullptr) append(optimum_part(results));
-  if (results.document("cycle") != nullptr) append(cycle_part(results));
+  if (is_cycle) append(cycle_part(results));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
@@ -152,7 +123,7 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
   if (const json* const mechanism = results.document("mechanism"))
     scripts += mechanism_script(*mechanism);
   if (is_interactive) scripts += field_script(*view, *libraries.graphics);
-  report.html = page(page_title(results.about()), head(results), part, libraries, scripts);
+  report.html = page(page_title(results), page_head(results), part, libraries, scripts);
   return report;
 } catch (const json::exception& error) {
   refuse_incomplete("the results in " + results.path.string(), error.what());
@@ -165,10 +136,7 @@ std::string make_comparison(const std::vector<ResultsDirectory>& all,
   std::string names;
   for (const ResultsDirectory& results : all)
     names += (names.empty() ? "" : ", ") + results.about().at("name").get<std::string>();
-  const std::string header =
-      fmt::format("<header>\n<h1>Comparison of {} runs</h1>\n<p>{}. Units: {}.</p>\n</header>\n",
-                  all.size(), escaped(names), name_of(all.front().units()));
-  return page("Comparison: " + names, header, comparison_part(all), libraries, "");
+  return page("Comparison: " + names, comparison_head(all), comparison_part(all), libraries, "");
 } catch (const json::exception& error) {
   refuse_incomplete("the results in one of the directories", error.what());
 } catch (const std::out_of_range& error) {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Reports: made by the commands, made again from their files, looked at in a browser."""
 
+import base64
 import csv
 import html.parser
 import json
@@ -663,6 +664,20 @@ class SweepReport(ReportTest):
     case_name = "indexing-table"
     command = "kinematics"
 
+    def test_draws_limits(self):
+        for command, quantity in (("kinematics", "maximum Hertz pressure"), ("estimate", "peak contact pressure"),
+                                  ("design", "peak contact pressure, wheel of the case")):
+            with self.subTest(command):
+                output = self.case / f"sweep-{command}"
+                run = self.geneva("sweep", self.case, "--with", command, "--set", "Mechanism/Driver speed = 100 rpm .. 200 rpm, 3",
+                                  "-o", output)
+                self.assertEqual(run.code, 0, run.describe())
+                page = (output / "report.html").read_text()
+                charts = json.loads(re.search(r'id="charts">\s*(.*?)\s*</script>', page).group(1))
+                (chart,) = [chart for chart in charts if chart["y"]["label"] == quantity + " [MPa]"]
+                (allowed,) = [one["points"] for one in chart["series"] if one["name"] == "allowed"]
+                self.assertAlmostEqual(allowed[0][1], 554, 6, "pitting of the wheel's C45, the least of all limits")
+
     @classmethod
     def prepare(cls, runner):
         run = runner.geneva("sweep", cls.case, "--with", "kinematics", "--set", "Mechanism/Pin diameter = 8 mm .. 14 mm, 3", "--set",
@@ -833,14 +848,37 @@ end
         page = read_report(self.directory / "both.html")
         self.assertEqual(page.open, [])
         self.assertEqual(len(page.ids), len(set(page.ids)))
-        self.assertEqual(page.text.count(peak_in_psi(read_summary(inches))), 2)
+        self.assertEqual(page.text.count(peak_in_psi(read_summary(inches))), 4)
         self.assertNotIn("[MPa]", page.text)
+        for words in ("Runs of ", "Cases johnson-optimum-wheel", "peak contact pressure"):
+            self.assertIn(words, page.text)
+        pictures = [base64.b64decode(data).decode() for data in
+                    re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', (self.directory / "both.html").read_text())]
+        ticks = [[float(x) for x in re.findall(r'<path stroke="#1b2126" d="M([\d.]+) 560.0v6"', picture)] for picture in pictures]
+        labels = [[float(x) for x in re.findall(r'y="582.0" text-anchor="middle">([^<]*)<', picture)] for picture in pictures]
+        per_length = [(x[-1] - x[0]) / (at[-1] - at[0]) for x, at in zip(ticks, labels, strict=True)]
+        self.assert_close(per_length[1] * 25.4, per_length[0], 1e-2, "pixels per inch")
         charts = re.search(r'id="charts">\s*(.*?)\s*</script>', (self.directory / "both.html").read_text()).group(1)
         (pressure,) = [chart for chart in json.loads(charts) if chart["id"] == "chart-pressure"]
         self.assertEqual([series["name"] for series in pressure["series"]], ["johnson-optimum-wheel", "metric"])
         first, second = ([y for _, y in series["points"]] for series in pressure["series"])
         for one, other in zip(first, second, strict=True):
             self.assertAlmostEqual(one, other, delta=1e-4)
+
+    def test_motion_and_estimate_tell_the_nearest_limit_first(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)
+        for command in ("kinematics", "estimate"):
+            with self.subTest(command):
+                self.assertEqual(self.geneva(command, case, "-o", self.directory / command).code, 0)
+                (document,) = (self.directory / command).glob(f"{command}.json")
+                safety = json.loads(document.read_text())["safety"]
+                least = min(row["factor"] for row in safety)
+                self.assertEqual([row["quantity"] for row in safety][0], "peak contact pressure")
+                page = (self.directory / command / "report.html").read_text()
+                first = page[:page.index("<table>")]
+                self.assertIn(f"least safety factor</span> <strong>{least:.3g}</strong>", first)
+                self.assertEqual("EXCEEDED" in first, least < 1)
 
     def test_has_a_title_block(self):
         case = self.copy_case("johnson-optimum-wheel", "filed")

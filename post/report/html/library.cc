@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::optional<std::string> text_of(const fs::path& file) {
+std::optional<std::string> library_text(const fs::path& file) {
   std::ifstream stream(file);
   if (!stream) return std::nullopt;
   std::ostringstream text;
@@ -25,11 +25,11 @@ Libraries installed_libraries() {
   const char* const given = std::getenv("GENEVA_JAVASCRIPT");
   const fs::path directory = given == nullptr ? "/usr/share/javascript" : given;
   Libraries libraries;
-  libraries.charts = text_of(directory / "chart.js" / "chart.min.js");
+  libraries.charts = library_text(directory / "chart.js" / "chart.min.js");
   if (!libraries.charts) libraries.missing.emplace_back("libjs-chart.js");
-  const auto core = text_of(directory / "three" / "three.min.js");
+  const auto core = library_text(directory / "three" / "three.min.js");
   const auto controls =
-      text_of(directory / "three" / "examples" / "js" / "controls" / "OrbitControls.js");
+      library_text(directory / "three" / "examples" / "js" / "controls" / "OrbitControls.js");
   if (core && controls)
     libraries.graphics = *core + "\n" + *controls;
   else

@@ -223,12 +223,16 @@ std::array<double, 2> field_range(const json& view, const PicturePart part) {
   return range_in(mesh, window_of(view, part, mesh));
 }
 
-std::string field_picture(const json& view, const PicturePart part,
-                          const std::optional<std::array<double, 2>>& wanted) {
+double picture_scale(const json& view, const PicturePart part) {
+  return window_of(view, part, flat_mesh(view)).scale;
+}
+
+std::string field_picture(const json& view, const PicturePart part, const PictureScales& scales) {
   const FlatMesh mesh = flat_mesh(view);
   const bool is_model = part == PicturePart::model;
-  const Window window = window_of(view, part, mesh);
-  const std::array<double, 2> range = wanted ? *wanted : range_in(mesh, window);
+  Window window = window_of(view, part, mesh);
+  window.scale = scales.pixels.value_or(window.scale);
+  const std::array<double, 2> range = scales.range ? *scales.range : range_in(mesh, window);
   const std::string image = base::encoded_bytes(painted(mesh, window, range).png());
   const std::string unit = view.at("length_unit");
   const Vector origin = view.at("origin");

@@ -14,12 +14,21 @@ enum class PicturePart {
             ///< stresses
 };
 
+/// Scales of a picture; without one that of what the picture shows.
+struct PictureScales {
+  std::optional<std::array<double, 2>> range;  ///< of the colours, in output units
+  std::optional<double> pixels;                ///< per output unit of length, on both axes
+};
+
 /// A picture of the von Mises stress: an SVG document with axes and colour bar in output units.
 /// @param view what view.json holds
 /// @throws base::InputError if it is damaged
-/// @param range of the colours, in output units; none: that of what the picture shows
 std::string field_picture(const nlohmann::json& view, PicturePart part,
-                          const std::optional<std::array<double, 2>>& range = std::nullopt);
+                          const PictureScales& scales = {});
+
+/// Pixels per output unit of length of such a picture.
+/// @throws base::InputError if the view is damaged
+double picture_scale(const nlohmann::json& view, PicturePart part);
 
 /// The range of the stress that such a picture shows, in output units.
 /// @throws base::InputError if the view is damaged

@@ -22,8 +22,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double width = 640.;
-constexpr double height = 490.;
+constexpr double drawing_width = 640.;
+constexpr double drawing_height = 490.;
 constexpr double margin = 16.;
 constexpr double bottom_margin = 46.;  ///< for the centre distance
 constexpr double arrow_length = 80.;   ///< of the maximum force [pixels]
@@ -98,12 +98,13 @@ Projection projection_of(const json& mechanism) {
       high[i] = std::max(high[i], at[i]);
     }
   }
-  const double scale = std::min((width - 2. * margin) / (high[0] - low[0]),
-                                (height - margin - bottom_margin) / (high[1] - low[1]));
+  const double scale = std::min((drawing_width - 2. * margin) / (high[0] - low[0]),
+                                (drawing_height - margin - bottom_margin) / (high[1] - low[1]));
   for (auto& row : projection.rows)
     for (double& component : row) component *= scale;
-  projection.offset = {width / 2. - scale * (low[0] + high[0]) / 2.,
-                       (height + margin - bottom_margin) / 2. - scale * (low[1] + high[1]) / 2.};
+  projection.offset = {
+      drawing_width / 2. - scale * (low[0] + high[0]) / 2.,
+      (drawing_height + margin - bottom_margin) / 2. - scale * (low[1] + high[1]) / 2.};
   return projection;
 }
 
@@ -264,7 +265,7 @@ void add_radius(Dimensions& dimensions, const Pixel& centre, const double radius
 /// The distance of two places of one height, below the drawing.
 void add_distance_below(Dimensions& dimensions, const Pixel& from, const Pixel& to,
                         const std::string& label) {
-  const double below = height - bottom_margin + 18.;
+  const double below = drawing_height - bottom_margin + 18.;
   const auto lowered = [&](const Pixel& at, const double by) { return Pixel{at[0], below + by}; };
   dimensions.add(line("class=\"dimension\"", from, lowered(from, 5.)) +
                      line("class=\"dimension\"", to, lowered(to, 5.)) +
@@ -321,7 +322,7 @@ std::string mechanism_drawing(const json& mechanism, const json& step, const std
   return fmt::format(
              "<svg id=\"mechanism-drawing\" viewBox=\"0 0 {} {}\" role=\"img\" "
              "aria-label=\"{}\">\n{}",
-             width, height, escaped(label), markers) +
+             drawing_width, drawing_height, escaped(label), markers) +
          wheel_and_path(mechanism, step, projection) + dimensioned.lines +
          driver(mechanism, step, projection) + dimensioned.labels +
          pin_label(mechanism, step, projection, units) + force_arrow(mechanism, step, projection) +

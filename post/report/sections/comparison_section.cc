@@ -15,6 +15,7 @@
 #include "post/report/sections/field_section.h"
 #include "post/report/sections/inputs_section.h"
 #include "post/report/sections/run_section.h"
+#include "post/report/sections/verdict_section.h"
 
 namespace geneva::post {
 
@@ -105,6 +106,15 @@ std::string table_of(const std::vector<ResultsDirectory>& all,
   add("unknowns",
       [](const json& summary) { return grouped(summary.at("mesh").at("dofs").dump()); });
   return table.html();
+}
+
+/// Each run's answer in large type: its main figure and its least safety factor.
+std::string answers_of(const std::vector<ResultsDirectory>& all,
+                       const std::vector<std::string>& names, const UnitSystem units) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += fmt::format("<h3>{}</h3>\n", escaped(names[i])) + run_answer(all[i], units);
+  return "<div class=\"answers\">\n" + text + "</div>\n";
 }
 
 /// Value of an input; a dash where the case has none of that name.
@@ -208,32 +218,45 @@ std::vector<Chart> charts_of(const std::vector<ResultsDirectory>& all,
   return charts;
 }
 
-/// The colours' range that all pictures share; none where their units differ.
-std::optional<std::array<double, 2>> shared_range(const std::vector<ResultsDirectory>& all) {
-  std::optional<std::array<double, 2>> shared;
-  std::string unit;
+/// What is multiplied with SI values to get a run's output units.
+double factor_of(const ResultsDirectory& results, const Dimension dimension) {
+  return output_unit(results.units(), dimension).factor;
+}
+
+/// The scales that all pictures share, in SI units: of colours and of lengths.
+PictureScales shared_scales(const std::vector<ResultsDirectory>& all) {
+  PictureScales shared;
   for (const ResultsDirectory& results : all) {
     const json* const view = results.document("view");
     if (view == nullptr) continue;
-    if (shared && view->at("stress_unit") != unit) return std::nullopt;
+    const double stress = factor_of(results, Dimension::stress);
+    const double pixels =
+        picture_scale(*view, main_part(*view)) * factor_of(results, Dimension::length);
     const std::array<double, 2> range = field_range(*view, main_part(*view));
-    shared = shared ? std::array<double, 2>{std::min((*shared)[0], range[0]),
-                                            std::max((*shared)[1], range[1])}
-                    : range;
-    unit = view->at("stress_unit");
+    const auto& known = shared.range;
+    shared.range = {std::min(known ? (*known)[0] : range[0] / stress, range[0] / stress),
+                    std::max(known ? (*known)[1] : range[1] / stress, range[1] / stress)};
+    shared.pixels = std::min(pixels, shared.pixels.value_or(pixels));
   }
   return shared;
+}
+
+/// The same in the output units of a run.
+PictureScales in_units_of(const ResultsDirectory& results, const PictureScales& scales) {
+  const double stress = factor_of(results, Dimension::stress);
+  return {std::array<double, 2>{(*scales.range)[0] * stress, (*scales.range)[1] * stress},
+          *scales.pixels / factor_of(results, Dimension::length)};
 }
 
 /// The pictures as images of their own, since names within an SVG must not meet on a page.
 std::string pictures_of(const std::vector<ResultsDirectory>& all,
                         const std::vector<std::string>& names) {
-  const auto range = shared_range(all);
+  const PictureScales scales = shared_scales(all);
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const json* const view = all[i].document("view");
     if (view == nullptr) continue;
-    const std::string svg = field_picture(*view, main_part(*view), range);
+    const std::string svg = field_picture(*view, main_part(*view), in_units_of(all[i], scales));
     text += fmt::format(
         "<figure class=\"picture\">\n<img alt=\"von Mises stress of {0}\" "
         "src=\"data:image/svg+xml;base64,{1}\">\n<figcaption>{0}</figcaption>\n</figure>\n",
@@ -251,8 +274,8 @@ ReportPart comparison_part(const std::vector<ResultsDirectory>& all) {
   ReportPart part;
   part.charts = charts_of(all, names);
   part.html = html_section("verdict", "Side by side",
-                           table_of(all, names, units) + inputs_table(all, names) +
-                               warnings_of(all, names)) +
+                           answers_of(all, names, units) + table_of(all, names, units) +
+                               inputs_table(all, names) + warnings_of(all, names)) +
               (part.charts.empty() ? "" : html_section("contact", "Contact", html(part.charts))) +
               html_section("field", "von Mises stress",
                            "<div class=\"pictures\">\n" + pictures_of(all, names) + "</div>\n");

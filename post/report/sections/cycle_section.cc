@@ -7,6 +7,7 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -164,18 +165,20 @@ std::string stresses_table(const json& cycle, const UnitSystem units) {
   return table.html();
 }
 
+/// Earlier versions have none.
+json limits_of(const json& cycle) { return cycle.value("safety", json::array()); }
+
 /// The answer first.
 std::string head(const json& cycle, const UnitSystem units) {
   const json& greatest = cycle.at("greatest");
   std::string text;
   if (!greatest.is_null())
-    text = fmt::format(
-        "<p>Greatest peak pressure: <strong>{} {} {}</strong> at {} {}, on the {} wall.</p>\n",
-        shown(greatest.at("contact").at("peak_pressure"), Dimension::stress, units),
-        base::output_unit(units, Dimension::stress).name,
-        shown_error(greatest.at("contact").at("error")),
-        shown(greatest.at("driver_angle"), Dimension::angle, units),
-        base::output_unit(units, Dimension::angle).name, escaped(greatest.at("wall")));
+    text = answer(
+        "greatest peak pressure",
+        shown_with_unit(greatest.at("contact").at("peak_pressure"), Dimension::stress, units),
+        fmt::format("{} {}, on the {} wall", shown_error(greatest.at("contact").at("error")),
+                    at_angle(greatest.at("driver_angle"), units), escaped(greatest.at("wall"))));
+  text += nearest_limit(limits_of(cycle), units);
   for (const json& notice : cycle.at("notices"))
     text += fmt::format("<p class=\"warning\"><strong>Note:</strong> {}</p>\n",
                         escaped(notice.get<std::string>()));
@@ -201,10 +204,13 @@ ReportPart cycle_part(const ResultsDirectory& results) {
     charts.push_back(std::move(torque));
   if (Chart stress = stress_chart(cycle, units); !stress.series.empty())
     charts.push_back(std::move(stress));
-  return {html_section("cycle", "Over the engagement",
-                       head(cycle, units) + html(charts) + stresses_table(cycle, units) +
-                           instants_table(cycle, units)),
-          charts};
+  return {
+      html_section(
+          "cycle", "Over the engagement",
+          head(cycle, units) +
+              limits_table(limits_of(cycle), "How near to the limits over the engagement", units) +
+              html(charts) + stresses_table(cycle, units) + instants_table(cycle, units)),
+      charts};
 }
 
 }  // namespace geneva::post

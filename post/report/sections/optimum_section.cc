@@ -6,6 +6,7 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -38,6 +39,37 @@ std::string optimum_table(const json& optimum, const base::UnitSystem units) {
   return table.html();
 }
 
+/// What was to be least, in large type, beside what it is, and how near the nearest limit is.
+std::string answer_of_optimum(const json& optimum, const base::UnitSystem units) {
+  std::string text;
+  const json* nearest = nullptr;
+  const auto used = [](const json& row) {  // of what is allowed; "least ..." is a limit from below
+    const double share = number_of(row.at("after")) / number_of(row.at("limit"));
+    const bool is_from_below = row.at("quantity").get<std::string>().rfind("least ", 0) == 0;
+    return is_from_below ? 1. / share : share;
+  };
+  for (const json& row : optimum.at("figures")) {
+    const base::Dimension dimension = base::dimension_named(row.at("dimension"));
+    if (row.at("quantity") == optimum.at("goal"))
+      text = answer("least " + escaped(row.at("quantity")),
+                    shown_with_unit(row.at("after"), dimension, units),
+                    row.at("before").is_null()
+                        ? ""
+                        : "instead of " + shown_with_unit(row.at("before"), dimension, units));
+    if (!row.at("limit").is_null() && (nearest == nullptr || used(row) > used(*nearest)))
+      nearest = &row;
+  }
+  if (nearest == nullptr) return text;
+  constexpr double rounding = 1e-6;
+  const base::Dimension dimension = base::dimension_named(nearest->at("dimension"));
+  return text + answer("nearest limit", shown_with_unit(nearest->at("after"), dimension, units),
+                       fmt::format("{}, {} allowed {}", escaped(nearest->at("quantity")),
+                                   shown_with_unit(nearest->at("limit"), dimension, units),
+                                   used(*nearest) <= 1. + rounding
+                                       ? "<span class=\"pass\">✓ pass</span>"
+                                       : "<span class=\"fail\">✗ EXCEEDED</span>"));
+}
+
 }  // namespace
 
 ReportPart optimum_part(const ResultsDirectory& results) {
@@ -51,7 +83,8 @@ ReportPart optimum_part(const ResultsDirectory& results) {
                   binds.empty() ? "Nothing binds: it is a minimum within all bounds and limits."
                                 : "What binds: " + binds + ".");
   return {html_section("optimum", "Best dimensions",
-                       head + dimensions_table(optimum) + optimum_table(optimum, results.units())),
+                       answer_of_optimum(optimum, results.units()) + head +
+                           dimensions_table(optimum) + optimum_table(optimum, results.units())),
           {}};
 }
 

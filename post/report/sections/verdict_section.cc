@@ -9,6 +9,7 @@
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
 #include "post/report/sections/inputs_section.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -77,39 +78,10 @@ std::string main_figure(const json& summary, const UnitSystem units) {
       main = &row;
   if (main == nullptr) return "";
   const Dimension dimension = dimension_named(main->at("dimension"));
-  const std::string unit = shown_unit(base::output_unit(units, dimension).name);
-  const bool is_bounded = main->at("bounded") == true;
-  return fmt::format("<p class=\"answer\"><span>{}</span> <strong>{} {}</strong> {}</p>\n",
-                     escaped(main->at("quantity")),
-                     is_bounded ? shown(main->at("computed"), dimension, units) : "not bounded",
-                     is_bounded ? escaped(unit) : "",
-                     is_bounded ? shown_error(main->at("error")) : "");
-}
-
-/// The limit that is nearest, with its verdict; empty where there is none.
-std::string nearest_limit(const json& summary, const UnitSystem units) {
-  const json* nearest = nullptr;
-  for (const json& row : summary.at("safety")) {
-    const bool is_nearer =
-        nearest == nullptr || (!nearest->at("factor").is_null() &&
-                               (row.at("factor").is_null() ||
-                                number_of(row.at("factor")) < number_of(nearest->at("factor"))));
-    if (is_nearer) nearest = &row;
-  }
-  if (nearest == nullptr) return "";
-  const json& factor = nearest->at("factor");
-  const bool is_kept = !factor.is_null() && number_of(factor) >= 1.;
-  const std::string at =
-      nearest->at("driver_angle").is_null()
-          ? ""
-          : fmt::format(", at a driver angle of {} {}",
-                        shown(nearest->at("driver_angle"), Dimension::angle, units),
-                        base::output_unit(units, Dimension::angle).name);
-  return fmt::format(
-      "<p class=\"answer\"><span>least safety factor</span> <strong>{}</strong> {} {}{}</p>\n",
-      factor.is_null() ? "none" : significant(number_of(factor), 3),
-      is_kept ? "<span class=\"pass\">✓ pass</span>" : "<span class=\"fail\">✗ EXCEEDED</span>",
-      escaped(nearest->at("quantity")), escaped(at));
+  if (main->at("bounded") == false) return answer(escaped(main->at("quantity")), "not bounded", "");
+  return answer(escaped(main->at("quantity")),
+                shown_with_unit(main->at("computed"), dimension, units),
+                shown_error(main->at("error")));
 }
 
 std::string notices(const json& summary) {
@@ -134,31 +106,6 @@ std::string checks_table(const json& summary) {
                           is_passed ? "<span class=\"pass\">✓ passed</span>"
                                     : "<span class=\"fail\">✗ failed</span>",
                           escaped(check.at("meaning"))});
-  }
-  return table.html();
-}
-
-/// How near the limits are; empty if the case gives none.
-std::string safety_table(const json& summary, const UnitSystem units) {
-  if (summary.at("safety").empty()) return "";
-  HtmlTable table{"How near to the limits that the case gives",
-                  {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
-                   labelled("driver angle", Dimension::angle, units), "verdict"},
-                  {}};
-  for (const json& row : summary.at("safety")) {
-    const Dimension dimension = dimension_named(row.at("dimension"));
-    const bool is_known = !row.at("factor").is_null();
-    const double factor = number_of(row.at("factor"));
-    const std::string meaning = row.value("meaning", "");
-    table.rows.push_back(
-        {escaped(labelled(row.at("quantity"), dimension, units)) +
-             (meaning.empty() ? "" : "<br><small>" + escaped(meaning) + "</small>"),
-         is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
-         is_known ? shown(row.at("cycle"), dimension, units) : "not bounded",
-         shown(row.at("allowed"), dimension, units), is_known ? significant(factor, 3) : "none",
-         shown(row.at("driver_angle"), Dimension::angle, units),
-         is_known && factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
-                                  : "<span class=\"fail\">✗ exceeded</span>"});
   }
   return table.html();
 }
@@ -204,22 +151,24 @@ std::string cycle_table(const json& summary, const json* const cycle, const Unit
                           shown(*found->value, Dimension::stress, units),
                           shown(*found->driver_angle, Dimension::angle, units),
                           shown(row.at("allowed"), Dimension::stress, units),
-                          significant(factor, 3),
-                          factor >= 1. ? "<span class=\"pass\">✓ allowed</span>"
-                                       : "<span class=\"fail\">✗ exceeded</span>"});
+                          significant(factor, 3), verdict_cell(factor)});
   }
   return table.rows.empty() ? "" : table.html();
 }
 
 }  // namespace
 
+std::string run_answer(const ResultsDirectory& results, const UnitSystem units) {
+  const json& summary = *results.document("summary");
+  return main_figure(summary, units) + nearest_limit(summary.at("safety"), units);
+}
+
 ReportPart verdict_part(const ResultsDirectory& results) {
   const json& summary = *results.document("summary");
   return {html_section("verdict", "Verdict",
-                       main_figure(summary, results.units()) +
-                           nearest_limit(summary, results.units()) + verdict_sentence(summary) +
+                       run_answer(results, results.units()) + verdict_sentence(summary) +
                            notices(summary) + verdict_table(summary, results.units()) +
-                           safety_table(summary, results.units()) +
+                           run_limits_table(summary.at("safety"), results.units()) +
                            cycle_table(summary, results.document("cycle"), results.units())) +
               inputs_section(results.case_text) +
               html_section("checks", "Is it right?", checks_table(summary)),

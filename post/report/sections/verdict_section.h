@@ -5,6 +5,9 @@
 
 namespace geneva::post {
 
+/// The answer of a run in large type: the figure that the case is about and the nearest limit.
+std::string run_answer(const ResultsDirectory& results, base::UnitSystem units);
+
 /// What `geneva run` found: the figure that the case is about and the nearest limit, the table
 /// beside closed forms and published values, warnings, limits, inputs and checks.
 ReportPart verdict_part(const ResultsDirectory& results);

@@ -1,0 +1,117 @@
+#include "api/limits.h"
+
+#include <cmath>
+
+#include "loads/contact_limits.h"
+#include "loads/hertz.h"
+
+namespace geneva::api {
+
+namespace {
+
+using base::Dimension;
+using post::LimitRow;
+using Rows = std::vector<LimitRow>;
+
+double poissons_ratio_of(const Case& given, const std::string& body) {
+  return body == "pin" ? given.mechanism->pin.poissons_ratio
+                       : given.mechanism->wheel.poissons_ratio;
+}
+
+/// [Pa]; of a hardened surface those of layer and core.
+loads::ContactLimits yield_limits(const Case& given, const loads::PinContact& contact,
+                                  const std::string& body, const double yield) {
+  const double nu = poissons_ratio_of(given, body);
+  const double friction = given.mechanism->slot_friction;
+  const auto layer = given.allowed.layers.find(body);
+  if (layer != given.allowed.layers.end())
+    return loads::layered_line_limits(nu, friction, layer->second, yield,
+                                      contact.pin_diameter / contact.contact_modulus);
+  const loads::ContactLimits limits = loads::line_contact_limits(nu, friction);
+  return {limits.first_yield * yield, limits.shakedown * yield};
+}
+
+/// The pressure times the slip speed, or of a roller that in its bore.
+void append_wear(Rows& rows, const Case& given, const PlacedValue& wear) {
+  if (!given.allowed.pressure_times_slip) return;
+  rows.push_back({given.mechanism->roller ? "mean bore pressure times sliding speed"
+                                          : "peak contact pressure times slip speed",
+                  Dimension::pressure_times_speed, wear.value, *given.allowed.pressure_times_slip,
+                  wear.driver_angle, ""});
+}
+
+/// Where peak pressure times slip is greatest on the curve between the instants.
+PlacedValue greatest_wear(const post::CycleReport& report) {
+  PlacedValue greatest{0., 0.};
+  for (const post::CycleCurvePoint& point : report.curve) {
+    const double wear = point.peak_pressure * std::abs(point.slip_speed);
+    if (wear > greatest.value) greatest = {wear, point.driver_angle};
+  }
+  return greatest;
+}
+
+}  // namespace
+
+std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact& contact,
+                                      const PlacedValue& pressure) {
+  constexpr double most_friction = 1.;  // of the closed form
+  Rows rows;
+  const auto add = [&](const std::string& quantity, const double allowed,
+                       const std::string& meaning) {
+    rows.push_back(
+        {quantity, Dimension::stress, pressure.value, allowed, pressure.driver_angle, meaning});
+  };
+  if (given.allowed.contact_pressure)
+    add("peak contact pressure", *given.allowed.contact_pressure, "");
+  for (const std::string body : {"pin", "wheel"}) {
+    const auto yield = given.allowed.yield_strengths.find(body);
+    if (yield != given.allowed.yield_strengths.end() &&
+        given.mechanism->slot_friction <= most_friction) {
+      const loads::ContactLimits limits = yield_limits(given, contact, body, yield->second);
+      add("contact, first yield, " + body, limits.first_yield,
+          "below it no point of the material yields");
+      add("contact, shakedown, " + body, limits.shakedown,
+          "below it the material yields at first and is elastic again under any number of passes");
+    }
+    if (const auto flank = given.allowed.flank_pressures.find(body);
+        flank != given.allowed.flank_pressures.end())
+      add("contact, pitting, " + body, flank->second,
+          "below it flanks and rolling contacts of this material bear any number of passes without "
+          "pits");
+  }
+  return rows;
+}
+
+std::vector<LimitRow> motion_limits(const Case& given, const loads::PinContact& contact,
+                                    const loads::Characteristics& values) {
+  Rows rows =
+      pressure_limits(given, contact, {values.pressure.value, values.pressure.driver_angle});
+  const loads::PlacedPeak& wear =
+      given.mechanism->roller ? values.bore_pressure_times_speed : values.pressure_times_slip;
+  append_wear(rows, given, {wear.value, wear.driver_angle});
+  return rows;
+}
+
+std::vector<LimitRow> cycle_limits(const Case& given, const loads::PinContact& contact,
+                                   const post::CycleReport& report) {
+  Rows rows;
+  if (const post::CyclePoint* const greatest = post::greatest_pressure(report))
+    rows = pressure_limits(given, contact,
+                           {greatest->contact->peak_pressure, greatest->instant.load.driver_angle});
+  if (!given.mechanism->roller) append_wear(rows, given, greatest_wear(report));
+  for (const post::CycleStressRange& range : post::stress_ranges(report)) {
+    const post::CycleStress& stress = range.greatest;
+    const bool is_tensile = stress.name == "tensile stress";
+    const auto& strengths =
+        is_tensile ? given.allowed.fatigue_strengths : given.allowed.yield_strengths;
+    const auto strength = strengths.find(stress.body);
+    if (strength == strengths.end()) continue;
+    rows.push_back({stress.name + " away from the contact" + (is_tensile ? " (fatigue), " : ", ") +
+                        stress.body,
+                    Dimension::stress, stress.value, strength->second, range.driver_angle,
+                    stress.where});
+  }
+  return rows;
+}
+
+}  // namespace geneva::api
