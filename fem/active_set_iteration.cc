@@ -6,9 +6,11 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <type_traits>
 
 #include "fem/contact/active_set.h"
 #include "fem/contact/conditions.h"
+#include "fem/contact/sliding_search.h"
 #include "fem/holding_nodes.h"
 #include "fem/linear/constraints.h"
 
@@ -31,19 +33,6 @@ constexpr double loose_reduction = 0.02;
 /// pressure, and the sets would move for ever.
 constexpr unsigned int most_loose_steps = 6;
 
-/// Maximum change of the direction in which a node slides that slipped and goes on to slip.
-template <int dim>
-double maximum_turn(const ContactInterface<dim>& interface, const std::vector<NodeStatus>& next,
-                    const std::vector<Components<dim>>& sliding) {
-  double turn = 0.;
-  for (std::size_t i = 0; i < next.size(); ++i) {
-    if (interface.status[i] != NodeStatus::slip || next[i] != NodeStatus::slip) continue;
-    for (std::size_t component = 1; component < dim; ++component)
-      turn = std::max(turn, std::abs(sliding[i][component] - interface.sliding_at(i)[component]));
-  }
-  return turn;
-}
-
 /// Of what the law wants only nodes that close, or that begin to slip.
 void only_close(const std::vector<NodeStatus>& now, std::vector<NodeStatus>& next) {
   for (std::size_t i = 0; i < next.size(); ++i) next[i] = std::max(next[i], now[i]);
@@ -52,13 +41,13 @@ void only_close(const std::vector<NodeStatus>& now, std::vector<NodeStatus>& nex
 /// The active sets seen on one mesh. A set that has been there before means cycling: from then on
 /// nodes only close, or begin to slip, so that the iteration ends, and the next mesh starts from
 /// there.
+template <int dim>
 class ActiveSetSearch {
  public:
   /// Takes over the next active sets.
   /// @param is_exact whether the system is solved to its tolerance: only then a contact may open
   /// wholly, since pressures of a system that has hardly been solved may all have the wrong sign
   /// @return whether they changed
-  template <int dim>
   bool advance(Level<dim>& level, const std::vector<ContactState>& states, const bool is_exact) {
     constexpr double same_direction = 1e-6;
     const auto before = active_sets(level);
@@ -69,14 +58,16 @@ class ActiveSetSearch {
       all_next.push_back(updated(level.interfaces[i], states[i]));
       if (only_closes_) only_close(level.interfaces[i].status, all_next.back());
     }
+    directions_.resize(level.interfaces.size());
     lifts_off_ = keep_one_closed(level, states, all_next);
     slides_ = level.is_held_by_friction && keep_one_stuck(level, states, all_next);
     for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
       ContactInterface<dim>& interface = level.interfaces[i];
       const std::vector<NodeStatus>& next = all_next[i];
       if (!is_exact && std::none_of(next.begin(), next.end(), is_closed)) continue;
-      const auto sliding = next_sliding(interface, states[i]);
-      turn = std::max(turn, maximum_turn(interface, next, sliding));
+      auto sliding = next_sliding(interface, states[i]);
+      if (interface.may_stick())
+        turn = std::max(turn, directions_[i].advance(interface, states[i], next, sliding));
       interface.status = next;
       interface.sliding = sliding;
     }
@@ -88,6 +79,7 @@ class ActiveSetSearch {
 
   /// Forgets what was seen with loosely solved systems.
   void start_again() {
+    for (auto& direction : directions_) direction.start_again();
     seen_.clear();
     only_closes_ = false;
   }
@@ -99,7 +91,10 @@ class ActiveSetSearch {
   [[nodiscard]] bool lifts_off() const { return lifts_off_; }
 
  private:
+  using Directions = std::conditional_t<dim == 3, SlidingSearch, NoSlidingSearch>;
+
   std::set<ActiveSets> seen_;
+  std::vector<Directions> directions_;  ///< by interface
   bool only_closes_ = false;
   bool slides_ = false;
   bool lifts_off_ = false;
@@ -230,7 +225,7 @@ std::optional<LevelState> solve_level(const dealii::DoFHandler<dim>& dof_handler
   LevelState state;
   state.displacement.reinit(level.owned, level.ghosts, communicator);
   Vector displacement = guess;
-  ActiveSetSearch search;
+  ActiveSetSearch<dim> search;
   SystemOfSets<dim> systems(dof_handler, settings);
   double reduction = loose_reduction;
   for (unsigned int step = 1; step <= settings.max_active_set_steps; ++step) {

@@ -126,19 +126,24 @@ Tangential bound_friction(const ContactEquations<dim>& equations, const double p
   return friction;
 }
 
-/// Where a support holds a component of the node, its force cannot be told from friction there.
+/// Where a support holds a component of the node, its force cannot be told from friction there: of
+/// a node that slips the law tells it, of one that sticks the components that are free.
 template <int dim>
 Tangential friction_of(const ContactInterface<dim>& interface, const std::size_t at,
                        const double pressure, const SurfaceForces& forces,
                        const std::set<global_dof_index>& held) {
   const ContactRow<dim>& row = interface.rows[at];
   const SurfaceNode<dim>& node = interface.source.nodes[row.node];
-  if (is_held(node, held))
+  const bool is_at_support = is_held(node, held);
+  if (is_at_support && interface.status[at] != NodeStatus::stick)
     return bound_friction<dim>(interface.law->equations(undisplaced(interface, at)), pressure);
-  dealii::Tensor<1, dim> force;
-  for (unsigned int component = 0; component < dim; ++component)
-    force[component] = forces(node.dofs[component]);
-  return tangential(row.frame, force / row.weight);
+  dealii::Tensor<1, dim> traction;
+  for (unsigned int component = 0; component < dim; ++component) {
+    if (held.count(node.dofs[component]) > 0) continue;
+    traction[component] = forces(node.dofs[component]) / row.weight;
+    if (is_at_support) traction[component] -= pressure * row.frame.normal[component];
+  }
+  return tangential(row.frame, traction);
 }
 
 /// What one equation of a node's law makes of its relative displacement.

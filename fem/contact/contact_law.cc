@@ -100,14 +100,12 @@ NodeStatus Coulomb<dim>::next_status(const NodeContact<dim>& node,
   }
 }
 
-/// Of a node that closes along its slip, of one that stuck against the friction that held it; in
-/// 3-D then along its slip, which may turn.
+/// Of a node that closes along its slip, of one that stuck against the friction that held it.
 template <int dim>
 Components<dim> Coulomb<dim>::next_sliding(const NodeContact<dim>& node) const {
   if (node.status == NodeStatus::open) return tangential_direction<dim>(node.gap, 1.);
   if (node.status == NodeStatus::stick) return tangential_direction<dim>(node.traction, -1.);
-  if (dim == 2 || tangential_norm<dim>(node.gap) == 0.) return node.sliding;
-  return tangential_direction<dim>(node.gap, 1.);
+  return node.sliding;
 }
 
 template <int dim>
