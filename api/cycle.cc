@@ -26,6 +26,7 @@
 #include "loads/pi.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
+#include "post/view/cycle_view.h"
 
 namespace geneva {
 
@@ -119,6 +120,15 @@ loads::CycleInstants instants_of(const Case& given, const model::MechanismDynami
   return loads::cycle_instants(dynamics.driven, dynamics.train, contact, given.settings.accuracy);
 }
 
+/// What the report plays.
+std::string view_text(const std::vector<post::CycleFields>& instants,
+                      const base::UnitSystem units) {
+  std::vector<post::InstantField> fields;
+  for (const post::CycleFields& instant : instants)
+    fields.push_back({instant.fields.places, instant.fields.von_mises, instant.fields.cells});
+  return post::cycle_view(fields, units).dump() + "\n";
+}
+
 /// All but the wheel move with the pin.
 std::vector<bool> bodies_that_turn(const std::vector<post::CycleFields>& fields) {
   unsigned int last = 0;
@@ -177,6 +187,8 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const post::CycleFields& one) {
       return one.driver_angle == greatest->instant.load.driver_angle;
     });
+    if (at != fields.end() && given.dimension == 2)
+      texts["cycle_view.json"] = view_text(fields, given.units);
     if (at != fields.end())
       texts.merge(post::cycle_series(fields, static_cast<std::size_t>(at - fields.begin()),
                                      bodies_that_turn(fields), given.units));

@@ -34,7 +34,7 @@ const std::vector<ResultFiles>& result_files() {
       {"cycle",
        "geneva cycle",
        {},
-       {"cycle.csv", "cycle_curve.csv", "cycle.pvd", "envelope.vtu"},
+       {"cycle.csv", "cycle_curve.csv", "cycle.pvd", "envelope.vtu", "cycle_view.json"},
        true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};

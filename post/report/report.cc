@@ -13,6 +13,7 @@
 #include "post/report/sections/closed_verdict.h"
 #include "post/report/sections/comparison_section.h"
 #include "post/report/sections/crown_section.h"
+#include "post/report/sections/cycle_field.h"
 #include "post/report/sections/cycle_section.h"
 #include "post/report/sections/estimate_section.h"
 #include "post/report/sections/field_section.h"
@@ -47,7 +48,8 @@ std::string missing_note(const Libraries& libraries) {
 }
 
 /// The answer first, then the mechanism and what lies behind: what there is of them.
-ReportPart whole_page(const ResultsDirectory& results, const std::string& field) {
+ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
+                      const std::string& played) {
   ReportPart page;
   const auto append = [&](const ReportPart& part) {
     page.html += part.html;
@@ -60,7 +62,7 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field)
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
   if (results.document("optimum") != nullptr) append(optimum_part(results));
-  if (is_cycle) append(cycle_part(results));
+  if (is_cycle) append(cycle_part(results, played));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
@@ -118,10 +120,14 @@ Report make_report(const ResultsDirectory& results, const Libraries& libraries) 
     report.picture = pictures.contact ? pictures.contact : pictures.model;
     field = field_section(*view, pictures, is_interactive);
   }
-  const ReportPart part = whole_page(results, field);
+  const CycleField played = cycle_field(results);
+  const ReportPart part = whole_page(results, field, played.html);
   std::string scripts;
   if (const json* const mechanism = results.document("mechanism"))
     scripts += mechanism_script(*mechanism);
+  if (!played.html.empty())
+    scripts += script(played.data.dump(), " type=\"application/json\" id=\"cycle-data\"") +
+               script(std::string(report_assets::cycle));
   if (is_interactive) scripts += field_script(*view, *libraries.graphics);
   report.html = page(page_title(results), page_head(results), part, libraries, scripts);
   return report;

@@ -10,5 +10,6 @@ extern const std::string_view numbers;    ///< numbers.js
 extern const std::string_view charts;     ///< charts.js
 extern const std::string_view field;      ///< field.js
 extern const std::string_view mechanism;  ///< mechanism.js
+extern const std::string_view cycle;      ///< cycle.js
 
 }  // namespace geneva::post::report_assets

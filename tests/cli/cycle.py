@@ -4,9 +4,11 @@ import base64
 import csv
 import json
 import math
+import re
 import struct
 
 import geneva_cli
+from browser import Browser
 from geneva_cli import CliTest, change_case
 
 DEGREE = math.pi / 180
@@ -85,6 +87,11 @@ class Cycle(CliTest):
         page = (case / "results" / "report.html").read_text()
         self.assertIn("Over the engagement", page)
         self.assertIn("chart-cycle-pressure", page)
+        frames = json.loads(re.search(r'id="cycle-data">\s*(.*?)\s*</script>', page).group(1))
+        self.assertEqual([frame["driver_angle"] for frame in frames],
+                         [instant["driver_angle"]["value"] for instant in cycle["instants"]])
+        self.assertEqual(len({frame["wheel"] for frame in frames}), len(frames), "every instant has a picture of its own")
+        self.assertLess(len(page), 3e6)
 
     def test_twice_as_many_instants_find_the_same(self):
         """The curve between them, too, where the coarser ones stand."""
@@ -172,6 +179,28 @@ class Cycle(CliTest):
         factor = 300e6 / cycle["greatest"]["contact"]["peak_pressure"]["value"]
         self.assertIn(f"{factor:.3g}", page)
         self.assertIn("exceeded", page)
+        safety, = cycle["safety"]
+        self.assert_close(safety["factor"], factor, 1e-12, "factor of the cycle")
+        self.assertIn("least safety factor</span>", page)
+        self.check_playing(case / "results" / "report.html")
+
+    def check_playing(self, report):
+        """One slider moves field, mechanism and cursor; the mechanism's own slider takes the field along."""
+        state = ("return [document.getElementById('cycle-wheel').src, document.getElementById('mechanism-drawing').dataset.wheelAngle,"
+                 "document.getElementById('cycle-words').textContent, document.querySelector('#cycle-controls input').value]")
+        move = ("const s = document.querySelector(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('input'));" + state)
+        with Browser() as browser:
+            browser.open(report)
+            start = browser.run(state)
+            first = browser.run(move, "#cycle-controls input", 0)
+            self.assertEqual(sum(a == b for a, b in zip(start, first)), 0)
+            self.assertIn("driver angle -", first[2])
+            follows = browser.run(move, "#mechanism-controls input", browser.run(
+                "return document.querySelector('#mechanism-controls input').max / 2"))
+            self.assertNotIn(follows[0], (start[0], first[0]))
+            browser.run("document.querySelector('#cycle-controls button').click()")
+            self.assertTrue(browser.wait_for(f"return document.querySelector('#cycle-controls input').value != {follows[3]}"))
+            self.assertEqual([entry["message"] for entry in browser.console()], [])
 
 
 class NearTheRoundBottom(CliTest):

@@ -771,9 +771,8 @@ end
             self.assert_close(row["driver_angle"]["value"], angle, 1e-12, key)
             self.assertLess(row["factor"], row["computed_factor"])
         pin = rows["maximum von Mises stress of the pin"]
-        self.assertIsNone(pin["cycle"])
-        self.assertEqual(pin["factor"], pin["computed_factor"])
-        self.assertEqual(pin["driver_angle"], summary["load"]["driver_angle"])
+        self.assertGreater(pin["cycle"]["value"], pin["computed"]["value"], "with the root of the force")
+        self.assertLess(pin["factor"], pin["computed_factor"])
         self.assert_close(pin["computed"]["value"], summary["bodies"]["pin"]["max_von_mises"]["value"], 1e-12, "stress")
         self.assertLess(pin["factor"], 1)
         report = read_report(case / "results" / "report.html").text

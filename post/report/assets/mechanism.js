@@ -115,7 +115,18 @@
   const start = mechanism.analysed || mechanism.steps[Number(slider.value)];
   labelPin(pixel(start.pins[0]));
   tellPosition(start);
-  const goTo = () => show(mechanism.steps[Number(slider.value)]);
+  function goTo() {
+    const step = mechanism.steps[Number(slider.value)];
+    show(step);
+    if (window.genevaCycle) window.genevaCycle.follow(step.driver_angle);
+  }
+  window.genevaMechanism = {
+    goTo(driverAngle) {
+      const distance = (step) => Math.abs(step.driver_angle - driverAngle);
+      slider.value = mechanism.steps.reduce((best, step, i) => (distance(step) < distance(mechanism.steps[best]) ? i : best), 0);
+      show(mechanism.steps[Number(slider.value)]);
+    },
+  };
   let running = 0;
   function advance() {
     slider.value = (Number(slider.value) + 1) % mechanism.steps.length;

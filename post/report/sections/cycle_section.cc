@@ -195,7 +195,7 @@ std::string head(const json& cycle, const UnitSystem units) {
 
 }  // namespace
 
-ReportPart cycle_part(const ResultsDirectory& results) {
+ReportPart cycle_part(const ResultsDirectory& results, const std::string& field) {
   const json& cycle = *results.document("cycle");
   const UnitSystem units = results.units();
   std::vector<Chart> charts{pressure_chart(cycle, units), force_chart(cycle, units),
@@ -209,7 +209,7 @@ ReportPart cycle_part(const ResultsDirectory& results) {
           "cycle", "Over the engagement",
           head(cycle, units) +
               limits_table(limits_of(cycle), "How near to the limits over the engagement", units) +
-              html(charts) + stresses_table(cycle, units) + instants_table(cycle, units)),
+              field + html(charts) + stresses_table(cycle, units) + instants_table(cycle, units)),
       charts};
 }
 

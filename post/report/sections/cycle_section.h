@@ -1,11 +1,14 @@
 #pragma once
 
+#include <string>
+
 #include "post/report/results/results_directory.h"
 #include "post/report/sections/report_part.h"
 
 namespace geneva::post {
 
 /// Pressure, force, torque and stresses over the engagements, of cycle.json.
-ReportPart cycle_part(const ResultsDirectory& results);
+/// @param field the place of the fields on the page; may be empty
+ReportPart cycle_part(const ResultsDirectory& results, const std::string& field);
 
 }  // namespace geneva::post
