@@ -770,6 +770,9 @@ end
             self.assert_close(row["factor"], allowed / maximum, 1e-12, key)
             self.assert_close(row["driver_angle"]["value"], angle, 1e-12, key)
             self.assertLess(row["factor"], row["computed_factor"])
+        for row in cycle["safety"]:  # the same limits, judged by the closed forms alone
+            self.assert_close(row["factor"], row["allowed"]["value"] / rows[row["quantity"]]["cycle"]["value"], 1e-12, row["quantity"])
+            self.assert_close(row["allowed"]["value"], rows[row["quantity"]]["allowed"]["value"], 1e-12, row["quantity"])
         pin = rows["maximum von Mises stress of the pin"]
         self.assertGreater(pin["cycle"]["value"], pin["computed"]["value"], "with the root of the force")
         self.assertLess(pin["factor"], pin["computed_factor"])

@@ -76,6 +76,28 @@ std::string frame_figure(const std::string& id, const CycleFrames& frames, const
       id, caption, frames.images[first], legend(frames, unit), caption);
 }
 
+/// What the script shows of each instant.
+json frames_data(const std::vector<const json*>& instants, const CycleFrames& wheel,
+                 const CycleFrames& contact, const UnitSystem units) {
+  json frames = json::array();
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const json& angle = instants[i]->at("driver_angle");
+    frames.push_back({{"driver_angle", number_of(angle)},
+                      {"shown_angle", in_units(angle, Dimension::angle, units)},
+                      {"words", words_of(*instants[i], units)},
+                      {"wheel", wheel.images[i]},
+                      {"contact", contact.images[i]}});
+  }
+  return frames;
+}
+
+constexpr const char* mechanism_figure =
+    R"(<figure>
+<svg viewBox="0 0 640 490" role="img" aria-label="the mechanism at the instant"><use href="#mechanism-drawing" width="640" height="490"/></svg>
+<figcaption>the mechanism</figcaption>
+</figure>
+)";
+
 }  // namespace
 
 CycleField cycle_field(const ResultsDirectory& results) {
@@ -83,42 +105,30 @@ CycleField cycle_field(const ResultsDirectory& results) {
   const json* const cycle = results.document("cycle");
   if (view == nullptr || cycle == nullptr || cycle->at("greatest").is_null()) return {};
   const UnitSystem units = results.units();
-  const double factor = base::output_unit(units, Dimension::angle).factor;
   const CycleFrames wheel = wheel_frames(*view);
   const CycleFrames contact = contact_frames(*view, greatest_half_width(*cycle, units));
   const std::vector<const json*> instants = solved_instants(*cycle);
   if (instants.size() != wheel.images.size())
     throw base::InputError("cycle_view.json and cycle.json differ in the number of instants");
-  json frames = json::array();
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    const double angle = number_of(instants[i]->at("driver_angle"));
-    if (*instants[i] == cycle->at("greatest")) first = i;
-    frames.push_back({{"driver_angle", angle},
-                      {"shown_angle", angle * factor},
-                      {"words", words_of(*instants[i], units)},
-                      {"wheel", wheel.images[i]},
-                      {"contact", contact.images[i]}});
-  }
+  const auto greatest =
+      std::find_if(instants.begin(), instants.end(),
+                   [&](const json* const instant) { return *instant == cycle->at("greatest"); });
+  const auto first = static_cast<std::size_t>(greatest - instants.begin()) % instants.size();
+  const auto wide = [&](const CycleFrames& frames) {
+    return fmt::format("{} {} wide", significant(frames.size[0], 3),
+                       escaped(view->at("length_unit")));
+  };
   const std::string stress = view->at("stress_unit");
-  const std::string length = view->at("length_unit");
   const std::string html =
-      fmt::format(fmt::runtime(field_controls), frames.size() - 1, first) +
+      fmt::format(fmt::runtime(field_controls), instants.size() - 1, first) +
       fmt::format(
-          "<p id=\"cycle-words\" class=\"status\">{}</p>\n<div class=\"instant\">\n"
-          "<figure>\n<svg viewBox=\"0 0 640 490\" role=\"img\" aria-label=\"the mechanism at the "
-          "instant\"><use href=\"#mechanism-drawing\" width=\"640\" height=\"490\"/></svg>\n"
-          "<figcaption>the mechanism</figcaption>\n</figure>\n{}{}</div>\n",
-          escaped(frames.at(first).at("words")),
+          "<p id=\"cycle-words\" class=\"status\">{}</p>\n<div class=\"instant\">\n{}{}{}</div>\n",
+          escaped(words_of(*instants[first], units)), mechanism_figure,
           frame_figure("cycle-wheel", wheel, first,
-                       fmt::format("in the wheel's frame, {} {} wide; more at the contact",
-                                   significant(wheel.size[0], 3), escaped(length)),
-                       stress),
-          frame_figure("cycle-contact", contact, first,
-                       fmt::format("around the contact, {} {} wide",
-                                   significant(contact.size[0], 3), escaped(length)),
+                       "in the wheel's frame, " + wide(wheel) + "; more at the contact", stress),
+          frame_figure("cycle-contact", contact, first, "around the contact, " + wide(contact),
                        stress));
-  return {html, frames};
+  return {html, frames_data(instants, wheel, contact, units)};
 }
 
 }  // namespace geneva::post
