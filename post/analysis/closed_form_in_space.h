@@ -40,8 +40,9 @@ struct ClosedFormInSpace {
   /// Whether a distance from the centre along the contact is within the loaded length.
   [[nodiscard]] bool is_on_line(double along) const;
 
- private:
   [[nodiscard]] bool is_circle() const;
+
+ private:
   [[nodiscard]] loads::HertzPoint as_point() const;
 };
 

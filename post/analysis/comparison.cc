@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/analysis/friction.h"
+#include "post/analysis/partial_slip_form.h"
 #include "post/analysis/roller_rows.h"
 #include "post/analysis/safety.h"
 #include "post/analysis/strength_rows.h"
@@ -295,10 +296,12 @@ std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
         "friction force", Dimension::force, parts * friction->force,
         mechanism ? std::optional(friction->coefficient * mechanism->load.force) : std::nullopt,
         value_of(errors, Figure::force)));
+  const auto mindlin = partial_slip(solution, leading, analysis);
   if (const auto friction = friction_figures(solution, contact, mechanism);
       friction && friction->sticking_share)
-    rows.push_back(row_of("sticking share of the contact", Dimension::dimensionless,
-                          *friction->sticking_share, std::nullopt, std::nullopt));
+    rows.push_back(row_of(
+        "sticking share of the contact", Dimension::dimensionless, *friction->sticking_share,
+        mindlin ? std::optional(mindlin->slip.sticking_share()) : std::nullopt, std::nullopt));
   const bool has_pin = mechanism && mechanism->pin;
   const std::optional<PinLineReport> line = has_pin ? mechanism->pin->line : std::nullopt;
   append(rows, contact_rows(solution, contact, analysis, errors, line));

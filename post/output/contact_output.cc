@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/output_file.h"
+#include "post/analysis/partial_slip_form.h"
 #include "post/output/result_files.h"
 
 namespace geneva::post {
@@ -52,10 +53,26 @@ void add_friction_columns(const fem::ContactResult<dim>& contact, const UnitSyst
   }
 }
 
+/// Friction along the direction in which the pair is moved, by Cattaneo and Mindlin.
+template <int dim>
+ContactColumn mindlin_column(const fem::ContactResult<dim>& contact,
+                             const ContactAnalysis<dim>& analysis,
+                             const std::optional<PartialSlipForm<dim>>& mindlin,
+                             const UnitSystem units) {
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  ContactColumn column{"mindlin_friction", stress.name, {}};
+  for (const fem::ContactNode<dim>& node : contact.nodes)
+    column.values.push_back(mindlin ? mindlin->traction(analysis, node) * stress.factor
+                                    : std::numeric_limits<double>::quiet_NaN());
+  return column;
+}
+
+/// @param mindlin closed form of the friction, if there is one
 /// @param has_friction whether any pair has
 template <int dim>
 std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contact,
                                            const ContactAnalysis<dim>& analysis,
+                                           const std::optional<PartialSlipForm<dim>>& mindlin,
                                            const bool has_friction, const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
@@ -77,6 +94,7 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contac
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
   if (has_friction) add_friction_columns(contact, units, columns);
+  if (has_friction) columns.push_back(mindlin_column(contact, analysis, mindlin, units));
   return columns;
 }
 
@@ -224,6 +242,7 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
   std::size_t n_points = 0;
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
     const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair],
+                                         partial_slip(solution, pair, results.contacts[pair]),
                                          fem::has_friction(solution.problem), units);
     if (all.empty()) all.assign(columns.begin(), columns.end());
     if (pair > 0)
@@ -278,6 +297,7 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
       solution,
       [&](const std::size_t pair) {
         return contact_columns(solution.contacts[pair], results.contacts[pair],
+                               partial_slip(solution, pair, results.contacts[pair]),
                                fem::has_friction(solution.problem), units);
       },
       own_file(directory, "contact.csv"));

@@ -570,6 +570,10 @@ def values():
         "hertz-sphere-3d": {"contact.force": 30.0, **in_space(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3))},
         "crossed-cylinders": {"contact.force": 50.0,
                               **in_space(hertz_ellipse(200, 0.03, 0.01, contact_modulus(steel, steel)))},
+        "mindlin-sphere": {"contact.force": 60.0, "contact.friction.force": 13.5,
+                           "contact.friction.sticking_share": (1 - 27 / (0.3 * 120))**(2 / 3),
+                           **{key: value for key, value in in_space(hertz_point(120, 0.01, contact_modulus(steel, steel), 0.3)).items()
+                              if "shear" not in key}},
         "synthesis-quick-return": quick_return(stations=6, wheel_speed=360 * RPM, frame=0.1),
         "synthesis-crank-rocker": crank_rocker(swing=math.radians(30), rocker=0.1, pivot_distance=0.08),
         "synthesis-nine-points": {"path.solutions": KNOWN_LINKAGE},

@@ -240,6 +240,20 @@ class StickAndSlip(CliTest):
             self.assertLess(abs(found - stick), 1.01 * abs(spacing), "to the nodes")
             self.assertAlmostEqual(look_up(summary, "contact.friction.sticking_share"), stick / self.half_width, delta=0.02)
 
+    def test_a_sphere_slips_back_from_the_edge_as_mindlin_and_deresiewicz_say(self):
+        case = self.copy_case("mindlin-sphere", "back")
+        (case / "steps.csv").write_text("time [s], block end\n0, 0\n1, 1\n2, 0.2\n")
+        for ranks in (None, 2):
+            rows = {row["quantity"]: row for row in self.run_case(case, ranks=ranks)["comparison"]}
+            share = rows["sticking share of the contact"]
+            exact = (1 - 0.75 * 0.8 / 2)**(2 / 3)
+            self.assert_close(number(share["closed_form"]), exact, 1e-4, "closed form")
+            self.assert_close(number(share["computed"]), exact, 0.05, "to the nodes")
+            self.assert_close(number(rows["friction force"]["computed"]), 2.7, 1e-3, "a fifth, and what the other half takes")
+            nodes = [node for node in self.table(case, "contact.csv") if float(node["contact_pressure"]) > 0]
+            squares = [(float(node["friction_x"]) - float(node["mindlin_friction"]))**2 for node in nodes]
+            self.assertLess(math.sqrt(sum(squares) / len(squares)) / (0.3 * 1456.8), 0.05, "at 5 % accuracy")
+
     def test_unloading_slips_back_from_the_edges(self):
         case = self.case("back", "4.5e-5", [0, 1, 0])
         self.run_case(case)
@@ -285,6 +299,17 @@ class StickAndSlip(CliTest):
             self.assertLess(abs(middle - to * 8 / 3 * g * width), 0.004 * half_width, "the finite cylinder bends")
             exact = peak * (1 + 2 * g)**(0.5 + g) * (1 - 2 * g)**(0.5 - g) * math.cos(math.pi * g) / (1 - 4 * g**2)**0.5
             self.assert_close(look_up(summary, "contact.peak_pressure.value"), exact, 0.003, product)
+
+    def test_units_change_nothing(self):
+        case = self.case("units", "4.5e-5", [0, 1, 0.2])
+        first = self.run_case(case)
+        change_case(case, {"Geometry/Load cylinder core/Value": f"{6 / 4.4482216152605:.15g} lbf", "Output units": "in-lbf",
+                           "Geometry/Load block bottom/Value": f"{4.5e-5 / 25.4:.15g} in",
+                           "Geometry/Body block/Young's modulus": f"{210e9 / 6894.757293168362:.15g} psi"})
+        (case / "steps.csv").write_text("time [min], block bottom\n0, 0\n1, 1\n2, 0.2\n")
+        second = self.run_case(case)
+        for key in ("contact.peak_pressure.value", "contact.friction.force.value", "contact.friction.dissipated.value"):
+            self.assert_close(look_up(second, key), look_up(first, key), 1e-8, key)
 
     def test_ranks_change_nothing(self):
         case = self.case("ranks", "4.5e-5", [0, 1, 0.2])
