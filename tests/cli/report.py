@@ -405,6 +405,7 @@ class PlaneReport(ReportTest):
                        f"± {100 * self.summary['contact']['half_width_error']:.2g} %"):
             self.assertIn(figure, text)
         self.assertEqual(text.count("✓ passed"), len(self.summary["checks"]))
+        self.assertIn("von Mises stress, wheel [psi]bottom of the engaged slot", text)
 
     def test_prints_every_input(self):
         opened = self.browser.run("return [...document.querySelectorAll('#inputs summary')].map((s) => s.textContent)")

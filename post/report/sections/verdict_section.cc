@@ -36,6 +36,21 @@ std::string difference(const json& row) {
   return percent(number_of(computed) / number_of(form) - 1.);
 }
 
+/// Where a maximum stress of a body is, in small type; empty for everything else.
+std::string place_of(const json& summary, const std::string& quantity) {
+  for (const auto& [name, key] :
+       {std::pair("von Mises stress, ", "von_mises"), std::pair("tensile stress, ", "tensile")}) {
+    const std::string begin = name;
+    if (quantity.rfind(begin, 0) != 0 || !summary.contains("strength")) continue;
+    const json of_body =
+        summary.at("strength").value(quantity.substr(begin.size()), json::object());
+    const json stress = of_body.is_object() ? of_body.value(key, json()) : json();
+    if (!stress.is_null())
+      return "<br><small>" + escaped(stress.at("where").get<std::string>()) + "</small>";
+  }
+  return "";
+}
+
 std::string verdict_table(const json& summary, const UnitSystem units) {
   HtmlTable table{"This program beside closed forms and published values",
                   {"quantity", "this program", "± error", "closed form", "published", "difference"},
@@ -43,10 +58,11 @@ std::string verdict_table(const json& summary, const UnitSystem units) {
   for (const json& row : summary.at("comparison")) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const auto cell = [&](const char* key) { return shown(row.at(key), dimension, units); };
-    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)),
+    table.rows.push_back({escaped(labelled(row.at("quantity"), dimension, units)) +
+                              place_of(summary, row.at("quantity")),
                           row.at("bounded") == true ? cell("computed") : "not bounded",
-                          shown_error(row.at("error")), cell("closed_form"), cell("published"),
-                          difference(row)});
+                          "<span class=\"number\">" + shown_error(row.at("error")) + "</span>",
+                          cell("closed_form"), cell("published"), difference(row)});
   }
   return table.html();
 }
