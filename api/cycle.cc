@@ -190,8 +190,9 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
     if (at != fields.end() && given.dimension == 2)
       texts["cycle_view.json"] = view_text(fields, given.units);
     if (at != fields.end())
-      texts.merge(post::cycle_series(fields, static_cast<std::size_t>(at - fields.begin()),
-                                     bodies_that_turn(fields), given.units));
+      texts.merge(post::cycle_series(
+          fields, static_cast<std::size_t>(at - fields.begin()), bodies_that_turn(fields),
+          given.dimension == 2 ? report.curve : std::vector<post::CycleCurvePoint>(), given.units));
   }
   return api::write_results(directory, given, "cycle", texts);
 }

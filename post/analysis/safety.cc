@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "post/analysis/material_limits.h"
+#include "post/analysis/strength_rows.h"
 
 namespace geneva::post {
 
@@ -76,6 +77,16 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
   return rows;
 }
 
+/// A named stress of a body; nothing where no mesh bounds it.
+template <int dim>
+std::optional<double> if_stress_is_bounded(const fem::Solution<dim>& solution,
+                                           const std::string& body, const std::string& name,
+                                           const double value) {
+  for (const NamedStress<dim>& stress : named_stresses(solution))
+    if (stress.body == body && stress.name == name && !stress.is_bounded) return std::nullopt;
+  return value;
+}
+
 /// Limits of the stresses of a body.
 template <int dim>
 std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
@@ -109,15 +120,17 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
           in_layer ? "below it the hardened layer yields nowhere"
                    : "below it the computed stress yields nowhere");
     if (strength.von_mises.value > 0.)
-      add("von Mises stress" + where + ", " + name, strength.von_mises.value, yield->second,
-          with_force(strength.von_mises.value, 1.),
+      add("von Mises stress" + where + ", " + name,
+          if_stress_is_bounded(solution, name, "von Mises stress", strength.von_mises.value),
+          yield->second, with_force(strength.von_mises.value, 1.),
           "below it nothing yields" + where + "; over the cycle as if it went with the pin force");
   }
   const auto& fatigues = report.allowed.fatigue_strengths;
   if (const auto fatigue = fatigues.find(name);
       fatigue != fatigues.end() && strength.tensile.value > 0.)
-    add("tensile stress" + where + " (fatigue), " + name, strength.tensile.value, fatigue->second,
-        with_force(strength.tensile.value, 1.),
+    add("tensile stress" + where + " (fatigue), " + name,
+        if_stress_is_bounded(solution, name, "tensile stress", strength.tensile.value),
+        fatigue->second, with_force(strength.tensile.value, 1.),
         "below it the material bears any number of cycles" + where +
             "; over the cycle as if it went with the pin force");
   return rows;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "post/output/cycle_output.h"
 #include "post/output/nodal_fields.h"
 
 namespace geneva::post {
@@ -41,8 +42,10 @@ Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
 
 /// cycle.pvd, cycle.N.vtu for every instant, and envelope.vtu, as texts by their names.
 /// @param at, turning as envelope() takes them
+/// @param curve of a cycle in the plane, for the contact pressure of the envelope; may be empty
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
                                                 std::size_t at, const std::vector<bool>& turning,
+                                                const std::vector<CycleCurvePoint>& curve,
                                                 base::UnitSystem units);
 
 }  // namespace geneva::post

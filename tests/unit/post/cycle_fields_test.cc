@@ -74,7 +74,7 @@ TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
 
 TEST(CycleSeries, NamesEveryInstantAtItsAngle) {
   const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5)};
-  const auto texts = cycle_series(instants, 1, {false, true}, base::UnitSystem::mm_newton);
+  const auto texts = cycle_series(instants, 1, {false, true}, {}, base::UnitSystem::mm_newton);
   EXPECT_EQ(texts.size(), 4U);
   const std::string& list = texts.at("cycle.pvd");
   EXPECT_NE(list.find("timestep=\"-28.6478898\" part=\"0\" file=\"cycle.0.vtu\""),

@@ -1,0 +1,121 @@
+#include "post/output/stress_at.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace geneva::post {
+
+namespace {
+
+namespace bg = boost::geometry;
+using Place = StressAt::Place;
+
+/// Solves J x = r of size two or three by Cramer's rule.
+Place solved(const std::array<Place, 3>& columns, const Place& r, const std::size_t dim) {
+  const auto determinant = [&](const Place& a, const Place& b, const Place& c) {
+    if (dim == 2) return a[0] * b[1] - a[1] * b[0];
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
+           c[0] * (a[1] * b[2] - a[2] * b[1]);
+  };
+  const auto& [a, b, c] = columns;
+  const double whole = determinant(a, b, c);
+  if (whole == 0.) return {};
+  return {determinant(r, b, c) / whole, determinant(a, r, c) / whole,
+          dim == 2 ? 0. : determinant(a, b, r) / whole};
+}
+
+std::vector<double> weights_at(const Place& reference, const std::size_t corners) {
+  std::vector<double> weights(corners, 1.);
+  for (std::size_t corner = 0; corner < corners; ++corner)
+    for (std::size_t axis = 0; (std::size_t{1} << axis) < corners; ++axis)
+      weights[corner] *= (corner >> axis & 1U) != 0 ? reference[axis] : 1. - reference[axis];
+  return weights;
+}
+
+}  // namespace
+
+StressAt::StressAt(const NodalFields& fields) : fields_(fields) {
+  std::vector<BoxOfCell> boxes;
+  for (std::size_t cell = 0; cell < fields.cells.size(); ++cell)
+    boxes.emplace_back(box_of(cell), cell);
+  tree_ = Tree(boxes.begin(), boxes.end());
+}
+
+std::array<double, 6> StressAt::operator()(const Place& place, const unsigned int body) const {
+  constexpr unsigned int nearest_cells = 12;
+  std::vector<BoxOfCell> near;
+  tree_.query(bg::index::nearest(Point(place[0], place[1], place[2]), nearest_cells) &&
+                  bg::index::satisfies(
+                      [&](const BoxOfCell& value) { return fields_.bodies[value.second] == body; }),
+              std::back_inserter(near));
+  double least = std::numeric_limits<double>::max();
+  std::array<double, 6> stress{};
+  for (const auto& [box, cell] : near) {
+    const std::vector<double> weights = clamped_weights(cell, place);
+    const double distance = distance_to(cell, weights, place);
+    if (distance >= least) continue;
+    least = distance;
+    stress = {};
+    for (std::size_t corner = 0; corner < weights.size(); ++corner)
+      for (std::size_t i = 0; i < 6; ++i)
+        stress[i] += weights[corner] * fields_.stress[fields_.cells[cell][corner]][i];
+  }
+  return stress;
+}
+
+StressAt::Box StressAt::box_of(const std::size_t cell) const {
+  Place low;
+  Place high;
+  low.fill(std::numeric_limits<double>::max());
+  high.fill(std::numeric_limits<double>::lowest());
+  for (const std::size_t node : fields_.cells[cell])
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], fields_.places[node][i]);
+      high[i] = std::max(high[i], fields_.places[node][i]);
+    }
+  return {Point(low[0], low[1], low[2]), Point(high[0], high[1], high[2])};
+}
+
+StressAt::Place StressAt::place_at(const std::size_t cell,
+                                   const std::vector<double>& weights) const {
+  Place place{};
+  for (std::size_t corner = 0; corner < weights.size(); ++corner)
+    for (std::size_t i = 0; i < 3; ++i)
+      place[i] += weights[corner] * fields_.places[fields_.cells[cell][corner]][i];
+  return place;
+}
+
+double StressAt::distance_to(const std::size_t cell, const std::vector<double>& weights,
+                             const Place& place) const {
+  const Place there = place_at(cell, weights);
+  return std::hypot(there[0] - place[0], there[1] - place[1], there[2] - place[2]);
+}
+
+std::vector<double> StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
+  constexpr int steps = 8;
+  constexpr double difference = 1e-6;
+  const std::size_t corners = fields_.cells[cell].size();
+  const std::size_t dim = corners == 4 ? 2 : 3;
+  Place reference{0.5, 0.5, dim == 2 ? 0. : 0.5};
+  for (int step = 0; step < steps; ++step) {
+    const Place there = place_at(cell, weights_at(reference, corners));
+    std::array<Place, 3> columns{};
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      Place beside = reference;
+      beside[axis] += difference;
+      const Place moved = place_at(cell, weights_at(beside, corners));
+      for (std::size_t i = 0; i < 3; ++i) columns[axis][i] = (moved[i] - there[i]) / difference;
+    }
+    const Place change =
+        solved(columns, {place[0] - there[0], place[1] - there[1], place[2] - there[2]}, dim);
+    for (std::size_t axis = 0; axis < dim; ++axis)
+      reference[axis] = std::clamp(reference[axis] + change[axis], -1., 2.);
+  }
+  for (std::size_t axis = 0; axis < dim; ++axis)
+    reference[axis] = std::clamp(reference[axis], 0., 1.);
+  return weights_at(reference, corners);
+}
+
+}  // namespace geneva::post
