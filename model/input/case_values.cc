@@ -47,7 +47,8 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
 }
 
 [[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
-  if (line == 0) throw base::InputError(fmt::format("{} and {}: {}", text.file, text.varied_by, reason));
+  if (line == 0)
+    throw base::InputError(fmt::format("{} and {}: {}", text.file, text.varied_by, reason));
   throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
 }
 

@@ -97,8 +97,7 @@ TEST(HardenedLayer, ThatIsDeepBearsWhatItsOwnStrengthDoes) {
 TEST(HardenedLayer, ThatIsThinBearsWhatTheCoreDoes) {
   const double width = 0.1e-3 / 1e9;
   const ContactLimits core = line_contact_limits(0.3, 0.);
-  const ContactLimits thin =
-      layered_line_limits(0.3, 0., {1e-9, layer_yield}, core_yield, width);
+  const ContactLimits thin = layered_line_limits(0.3, 0., {1e-9, layer_yield}, core_yield, width);
   EXPECT_NEAR(thin.first_yield, core.first_yield * core_yield, 1e-4 * core_yield);
   EXPECT_NEAR(thin.shakedown, core.shakedown * core_yield, 1e-4 * core_yield);
   const ContactLimits point = point_contact_limits(0.3);
@@ -120,8 +119,8 @@ TEST(HardenedLayer, CoreYieldsOnTheAxisRightBelowIt) {
   const double xx = -limit * ((1. + 2. * z * z) / s - 2. * z);
   const double zz = -limit / s;
   const double yy = nu * (xx + zz);
-  const double mises = std::sqrt(
-      ((xx - zz) * (xx - zz) + (zz - yy) * (zz - yy) + (yy - xx) * (yy - xx)) / 2.);
+  const double mises =
+      std::sqrt(((xx - zz) * (xx - zz) + (zz - yy) * (zz - yy) + (yy - xx) * (yy - xx)) / 2.);
   EXPECT_NEAR(mises, core_yield, 1e-3 * core_yield);
 }
 
