@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlopt.hpp>
 
 #include "base/errors.h"
@@ -29,6 +30,30 @@ OptimumSearch::Place halton(const std::size_t index, const std::size_t n) {
     place.push_back(value);
   }
   return place;
+}
+
+/// Unit vectors: along the axes, and evenly between them.
+std::vector<OptimumSearch::Place> directions_all_round(const std::size_t n) {
+  std::vector<OptimumSearch::Place> directions;
+  for (std::size_t k = 0; k < n; ++k)
+    for (const double sign : {1., -1.}) {
+      directions.emplace_back(n, 0.);
+      directions.back()[k] = sign;
+    }
+  if (n == 1) return directions;
+  constexpr std::size_t more = 16;
+  for (std::size_t i = 1; i <= more; ++i) {
+    OptimumSearch::Place direction = halton(i, n);
+    double square = 0.;
+    for (double& component : direction) {
+      component = 2. * component - 1.;
+      square += component * component;
+    }
+    if (square == 0.) continue;
+    for (double& component : direction) component /= std::sqrt(square);
+    directions.push_back(direction);
+  }
+  return directions;
 }
 
 }  // namespace
@@ -100,6 +125,7 @@ OptimumSearch::Place OptimumSearch::best() {
     if (here && is_better({place, *here}, best)) best = {place, *here};
     if (slot_bottom_) break;  // every candidate costs a run
   }
+  if (!slot_bottom_) best = polished(best);
   if (best.value.worst() > tolerance) refuse_limits(best);
   return best.place;
 }
@@ -152,6 +178,30 @@ std::vector<OptimumSearch::Place> OptimumSearch::start_places() const {
   const std::size_t many = slot_bottom_ ? 60 : 1500;
   for (std::size_t i = 1; i <= many; ++i) places.push_back(halton(i, n));
   return places;
+}
+
+OptimumSearch::Found OptimumSearch::polished(Found best) {
+  constexpr double first_step = 0.05;
+  constexpr double last_step = 1e-6;
+  constexpr int most_moves = 20;  // with one step
+  const std::vector<Place> directions = directions_all_round(best.place.size());
+  for (double step = first_step; step > last_step; step /= 2.) {
+    bool has_moved = true;
+    for (int move = 0; has_moved && move < most_moves; ++move) {
+      has_moved = false;
+      for (const Place& direction : directions) {
+        Place place = best.place;
+        for (std::size_t k = 0; k < place.size(); ++k)
+          place[k] = std::clamp(place[k] + step * direction[k], 0., 1.);
+        if (place == best.place) continue;
+        const auto here = value(place);
+        if (!here || !is_better({place, *here}, best)) continue;
+        best = {place, *here};
+        has_moved = true;
+      }
+    }
+  }
+  return best;
 }
 
 OptimumSearch::Place OptimumSearch::refined(const Found& start) {

@@ -66,6 +66,10 @@ class OptimumSearch {
 
   [[nodiscard]] std::vector<Place> start_places() const;
 
+  /// By steps in directions all round, halved until none is better (V. Torczon 1997): where limits
+  /// meet what can be drawn at all, COBYLA's linear models find no step.
+  Found polished(Found best);
+
   /// By COBYLA from there. Where there is no mechanism it sees a wall of the steepest kind.
   Place refined(const Found& start);
 
