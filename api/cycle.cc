@@ -56,7 +56,8 @@ std::vector<post::CycleFields> solve_shared(
   api::MesherOnRankZero own(MPI_COMM_SELF, mesher);
   std::vector<NumberedFields> solved;
   for (std::size_t i = rank; i < points.size(); i += ranks) {
-    post::NodalFields fields = api::solve_instant(points[i], given, MPI_COMM_SELF, own.get());
+    post::NodalFields fields =
+        api::solve_instant(points[i], given, MPI_COMM_SELF, own.get(), i + ranks < points.size());
     const loads::PinLoad& load = points[i].instant.load;
     if (points[i].contact)
       solved.push_back({i,

@@ -88,6 +88,10 @@ std::filesystem::path installed_mesher() { return base::installed_program("genev
 Mesher::Mesher(std::filesystem::path program)
     : program_(std::move(program)), waiting_(std::in_place, program_) {}
 
+void Mesher::get_ready() {
+  if (!waiting_) waiting_.emplace(program_);
+}
+
 MesherAnswer Mesher::answer_to(const json& task, const MesherLimits& limits) {
   MesherProcess process = waiting_ ? MesherProcess(std::move(*waiting_)) : MesherProcess(program_);
   waiting_.reset();

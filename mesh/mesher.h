@@ -16,8 +16,9 @@ std::filesystem::path installed_mesher();
 /// Gmsh in a process of its own: it runs what a stranger may have written, and may crash, run on or
 /// lie without harm to this one.
 ///
-/// One process serves one task. The first one is started at once, so that it gets ready while this
-/// program does. Used on one rank, without MPI.
+/// One process serves one task. The first one is started at once, others when they are needed or
+/// get_ready() asks for them, so that they get ready while this program does. Used on one rank,
+/// without MPI.
 class Mesher {
  public:
   /// @param program see installed_mesher()
@@ -32,6 +33,10 @@ class Mesher {
   MesherAnswer answer(const Task& task, const MesherLimits& limits) {
     return answer_to(json_of(task), limits);
   }
+
+  /// Starts the process of the next task while this program does something else.
+  /// @throws base::InputError if it cannot be started
+  void get_ready();
 
   /// Of the last answer: whether the system kept the mesher from files, processes and networks.
   [[nodiscard]] bool was_enclosed() const { return was_enclosed_; }

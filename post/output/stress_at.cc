@@ -50,9 +50,11 @@ std::array<double, 6> StressAt::operator()(const Place& place, const unsigned in
                   bg::index::satisfies(
                       [&](const BoxOfCell& value) { return fields_.bodies[value.second] == body; }),
               std::back_inserter(near));
+  constexpr double inside = 1e-9;  // of the cell
   double least = std::numeric_limits<double>::max();
   std::array<double, 6> stress{};
   for (const auto& [box, cell] : near) {
+    if (least < inside * bg::distance(box.min_corner(), box.max_corner())) break;
     const std::vector<double> weights = clamped_weights(cell, place);
     const double distance = distance_to(cell, weights, place);
     if (distance >= least) continue;
