@@ -50,6 +50,14 @@ PlacedValue greatest_wear(const post::CycleReport& report) {
   return greatest;
 }
 
+PlacedValue greatest_force(const post::CycleReport& report) {
+  PlacedValue greatest{0., 0.};
+  for (const post::CycleCurvePoint& point : report.curve)
+    if (std::abs(point.force) > greatest.value)
+      greatest = {std::abs(point.force), point.driver_angle};
+  return greatest;
+}
+
 }  // namespace
 
 std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact& contact,
@@ -82,6 +90,22 @@ std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact
   return rows;
 }
 
+namespace {
+
+/// Of a roller on needles under the greatest force of the cycle.
+void append_needles(Rows& rows, const Case& given, const PlacedValue& force) {
+  const auto& roller = given.mechanism->roller;
+  if (!roller || !roller->needles) return;
+  const double pressure = loads::needle_pressure(
+      *roller->needles, roller->diameter, force.value,
+      {given.mechanism->stud.youngs_modulus, given.mechanism->stud.poissons_ratio});
+  for (const loads::NeedleLimit& limit : loads::needle_limits(given.allowed))
+    rows.push_back({limit.name, Dimension::stress, pressure, limit.pressure, force.driver_angle,
+                    limit.meaning});
+}
+
+}  // namespace
+
 std::vector<LimitRow> motion_limits(const Case& given, const loads::PinContact& contact,
                                     const loads::Characteristics& values) {
   Rows rows =
@@ -89,6 +113,9 @@ std::vector<LimitRow> motion_limits(const Case& given, const loads::PinContact& 
   const loads::PlacedPeak& wear =
       given.mechanism->roller ? values.bore_pressure_times_speed : values.pressure_times_slip;
   append_wear(rows, given, {wear.value, wear.driver_angle});
+  const loads::PlacedPeak& force =
+      values.braking_force.value > values.force.value ? values.braking_force : values.force;
+  append_needles(rows, given, {force.value, force.driver_angle});
   return rows;
 }
 
@@ -99,6 +126,7 @@ std::vector<LimitRow> cycle_limits(const Case& given, const loads::PinContact& c
     rows = pressure_limits(given, contact,
                            {greatest->contact->peak_pressure, greatest->instant.load.driver_angle});
   if (!given.mechanism->roller) append_wear(rows, given, greatest_wear(report));
+  append_needles(rows, given, greatest_force(report));
   for (const post::CycleStressRange& range : post::stress_ranges(report)) {
     const post::CycleStress& stress = range.greatest;
     const bool is_tensile = stress.name == "tensile stress";

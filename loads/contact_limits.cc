@@ -175,8 +175,9 @@ ContactLimits layered_point_limits(const double poissons_ratio, const HardenedLa
   const auto mises_at = [&](const double depth) { return 2. * shear_at(depth); };
   return {layered_limit(of_layer.first_yield * layer.yield_strength, core, layer.depth,
                         radius_per_pressure, mises_at),
-          layered_limit(of_layer.shakedown * layer.yield_strength, shear_yield * core, layer.depth,
-                        radius_per_pressure, shear_at)};
+          std::max(of_layer.shakedown * std::min(layer.yield_strength, core),
+                   layered_limit(of_layer.shakedown * layer.yield_strength, shear_yield * core,
+                                 layer.depth, radius_per_pressure, shear_at))};
 }
 
 ContactLimits point_contact_limits(const double poissons_ratio) {

@@ -54,7 +54,8 @@ ContactLimits layered_line_limits(double poissons_ratio, double friction,
                                   double half_width_per_pressure);
 
 /// The same of a circular contact without friction. The core's shakedown is by the greatest
-/// principal shear on the axis, which is above the shear that decides: on the safe side.
+/// principal shear on the axis, which is above the shear that decides: on the safe side; it is at
+/// least that of a body with the lesser strength throughout.
 ContactLimits layered_point_limits(double poissons_ratio, const HardenedLayer& layer, double core,
                                    double radius_per_pressure);
 

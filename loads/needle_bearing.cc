@@ -34,6 +34,24 @@ double needle_pressure(const NeedleBearing& needles, const double bore_diameter,
       .peak_pressure;
 }
 
+std::vector<NeedleLimit> needle_limits(const Allowables& allowed) {
+  std::vector<NeedleLimit> limits{
+      {"needle on stud, dents (ISO 76)", static_needle_pressure,
+       "below it a stud hardened to HRC 58 keeps dents of less than a ten-thousandth of the "
+       "needle"}};
+  const auto yield = allowed.yield_strengths.find("stud");
+  if (yield == allowed.yield_strengths.end()) return limits;
+  constexpr double steel = 0.3;  // first yield alone depends on it
+  const auto layer = allowed.layers.find("stud");
+  const double strength =
+      layer == allowed.layers.end() ? yield->second : layer->second.yield_strength;
+  limits.push_back({"needle on stud, shakedown, stud",
+                    line_contact_limits(steel, 0.).shakedown * strength,
+                    "below it the stud yields at first and is elastic again under any number of "
+                    "passes"});
+  return limits;
+}
+
 void check(const NeedleBearing& needles, const double bore_diameter) {
   require_positive_length("needle diameter", needles.diameter);
   require_positive_length("needle length", needles.length);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "loads/allowables.h"
 #include "loads/hertz.h"
 
 namespace geneva::loads {
@@ -28,6 +31,16 @@ double needle_pressure(const NeedleBearing& needles, double bore_diameter, doubl
 /// Pressure up to which needle and hardened raceway (HRC 58 or more) keep a dent of less than a
 /// ten-thousandth of the needle's diameter [Pa] (ISO 76).
 constexpr double static_needle_pressure = 4e9;
+
+/// A pressure that the most loaded needle and its stud stand.
+struct NeedleLimit {
+  const char* name;
+  double pressure;  ///< [Pa]
+  const char* meaning;
+};
+
+/// That of ISO 76, and of a stud whose strength is known the one up to which it shakes down.
+std::vector<NeedleLimit> needle_limits(const Allowables& allowed);
 
 /// @throws base::InputError unless the needles are three or more of positive sizes, fit beside each
 /// other on their pitch circle and leave a stud in the bore

@@ -204,6 +204,8 @@ std::optional<loads::HardenedLayer> read_layer(const CaseSection& material) {
   if (!hardness)
     material.refuse("Hardened depth",
                     "'Hardness' is missing: it gives the yield strength of the hardened layer");
+  if (!material.optional_value("Yield strength"))
+    material.refuse("Hardened depth", "'Yield strength' is missing: that of the core below it");
   return loads::HardenedLayer{*depth, loads::yield_strength_by_hardness(*hardness)};
 }
 
@@ -218,6 +220,9 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   if (result.pressure_times_slip && !given.mechanism)
     section.refuse("Pressure times slip speed",
                    "a geometry knows no slip speed; it is for Model = mechanism");
+  if (result.pressure_times_slip && given.mechanism->roller && given.mechanism->roller->needles)
+    section.refuse("Pressure times slip speed",
+                   "a roller on needles slides neither on the wall nor in its bore");
   for (const auto& [body, path] : materials_of(given))
     if (const auto yield = CaseSection(values, path).optional_value("Yield strength"))
       result.yield_strengths[body] = *yield;

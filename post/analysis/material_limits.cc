@@ -1,5 +1,6 @@
 #include "post/analysis/material_limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -16,14 +17,28 @@ std::optional<bool> is_line_contact(const ContactAnalysis<2>& analysis) {
   return analysis.hertz->line.has_value();
 }
 std::optional<bool> is_line_contact(const ContactAnalysis<3>& analysis) {
-  if (!analysis.hertz || !analysis.hertz->line) return std::nullopt;
-  return true;
+  if (!analysis.hertz || (!analysis.hertz->line && !analysis.hertz->is_circle()))
+    return std::nullopt;
+  return analysis.hertz->line.has_value();
 }
 
-fem::Components<2> middle_of(const ContactAnalysis<2>& analysis) {
-  return {analysis.centre.place[0], analysis.centre.place[1]};
+/// How deep below a contact a place is; nothing of one that is further beside it than it is wide.
+std::optional<double> depth_below(const fem::Solution<2>& solution, const std::size_t pair,
+                                  const ContactAnalysis<2>& analysis,
+                                  const fem::Components<2>& place) {
+  const dealii::Tensor<1, 2> from = dealii::Point<2>(place[0], place[1]) - analysis.centre.place;
+  const double depth = std::abs(from * analysis.centre.normal);
+  const double beside = std::sqrt(std::max(0., from.norm_square() - depth * depth));
+  if (beside > 2. * solution.contacts[pair].half_width) return std::nullopt;
+  return depth;
 }
-fem::Components<3> middle_of(const ContactAnalysis<3>& analysis) { return analysis.peak_place; }
+std::optional<double> depth_below(const fem::Solution<3>& /*solution*/, const std::size_t /*pair*/,
+                                  const ContactAnalysis<3>& analysis,
+                                  const fem::Components<3>& place) {
+  const dealii::Point<3> at(place[0], place[1], place[2]);
+  if (std::abs(analysis.frame.distance_across(at)) > 2. * analysis.half_width) return std::nullopt;
+  return std::abs(analysis.frame.depth(at));
+}
 
 /// [Pa]
 loads::ContactLimits limits_of(const bool is_line, const double poissons_ratio,
@@ -87,12 +102,10 @@ bool is_in_layer(const fem::Solution<dim>& solution, const Results<dim>& results
                  const loads::Allowables& allowed, const std::size_t body) {
   const auto layer = allowed.layers.find(solution.problem.bodies[body].name);
   if (layer == allowed.layers.end()) return false;
-  for (const ContactAnalysis<dim>& analysis : results.contacts) {
-    const fem::Components<dim> middle = middle_of(analysis);
-    double square = 0.;
-    for (std::size_t k = 0; k < middle.size(); ++k)
-      square += std::pow(results.max_von_mises[body].place[k] - middle[k], 2);
-    if (std::sqrt(square) < layer->second.depth) return true;
+  for (std::size_t pair = 0; pair < results.contacts.size(); ++pair) {
+    const auto depth =
+        depth_below(solution, pair, results.contacts[pair], results.max_von_mises[body].place);
+    if (depth && *depth < layer->second.depth) return true;
   }
   return false;
 }

@@ -27,8 +27,7 @@ std::vector<MaterialLimit> material_limits(const fem::Solution<dim>& solution,
                                            const ContactAnalysis<dim>& analysis,
                                            const loads::Allowables& allowed, double friction);
 
-/// Whether a body's maximum von Mises stress lies in its hardened layer below a contact: nearer to
-/// the contact's middle than the layer is deep.
+/// Whether a body's maximum von Mises stress lies in its hardened layer below a contact.
 template <int dim>
 bool is_in_layer(const fem::Solution<dim>& solution, const Results<dim>& results,
                  const loads::Allowables& allowed, std::size_t body);

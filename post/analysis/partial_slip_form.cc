@@ -95,16 +95,19 @@ std::optional<PartialSlipForm<dim>> partial_slip(const fem::Solution<dim>& solut
   const double bound = friction.coefficient * pressed;
   PartialSlipForm<dim> form{loads::PartialSlip(*shape, bound),
                             friction.coefficient * analysis.hertz->peak_pressure(), *direction};
+  bool was_pressed = false;  // by the whole force, before anything moves it
   for (const fem::Instant<dim>& instant : solution.instants) {
     const auto dragged = vector_of<dim>(instant.pairs[pair].friction_force);
     const double along = dragged * *direction;
-    const bool is_moved = dragged.norm() > negligible * bound;
-    const bool is_pressed =
-        std::abs(fem::magnitude(instant.pairs[pair].force) - pressed) <= negligible * pressed;
+    const bool is_moved = std::abs(along) > negligible * bound;
+    const bool is_pressed = was_pressed && std::abs(fem::magnitude(instant.pairs[pair].force) -
+                                                    pressed) <= negligible * pressed;
     if ((is_moved && !is_pressed) ||
         (dragged - along * *direction).norm() > 10. * negligible * bound)
       return std::nullopt;
     if (is_moved) form.slip.move_to(along);
+    was_pressed = was_pressed || (std::abs(fem::magnitude(instant.pairs[pair].force) - pressed) <=
+                                  negligible * pressed);
   }
   return form;
 }

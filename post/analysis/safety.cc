@@ -77,14 +77,13 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
   return rows;
 }
 
-/// A named stress of a body; nothing where no mesh bounds it.
+/// A named stress of a body that is away from the contact.
 template <int dim>
-std::optional<double> if_stress_is_bounded(const fem::Solution<dim>& solution,
-                                           const std::string& body, const std::string& name,
-                                           const double value) {
+std::optional<NamedStress<dim>> stress_away(const fem::Solution<dim>& solution,
+                                            const std::string& body, const std::string& name) {
   for (const NamedStress<dim>& stress : named_stresses(solution))
-    if (stress.body == body && stress.name == name && !stress.is_bounded) return std::nullopt;
-  return value;
+    if (stress.body == body && stress.name == name && !stress.is_beside_contact) return stress;
+  return std::nullopt;
 }
 
 /// Limits of the stresses of a body.
@@ -94,59 +93,64 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
                                         const std::size_t body) {
   std::vector<SafetyRow> rows;
   const std::string& name = solution.problem.bodies[body].name;
-  const fem::BodyStrength<dim>& strength = solution.strength[body];
   const bool has_contact = fem::has_contact(solution.problem);
   const std::string where = has_contact ? " away from the contact" : "";
   const auto& mechanism = report.mechanism;
-  const auto add = [&](const std::string& quantity, const std::optional<double> computed,
-                       const double limit, const std::optional<CycleValue>& cycle,
-                       const std::string& meaning) {
-    rows.push_back({quantity, Dimension::stress, computed, limit,
-                    mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt,
-                    computed ? cycle : std::nullopt, meaning});
-  };
-  const auto with_force = [&](const double stress, const double power) {
-    return mechanism ? std::optional(scaled(stress, *mechanism, power)) : std::nullopt;
+  const auto add = [&](const std::string& quantity, const double stress, const bool is_finite,
+                       const double limit, const double power, const std::string& meaning) {
+    rows.push_back(
+        {quantity, Dimension::stress, is_finite ? std::optional(stress) : std::nullopt, limit,
+         mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt,
+         mechanism && is_finite ? std::optional(scaled(stress, *mechanism, power)) : std::nullopt,
+         meaning});
   };
   const auto& yields = report.allowed.yield_strengths;
   if (const auto yield = yields.find(name); yield != yields.end()) {
     const StressPeak<dim>& peak = results.max_von_mises[body];
     const bool in_layer = has_contact && is_in_layer(solution, results, report.allowed, body);
     if (has_contact)
-      add("maximum von Mises stress of the " + name,
-          is_bounded(solution) ? std::optional(peak.value) : std::nullopt,
-          in_layer ? report.allowed.layers.at(name).yield_strength : yield->second,
-          with_force(peak.value, 0.5),
+      add("maximum von Mises stress of the " + name, peak.value, is_bounded(solution),
+          in_layer ? report.allowed.layers.at(name).yield_strength : yield->second, 0.5,
           in_layer ? "below it the hardened layer yields nowhere"
                    : "below it the computed stress yields nowhere");
-    if (strength.von_mises.value > 0.)
-      add("von Mises stress" + where + ", " + name,
-          if_stress_is_bounded(solution, name, "von Mises stress", strength.von_mises.value),
-          yield->second, with_force(strength.von_mises.value, 1.),
+    if (const auto stress = stress_away(solution, name, "von Mises stress"))
+      add("von Mises stress" + where + ", " + name, stress->maximum.value, stress->is_bounded,
+          yield->second, 1.,
           "below it nothing yields" + where + "; over the cycle as if it went with the pin force");
   }
   const auto& fatigues = report.allowed.fatigue_strengths;
-  if (const auto fatigue = fatigues.find(name);
-      fatigue != fatigues.end() && strength.tensile.value > 0.)
-    add("tensile stress" + where + " (fatigue), " + name,
-        if_stress_is_bounded(solution, name, "tensile stress", strength.tensile.value),
-        fatigue->second, with_force(strength.tensile.value, 1.),
+  const auto fatigue = fatigues.find(name);
+  const auto tensile = stress_away(solution, name, "tensile stress");
+  if (fatigue != fatigues.end() && tensile)
+    add("tensile stress" + where + " (fatigue), " + name, tensile->maximum.value,
+        tensile->is_bounded, fatigue->second, 1.,
         "below it the material bears any number of cycles" + where +
             "; over the cycle as if it went with the pin force");
   return rows;
 }
 
-/// Static limit of a roller's needles.
-SafetyRow needle_row(const MechanismReport& mechanism) {
+/// Limits of the pressure between needle and stud: of hardened raceways, and of the stud's
+/// material.
+std::vector<SafetyRow> needle_rows(const MechanismReport& mechanism,
+                                   const loads::Allowables& allowed) {
+  std::vector<SafetyRow> rows;
   const double pressure = mechanism.needle->pressure;
-  return {"needle on stud, dents (ISO 76)",
-          Dimension::stress,
-          pressure,
-          loads::static_needle_pressure,
-          mechanism.load.driver_angle,
-          scaled(pressure, mechanism, 0.5),
-          "below it a stud hardened to HRC 58 keeps dents of less than a ten-thousandth of the "
-          "needle"};
+  const auto add = [&](const std::string& quantity, const double limit,
+                       const std::string& meaning) {
+    rows.push_back({quantity, Dimension::stress, pressure, limit, mechanism.load.driver_angle,
+                    scaled(pressure, mechanism, 0.5), meaning});
+  };
+  for (const loads::NeedleLimit& limit : loads::needle_limits(allowed))
+    add(limit.name, limit.pressure, limit.meaning);
+  return rows;
+}
+
+/// Of gross sliding, the least favourable for what sticks and slips; 1, the greatest of the closed
+/// form, for more.
+template <int dim>
+double friction_of_limits(const fem::Solution<dim>& solution, const std::size_t pair) {
+  constexpr double most = 1.;
+  return std::min(most, solution.problem.pairs[pair].friction.coefficient);
 }
 
 /// Limits of the pressure in a roller's bore; over the cycle it goes with the root of the force, as
@@ -201,10 +205,11 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   if (has_contact)
     for (const SafetyRow& row :
          material_rows(solution, solution.contacts[leading], results.contacts[leading], report,
-                       of_pressure, "contact", mechanism ? mechanism->slot_friction : 0.))
+                       of_pressure, "contact", friction_of_limits(solution, leading)))
       rows.push_back(row);
   for (const SafetyRow& row : bore_rows(solution, results, report)) rows.push_back(row);
-  if (mechanism && mechanism->needle) rows.push_back(needle_row(*mechanism));
+  if (mechanism && mechanism->needle)
+    for (const SafetyRow& row : needle_rows(*mechanism, allowed)) rows.push_back(row);
   if (allowed.pressure_times_slip && mechanism && !mechanism->needle) {
     const loads::PinLoad& load = mechanism->load;
     rows.push_back({mechanism->roller ? "mean bore pressure times sliding speed"

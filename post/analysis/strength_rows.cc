@@ -67,10 +67,10 @@ std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution)
     const std::string& name = solution.problem.bodies[i].name;
     if (body.von_mises.value > 0.)
       result.push_back({name, "von Mises stress", body.von_mises, where(solution, body.von_mises),
-                        is_clear(solution, body.von_mises)});
+                        is_beside_contact(body.von_mises), is_clear(solution, body.von_mises)});
     if (body.tensile.value > 0.)
       result.push_back({name, "tensile stress", body.tensile, where(solution, body.tensile),
-                        is_clear(solution, body.tensile)});
+                        is_beside_contact(body.tensile), is_clear(solution, body.tensile)});
   }
   return result;
 }

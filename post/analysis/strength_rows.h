@@ -14,8 +14,9 @@ struct NamedStress {
   std::string body;
   std::string name;  ///< "von Mises stress" or "tensile stress"
   fem::StressMaximum<dim> maximum;
-  std::string where;  ///< in words, such as "bottom of the engaged slot"
-  bool is_bounded;    ///< false beside a place that is left out: it depends on how much of it
+  std::string where;       ///< in words, such as "bottom of the engaged slot"
+  bool is_beside_contact;  ///< what is taken for the contact's own field decides on it
+  bool is_bounded;         ///< false beside a place that is left out: it depends on how much of it
 };
 
 /// Two of every body that has places away from the contacts' own field.

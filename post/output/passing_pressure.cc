@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace geneva::post {
@@ -28,6 +29,25 @@ std::vector<bool> nodes_that_turn(const NodalFields& fields, const std::vector<b
   return found;
 }
 
+/// Beside the pin: the distance from the slot's axis that most of the wheel's nodes have, those of
+/// the straight walls.
+double half_width_of(const CycleFields& own, const std::vector<bool>& turns,
+                     const double pin_radius) {
+  constexpr double same = 1e-6;
+  std::map<long, std::size_t> nodes;
+  for (std::size_t node = 0; node < turns.size(); ++node) {
+    const auto& place = own.fields.places[node];
+    const double from_axis = std::abs(place[1]) / pin_radius;
+    const bool is_beside = std::abs(place[0] - own.pin_distance) < 2. * pin_radius;
+    if (!turns[node] && is_beside && from_axis > 0.5 && from_axis < 1.5)
+      ++nodes[std::lround(from_axis / same)];
+  }
+  const auto most = std::max_element(
+      nodes.begin(), nodes.end(),
+      [](const auto& one, const auto& other) { return one.second < other.second; });
+  return most == nodes.end() ? 0. : static_cast<double>(most->first) * same * pin_radius;
+}
+
 SlotSizes sizes_of(const CycleFields& own, const std::vector<bool>& turns) {
   constexpr double most = std::numeric_limits<double>::max();
   double low = most;
@@ -37,12 +57,8 @@ SlotSizes sizes_of(const CycleFields& own, const std::vector<bool>& turns) {
     low = std::min(low, own.fields.places[node][1]);
     high = std::max(high, own.fields.places[node][1]);
   }
-  SlotSizes sizes{(low + high) / 2., (high - low) / 2., most};
-  for (std::size_t node = 0; node < turns.size(); ++node) {
-    const auto& place = own.fields.places[node];
-    if (!turns[node] && std::abs(place[0] - own.pin_distance) < sizes.pin_radius)
-      sizes.half_width = std::min(sizes.half_width, std::abs(place[1]));
-  }
+  SlotSizes sizes{(low + high) / 2., (high - low) / 2., 0.};
+  sizes.half_width = half_width_of(own, turns, sizes.pin_radius);
   return sizes;
 }
 

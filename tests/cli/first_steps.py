@@ -129,6 +129,9 @@ class FirstSteps(CliTest):
         self.assert_close(number(rows["contact, pitting, wheel"]["allowed"]), (1.313 * 340 + 373) * 1e6, 1e-9, "pitting")
         (case / "case.prm").write_text(text.replace("Material = 42CrMo4 quenched and tempered\n", "Hardened depth = 1 mm\n"))
         self.assertIn("'Hardness' is missing", self.refuses("run", case))
+        (case / "case.prm").write_text(text.replace("Material = 42CrMo4 quenched and tempered\n",
+                                                    "Hardened depth = 1 mm\n    set Hardness = 600\n"))
+        self.assertIn("'Yield strength' is missing", self.refuses("run", case))
 
     def test_a_material_is_found_by_its_other_names(self):
         self.assertIn("'42CrMo4 nitrided'", self.refuses("materials", "AISI 4140"))

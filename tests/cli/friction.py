@@ -254,6 +254,13 @@ class StickAndSlip(CliTest):
             squares = [(float(node["friction_x"]) - float(node["mindlin_friction"]))**2 for node in nodes]
             self.assertLess(math.sqrt(sum(squares) / len(squares)) / (0.3 * 1456.8), 0.05, "at 5 % accuracy")
 
+    def test_the_closed_form_is_left_out_where_the_load_path_is_another(self):
+        """Pressed and moved at once: 21 steps would stick everywhere."""
+        case = self.case("at-once", "4.5e-5", [1])
+        rows = {row["quantity"]: row for row in self.run_case(case)["comparison"]}
+        self.assertIsNone(rows["sticking share of the contact"]["closed_form"])
+        self.assertEqual({node["mindlin_friction"] for node in self.table(case, "contact.csv")}, {""})
+
     def test_unloading_slips_back_from_the_edges(self):
         case = self.case("back", "4.5e-5", [0, 1, 0])
         self.run_case(case)

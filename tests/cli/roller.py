@@ -66,6 +66,10 @@ class Roller(CliTest):
         self.assertEqual(look_up(summary, "pin.root_stress_beam_theory.value"), look_up(self.run_case(plain), "pin.root_stress_beam_theory.value"))
         kinematics = self.geneva("kinematics", case)
         self.assertIn("maximum pressure, needle on stud", kinematics.out)
+        known = {row["quantity"]: row for row in json.loads((case / "results" / "kinematics.json").read_text())["safety"]}
+        for name in ("needle on stud, dents (ISO 76)", "needle on stud, shakedown, stud"):
+            self.assert_close(number(known[name]["allowed"]), number(rows[name]["allowed"]), 1e-9, name)
+        self.assert_close(number(rows["needle on stud, shakedown, stud"]["allowed"]), 4 / 3**0.5 * 600e6, 1e-5, "4 k")
         for changes, words in (({"Mechanism/Needles": "13"}, "at most 12 fit"),
                                ({"Mechanism/Needle diameter": ""}, "'Needles' needs it"),
                                ({"Mechanism/Roller bore clearance": "0.02 mm"}, "needles between roller and stud"),

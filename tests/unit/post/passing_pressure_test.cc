@@ -21,6 +21,7 @@ CycleFields nodes_of_slot(const double pin_turn) {
   };
   for (const double y : {half_width, -half_width, 0.02})
     for (const double x : {0.04, 0.045, 0.05, 0.055, 0.07}) add(x, y, 0);
+  for (const double y : {0.004, -0.006, 0.007}) add(0.043, y, 0);  // round bottom of the slot
   for (int i = 0; i < 8; ++i) {
     const double angle = i * std::acos(-1.) / 4.;
     add(0.05 + pin_radius * std::cos(angle), axis_y + pin_radius * std::sin(angle), 1);
@@ -66,7 +67,7 @@ TEST(PassingPressure, IsOnThePinThatOfTheMomentWhenItFacesTheWall) {
   const CycleFields own = nodes_of_slot(own_turn);
   const PassingPressure found = passing_pressure(own, {false, true}, curve());
   int faced = 0;
-  for (std::size_t node = 15; node < 23; ++node) {
+  for (std::size_t node = 18; node < 26; ++node) {
     const double angle = std::atan2(own.fields.places[node][1] - axis_y,
                                     own.fields.places[node][0] - own.pin_distance);
     if (found.pressure[node] == 0.) continue;
