@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "loads/contact_limits.h"
-#include "loads/hertz.h"
+#include "loads/material_limits.h"
 
 namespace geneva::api {
 
@@ -12,24 +11,6 @@ namespace {
 using base::Dimension;
 using post::LimitRow;
 using Rows = std::vector<LimitRow>;
-
-double poissons_ratio_of(const Case& given, const std::string& body) {
-  return body == "pin" ? given.mechanism->pin.poissons_ratio
-                       : given.mechanism->wheel.poissons_ratio;
-}
-
-/// [Pa]; of a hardened surface those of layer and core.
-loads::ContactLimits yield_limits(const Case& given, const loads::PinContact& contact,
-                                  const std::string& body, const double yield) {
-  const double nu = poissons_ratio_of(given, body);
-  const double friction = given.mechanism->slot_friction;
-  const auto layer = given.allowed.layers.find(body);
-  if (layer != given.allowed.layers.end())
-    return loads::layered_line_limits(nu, friction, layer->second, yield,
-                                      contact.pin_diameter / contact.contact_modulus);
-  const loads::ContactLimits limits = loads::line_contact_limits(nu, friction);
-  return {limits.first_yield * yield, limits.shakedown * yield};
-}
 
 /// The pressure times the slip speed, or of a roller that in its bore.
 void append_wear(Rows& rows, const Case& given, const PlacedValue& wear) {
@@ -62,31 +43,22 @@ PlacedValue greatest_force(const post::CycleReport& report) {
 
 std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact& contact,
                                       const PlacedValue& pressure) {
-  constexpr double most_friction = 1.;  // of the closed form
   Rows rows;
   const auto add = [&](const std::string& quantity, const double allowed,
                        const std::string& meaning) {
     rows.push_back(
         {quantity, Dimension::stress, pressure.value, allowed, pressure.driver_angle, meaning});
   };
+  const model::MechanismCase& mechanism = *given.mechanism;
   if (given.allowed.contact_pressure)
     add("peak contact pressure", *given.allowed.contact_pressure, "");
-  for (const std::string body : {"pin", "wheel"}) {
-    const auto yield = given.allowed.yield_strengths.find(body);
-    if (yield != given.allowed.yield_strengths.end() &&
-        given.mechanism->slot_friction <= most_friction) {
-      const loads::ContactLimits limits = yield_limits(given, contact, body, yield->second);
-      add("contact, first yield, " + body, limits.first_yield,
-          "below it no point of the material yields");
-      add("contact, shakedown, " + body, limits.shakedown,
-          "below it the material yields at first and is elastic again under any number of passes");
-    }
-    if (const auto flank = given.allowed.flank_pressures.find(body);
-        flank != given.allowed.flank_pressures.end())
-      add("contact, pitting, " + body, flank->second,
-          "below it flanks and rolling contacts of this material bear any number of passes without "
-          "pits");
-  }
+  const loads::ContactKind line{true, mechanism.slot_friction,
+                                contact.pin_diameter / contact.contact_modulus};
+  for (const loads::TouchingBody& body :
+       {loads::TouchingBody{"pin", mechanism.pin.poissons_ratio},
+        loads::TouchingBody{"wheel", mechanism.wheel.poissons_ratio}})
+    for (const loads::MaterialLimit& limit : loads::material_limits(body, line, given.allowed))
+      add("contact, " + limit.name, limit.pressure, limit.meaning);
   return rows;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "loads/contact_limits.h"
 #include "post/analysis/surface_body.h"
 
 namespace geneva::post {
@@ -40,59 +39,25 @@ std::optional<double> depth_below(const fem::Solution<3>& /*solution*/, const st
   return std::abs(analysis.frame.depth(at));
 }
 
-/// [Pa]
-loads::ContactLimits limits_of(const bool is_line, const double poissons_ratio,
-                               const double friction, const double yield) {
-  const loads::ContactLimits limits = is_line ? loads::line_contact_limits(poissons_ratio, friction)
-                                              : loads::point_contact_limits(poissons_ratio);
-  return {limits.first_yield * yield, limits.shakedown * yield};
-}
-
-/// [Pa]
-loads::ContactLimits layered_limits(const bool is_line, const double poissons_ratio,
-                                    const double friction, const loads::HardenedLayer& layer,
-                                    const double core, const double width_per_pressure) {
-  return is_line
-             ? loads::layered_line_limits(poissons_ratio, friction, layer, core, width_per_pressure)
-             : loads::layered_point_limits(poissons_ratio, layer, core, width_per_pressure);
-}
-
 }  // namespace
 
 template <int dim>
-std::vector<MaterialLimit> material_limits(const fem::Solution<dim>& solution,
-                                           const fem::ContactResult<dim>& contact,
-                                           const ContactAnalysis<dim>& analysis,
-                                           const loads::Allowables& allowed,
-                                           const double friction) {
-  using Kind = MaterialLimit::Kind;
-  std::vector<MaterialLimit> found;
-  const std::optional<bool> is_line = is_line_contact(analysis);
-  const std::set<unsigned int> touching{body_of(solution, contact.source),
-                                        body_of(solution, contact.target)};
-  for (const unsigned int touched : touching) {
+std::vector<loads::MaterialLimit> material_limits(const fem::Solution<dim>& solution,
+                                                  const fem::ContactResult<dim>& contact,
+                                                  const ContactAnalysis<dim>& analysis,
+                                                  const loads::Allowables& allowed,
+                                                  const double friction) {
+  std::optional<loads::ContactKind> kind;
+  if (const std::optional<bool> is_line = is_line_contact(analysis))
+    kind = loads::ContactKind{*is_line, friction,
+                              analysis.hertz->half_width() / analysis.hertz->peak_pressure()};
+  std::vector<loads::MaterialLimit> found;
+  for (const unsigned int touched : std::set<unsigned int>{body_of(solution, contact.source),
+                                                           body_of(solution, contact.target)}) {
     const fem::Body<dim>& body = solution.problem.bodies[touched];
-    const auto yield = allowed.yield_strengths.find(body.name);
-    if (is_line && yield != allowed.yield_strengths.end()) {
-      const auto layer = allowed.layers.find(body.name);
-      const bool has_layer = layer != allowed.layers.end();
-      const double nu = body.material.poissons_ratio;
-      const loads::ContactLimits limits =
-          has_layer ? layered_limits(*is_line, nu, friction, layer->second, yield->second,
-                                     analysis.hertz->half_width() / analysis.hertz->peak_pressure())
-                    : limits_of(*is_line, nu, friction, yield->second);
-      found.push_back({Kind::first_yield, "first yield, " + body.name, limits.first_yield,
-                       has_layer ? "below it neither the hardened layer nor the core yields"
-                                 : "below it no point of the material yields"});
-      found.push_back({Kind::shakedown, "shakedown, " + body.name, limits.shakedown,
-                       "below it the material yields at first and is elastic again under any "
-                       "number of passes"});
-    }
-    if (const auto flank = allowed.flank_pressures.find(body.name);
-        flank != allowed.flank_pressures.end())
-      found.push_back({Kind::flanks, "pitting, " + body.name, flank->second,
-                       "below it flanks and rolling contacts of this material bear any number of "
-                       "passes without pits"});
+    for (const loads::MaterialLimit& limit :
+         loads::material_limits({body.name, body.material.poissons_ratio}, kind, allowed))
+      found.push_back(limit);
   }
   return found;
 }
@@ -110,14 +75,14 @@ bool is_in_layer(const fem::Solution<dim>& solution, const Results<dim>& results
   return false;
 }
 
-template std::vector<MaterialLimit> material_limits(const fem::Solution<2>&,
-                                                    const fem::ContactResult<2>&,
-                                                    const ContactAnalysis<2>&,
-                                                    const loads::Allowables&, double);
-template std::vector<MaterialLimit> material_limits(const fem::Solution<3>&,
-                                                    const fem::ContactResult<3>&,
-                                                    const ContactAnalysis<3>&,
-                                                    const loads::Allowables&, double);
+template std::vector<loads::MaterialLimit> material_limits(const fem::Solution<2>&,
+                                                           const fem::ContactResult<2>&,
+                                                           const ContactAnalysis<2>&,
+                                                           const loads::Allowables&, double);
+template std::vector<loads::MaterialLimit> material_limits(const fem::Solution<3>&,
+                                                           const fem::ContactResult<3>&,
+                                                           const ContactAnalysis<3>&,
+                                                           const loads::Allowables&, double);
 template bool is_in_layer(const fem::Solution<2>&, const Results<2>&, const loads::Allowables&,
                           std::size_t);
 template bool is_in_layer(const fem::Solution<3>&, const Results<3>&, const loads::Allowables&,

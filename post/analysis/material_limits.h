@@ -1,31 +1,21 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "loads/allowables.h"
+#include "loads/material_limits.h"
 #include "post/analysis/results.h"
 
 namespace geneva::post {
 
-/// A peak contact pressure that a material in contact stands.
-struct MaterialLimit {
-  enum class Kind { first_yield, shakedown, flanks };
-
-  Kind kind;
-  std::string name;  ///< "first yield, wheel"
-  double pressure;   ///< [Pa]
-  std::string meaning;
-};
-
 /// Of the bodies of a contact whose strengths are known, where its closed form is a line or a
 /// circle; the layer of a hardened one grows thinner beside the contact as that widens.
-/// @param friction mu of gross sliding, 0..1
+/// @param friction mu of gross sliding, >= 0
 template <int dim>
-std::vector<MaterialLimit> material_limits(const fem::Solution<dim>& solution,
-                                           const fem::ContactResult<dim>& contact,
-                                           const ContactAnalysis<dim>& analysis,
-                                           const loads::Allowables& allowed, double friction);
+std::vector<loads::MaterialLimit> material_limits(const fem::Solution<dim>& solution,
+                                                  const fem::ContactResult<dim>& contact,
+                                                  const ContactAnalysis<dim>& analysis,
+                                                  const loads::Allowables& allowed,
+                                                  double friction);
 
 /// Whether a body's maximum von Mises stress lies in its hardened layer below a contact.
 template <int dim>

@@ -65,9 +65,9 @@ std::vector<SafetyRow> material_rows(const fem::Solution<dim>& solution,
                                      const SafetyRow& pressure, const std::string& of,
                                      const double friction) {
   std::vector<SafetyRow> rows;
-  for (const MaterialLimit& limit :
+  for (const loads::MaterialLimit& limit :
        material_limits(solution, contact, analysis, report.allowed, friction)) {
-    const bool is_of_flanks = limit.kind == MaterialLimit::Kind::flanks;
+    const bool is_of_flanks = limit.kind == loads::MaterialLimit::Kind::flanks;
     if (is_of_flanks && of != "contact") continue;
     rows.push_back(pressure);
     rows.back().quantity = of + ", " + limit.name;
@@ -145,12 +145,11 @@ std::vector<SafetyRow> needle_rows(const MechanismReport& mechanism,
   return rows;
 }
 
-/// Of gross sliding, the least favourable for what sticks and slips; 1, the greatest of the closed
-/// form, for more.
+/// Of gross sliding, the least favourable for what sticks and slips; of a mechanism at any instant.
 template <int dim>
-double friction_of_limits(const fem::Solution<dim>& solution, const std::size_t pair) {
-  constexpr double most = 1.;
-  return std::min(most, solution.problem.pairs[pair].friction.coefficient);
+double friction_of_limits(const fem::Solution<dim>& solution, const std::size_t pair,
+                          const std::optional<MechanismReport>& mechanism) {
+  return mechanism ? mechanism->slot_friction : solution.problem.pairs[pair].friction.coefficient;
 }
 
 /// Limits of the pressure in a roller's bore; over the cycle it goes with the root of the force, as
@@ -162,8 +161,7 @@ std::vector<SafetyRow> bore_rows(const fem::Solution<dim>& solution, const Resul
   const loads::PinLoad& load = report.mechanism->load;
   for (std::size_t i = 0; i < solution.contacts.size(); ++i) {
     const fem::ContactResult<dim>& bore = solution.contacts[i];
-    constexpr double most = 1.;  // of the closed form
-    if (bore.source != "stud" || report.mechanism->roller->friction > most) continue;
+    if (bore.source != "stud") continue;
     const SafetyRow pressure{
         "", Dimension::stress, bore.peak_pressure,
         0., load.driver_angle, scaled(bore.peak_pressure, *report.mechanism, 0.5),
@@ -205,7 +203,7 @@ std::vector<SafetyRow> safety(const fem::Solution<dim>& solution, const Results<
   if (has_contact)
     for (const SafetyRow& row :
          material_rows(solution, solution.contacts[leading], results.contacts[leading], report,
-                       of_pressure, "contact", friction_of_limits(solution, leading)))
+                       of_pressure, "contact", friction_of_limits(solution, leading, mechanism)))
       rows.push_back(row);
   for (const SafetyRow& row : bore_rows(solution, results, report)) rows.push_back(row);
   if (mechanism && mechanism->needle)
