@@ -1,5 +1,6 @@
 """What a new user types first: help, a new case, materials, and what is said of slips."""
 
+import json
 import os
 import pathlib
 import re
@@ -120,10 +121,19 @@ class FirstSteps(CliTest):
             allowed[depth] = number(rows["contact, first yield, wheel"]["allowed"])
             stress = number(rows["maximum von Mises stress of the wheel"]["allowed"])
             layer = 600 * 9.80665e6 / 3
+            self.prints("kinematics", case)
+            known = json.loads((case / "results" / "kinematics.json").read_text())["safety"]
+            self.assertEqual(len(known), 6)
+            for row in known:  # the same closed forms
+                self.assert_close(number(row["allowed"]), number(rows[row["quantity"]]["allowed"]), 1e-9, row["quantity"])
             self.assert_close(stress, 590e6 if depth == "1 nm" else layer, 1e-9, "von Mises stress")
         self.assert_close(allowed["10 mm"], 1.79367 * layer, 1e-4, "the layer's")
         self.assert_close(allowed["1 nm"], 1.79367 * 590e6, 1e-3, "the core's")
         self.assertTrue(allowed["1 nm"] < allowed["0.3 mm"] < allowed["10 mm"], allowed)
+        (case / "case.prm").write_text(text.replace("  subsection Pin material", "  set Slot friction = 1.2\n  subsection Pin material"))
+        rows = [row["quantity"] for row in self.run_case(case)["safety"]]
+        self.assertIn("contact, pitting, wheel", rows)
+        self.assertFalse([row for row in rows if "first yield" in row or "shakedown" in row], "known up to mu = 1")
         (case / "case.prm").write_text(text.replace("tempered\n", "tempered\n    set Hardness = 340\n"))
         rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
         self.assert_close(number(rows["contact, pitting, wheel"]["allowed"]), (1.313 * 340 + 373) * 1e6, 1e-9, "pitting")
