@@ -128,9 +128,10 @@ TEST(Units, ASecondNumberIsRefusedInsteadOfMultiplied) {
        {"5 2 mm", "5 in 2", "5 in.2", "5 in/2", "5 in*2", "5 (2 in)", "5 in -2", "5 1e3 m"})
     EXPECT_NE(refusal(text, Dimension::length).find("is no unit known here"), std::string::npos)
         << refusal(text, Dimension::length);
-  EXPECT_EQ(refusal("600 1/min", Dimension::angular_speed),
-            "'600 1/min': '1/min' is no unit known here; an angular speed with its unit is wanted, "
-            "for example '600 rpm' or '62.8 rad/s'");
+  EXPECT_EQ(
+      refusal("600 1/min", Dimension::angular_speed),
+      "'600 1/min': '1/min' is no unit known here (did you mean 'rpm'?); an angular speed with "
+      "its unit is wanted, for example '600 rpm' or '62.8 rad/s'");
 }
 
 TEST(Units, AUnitOfAnotherDimensionIsRefused) {
