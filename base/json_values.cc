@@ -26,7 +26,7 @@ json case_section(const CaseHeader& header) {
   return {{"name", header.name},       {"title", header.title},
           {"project", header.project}, {"author", header.author},
           {"date", header.date},       {"output_units", name_of(header.units)},
-          {"content", header.content}};
+          {"content", header.content}, {"inputs", header.inputs}};
 }
 
 json versions_section(const std::string& geneva_version) {

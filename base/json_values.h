@@ -26,13 +26,14 @@ struct CaseHeader {
       content;  ///< mark of what the case is about; documents with equal ones belong together
   std::string project = {};
   std::string author = {};
+  std::string inputs = {};  ///< the case file with every default filled in
 };
 
 /// Section "case" of a document.
 nlohmann::json case_section(const CaseHeader& header);
 
 /// Of the files that the program writes; grows whenever a reader of the files must know.
-constexpr int results_format = 3;
+constexpr int results_format = 4;
 
 /// Section "versions" of a document: the program's and results_format.
 nlohmann::json versions_section(const std::string& geneva_version);

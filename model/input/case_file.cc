@@ -306,7 +306,8 @@ base::CaseHeader header_of(const Case& given) {
           given.units,
           given.content,
           given.project,
-          given.author};
+          given.author,
+          given.completed};
 }
 
 void refuse_model(const Case& given, const std::string& reason, const std::string& command,

@@ -1,6 +1,7 @@
 #include "post/report/report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 
@@ -17,6 +18,7 @@
 #include "post/report/sections/cycle_section.h"
 #include "post/report/sections/estimate_section.h"
 #include "post/report/sections/field_section.h"
+#include "post/report/sections/inputs_section.h"
 #include "post/report/sections/mechanism_section.h"
 #include "post/report/sections/motion_section.h"
 #include "post/report/sections/optimum_section.h"
@@ -47,6 +49,16 @@ std::string missing_note(const Libraries& libraries) {
   return text;
 }
 
+/// What became of the inputs of a case that is varied; empty where they are those of the results.
+std::string what_is_varied(const ResultsDirectory& results) {
+  if (const json* const sweep = results.document("sweep"))
+    return fmt::format("Of the case as it stands. The sweep replaces {}.",
+                       fmt::join(sweep->at("parameters").get<std::vector<std::string>>(), ", "));
+  if (results.document("optimum") != nullptr)
+    return "Of the case before the search; optimum.prm is the case with what was found.";
+  return "";
+}
+
 /// The answer first, then the mechanism and what lies behind: what there is of them.
 ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
                       const std::string& played) {
@@ -59,11 +71,14 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
   const bool is_cycle = results.document("cycle") != nullptr;
   if (is_run) append(verdict_part(results));
   if (!is_run && !is_cycle) append(closed_verdict_part(results));
+  if (is_run) append({inputs_section(results.case_text(), ""), {}});
+  if (is_run) append(checks_part(results));
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
   if (results.document("optimum") != nullptr) append(optimum_part(results));
   if (is_cycle) append(cycle_part(results, played));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
+  if (!is_run) append({inputs_section(results.case_text(), what_is_varied(results)), {}});
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
   if (is_run) {

@@ -131,6 +131,8 @@ class ReportTest(CliTest):
         self.assertEqual(outline.open, [])
         self.assertEqual(len(outline.ids), len(set(outline.ids)))
         self.assertLess((self.results / "report.html").stat().st_size, 6e6)
+        self.assertIn("Inputs", outline.text)
+        self.assertGreater(self.browser.run("return document.querySelectorAll('#inputs tbody tr').length"), 5)
         for chart in self.browser.run("return Object.keys(genevaCharts)"):
             painted = self.browser.run(
                 "const c = document.getElementById(arguments[0]); const d = c.getContext('2d')"

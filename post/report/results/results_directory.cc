@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -28,12 +27,6 @@ json read_json(const fs::path& file) {
   if (document.is_discarded() || !document.is_object())
     throw base::InputError(file.string() + " is no JSON document: it is damaged; make it again");
   return document;
-}
-
-/// Empty where there is no such file.
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 void check_format(const json& document, const fs::path& file, const std::string& command) {
@@ -67,6 +60,8 @@ const json& ResultsDirectory::leading() const {
 
 const json& ResultsDirectory::about() const { return leading().at("case"); }
 
+std::string ResultsDirectory::case_text() const { return about().at("inputs"); }
+
 UnitSystem ResultsDirectory::units() const {
   return unit_system_named(about().at("output_units").get<std::string>());
 }
@@ -75,7 +70,7 @@ ResultsDirectory read_results(const fs::path& directory) try {
   if (!fs::is_directory(directory))
     throw base::InputError(
         fmt::format("{}: there is no such directory; give one with results", directory.string()));
-  ResultsDirectory results{directory, {}, {}, text_of(directory / "case.prm")};
+  ResultsDirectory results{directory, {}, {}};
   for (const ResultFiles& files : result_files()) {
     const fs::path file = directory / (std::string(files.document) + ".json");
     if (!files.is_reported || !fs::exists(file)) continue;

@@ -16,7 +16,6 @@ struct ResultsDirectory {
   std::filesystem::path path;
   std::map<std::string, nlohmann::json> documents;  ///< "summary", "view", ... that exist
   std::map<std::string, CsvTable> tables;           ///< "contact", "sections", ... that exist
-  std::string case_text;                            ///< case.prm of a run, completed; may be empty
 
   [[nodiscard]] const nlohmann::json* document(const std::string& name) const;
   [[nodiscard]] const CsvTable* table(const std::string& name) const;
@@ -25,6 +24,8 @@ struct ResultsDirectory {
   [[nodiscard]] const nlohmann::json& leading() const;
   /// Its section "case".
   [[nodiscard]] const nlohmann::json& about() const;
+  /// The case file with every default filled in.
+  [[nodiscard]] std::string case_text() const;
   [[nodiscard]] base::UnitSystem units() const;
 };
 

@@ -128,7 +128,7 @@ std::string input_cell(const std::vector<CaseInput>& inputs, const std::string& 
 std::string inputs_table(const std::vector<ResultsDirectory>& all,
                          const std::vector<std::string>& names) {
   std::vector<std::vector<CaseInput>> inputs;
-  for (const ResultsDirectory& results : all) inputs.push_back(case_inputs(results.case_text));
+  for (const ResultsDirectory& results : all) inputs.push_back(case_inputs(results.case_text()));
   HtmlTable table{"Inputs in which they differ", {"parameter"}, {}};
   for (const std::string& name : names) table.headings.push_back(escaped(name));
   std::vector<std::string> seen;

@@ -68,12 +68,13 @@ std::string shown_value(const CaseInput& input) {
   return texts.count(last) > 0 ? input.value : shown_input(input.value);
 }
 
-std::string inputs_section(const std::string& case_text) {
+std::string inputs_section(const std::string& case_text, const std::string& remark) {
   const std::vector<CaseInput> inputs = case_inputs(case_text);
   if (inputs.empty()) return "";
   return html_section(
       "inputs", "Inputs",
-      materials_table(inputs) + table_of_inputs(inputs, true) +
+      (remark.empty() ? "" : "<p>" + escaped(remark) + "</p>\n") + materials_table(inputs) +
+          table_of_inputs(inputs, true) +
           fmt::format("<details>\n<summary>Everything else: defaults, and values of named "
                       "materials</summary>\n{}</details>\n"
                       "<details>\n<summary>What the case gives, as case.prm has it</summary>\n"

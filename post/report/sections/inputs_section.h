@@ -9,9 +9,10 @@ namespace geneva::post {
 /// The value of an input as print has it; texts and names of materials stand as they are.
 std::string shown_value(const CaseInput& input);
 
-/// Every input of a run: materials, what the case gives, its lines word for word, and the rest;
+/// Every input of a case: materials, what the case gives, its lines word for word, and the rest;
 /// what is folded on the screen is open on paper.
-/// @param case_text of case.prm as a run completes it; nothing is shown of an empty one
-std::string inputs_section(const std::string& case_text);
+/// @param case_text of the case file, completed; nothing is shown of an empty one
+/// @param remark in front of them; may be empty
+std::string inputs_section(const std::string& case_text, const std::string& remark);
 
 }  // namespace geneva::post

@@ -8,7 +8,6 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
-#include "post/report/sections/inputs_section.h"
 #include "post/report/sections/limits.h"
 
 namespace geneva::post {
@@ -185,10 +184,12 @@ ReportPart verdict_part(const ResultsDirectory& results) {
                        run_answer(results, results.units()) + verdict_sentence(summary) +
                            notices(summary) + verdict_table(summary, results.units()) +
                            run_limits_table(summary.at("safety"), results.units()) +
-                           cycle_table(summary, results.document("cycle"), results.units())) +
-              inputs_section(results.case_text) +
-              html_section("checks", "Is it right?", checks_table(summary)),
+                           cycle_table(summary, results.document("cycle"), results.units())),
           {}};
+}
+
+ReportPart checks_part(const ResultsDirectory& results) {
+  return {html_section("checks", "Is it right?", checks_table(*results.document("summary"))), {}};
 }
 
 }  // namespace geneva::post
