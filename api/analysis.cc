@@ -17,6 +17,7 @@
 #include "base/allocation.h"
 #include "fem/adaptivity/resource_limits.h"
 #include "fem/contact_problem.h"
+#include "model/case_header.h"
 #include "model/naming.h"
 #include "model/stop_message.h"
 #include "model/together.h"

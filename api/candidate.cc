@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "api/engagement.h"
 #include "api/mechanism_picture.h"
+#include "base/errors.h"
 #include "loads/motion/kinematics.h"
 #include "loads/wheel/internal_outline.h"
 #include "loads/wheel/least_wall.h"
@@ -39,7 +41,18 @@ void add_wheel(Candidate& candidate, const model::DrawnWheel& drawn, const doubl
 
 }  // namespace
 
-Candidate candidate_of(const Case& given) {
+PressureBasis pressure_basis(const Case& given) {
+  const model::MechanismCase& mechanism = *given.mechanism;
+  if (!mechanism.space) return PressureBasis::even_load;
+  try {
+    candidate_of(given, PressureBasis::line_contacts);
+    return PressureBasis::line_contacts;
+  } catch (const base::InputError&) {
+    return PressureBasis::even_load;
+  }
+}
+
+Candidate candidate_of(const Case& given, const PressureBasis basis) {
   const model::MechanismCase& mechanism = *given.mechanism;
   const model::MechanismState state = model::mechanism_state(mechanism);
   const loads::PinContact contact = pin_contact(mechanism, state.sizes);
@@ -47,6 +60,14 @@ Candidate candidate_of(const Case& given) {
   Candidate candidate{};
   candidate.pressure = loads::hertz_pressure(contact, state.load.force);
   candidate.pressure_of_cycle = cycle.pressure.value;
+  if (basis == PressureBasis::line_contacts) {
+    const auto line = line_pressures(mechanism, state, cycle);
+    if (!line)
+      throw base::InputError(
+          "the pin's line contacts know no peak pressure: the contact reaches the wall's edge");
+    candidate.pressure = line->analysed;
+    candidate.pressure_of_cycle = line->of_cycle.value;
+  }
   if (state.wheel) add_wheel(candidate, *state.wheel, mechanism.wheel.density);
   if (const auto beam = model::pin_beam(mechanism, state.sizes))
     candidate.root_stress =

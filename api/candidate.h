@@ -21,9 +21,18 @@ struct Candidate {
   std::optional<double> slot_bottom;           ///< where it is wanted
 };
 
+/// What the pressures of candidates are by.
+enum class PressureBasis {
+  even_load,     ///< Hertz
+  line_contacts  ///< along a pin in 3-D
+};
+
+/// Line contacts where they know a peak of the case as it is, else the even load.
+PressureBasis pressure_basis(const Case& given);
+
 /// By closed forms; the slot's bottom is left open.
-/// @throws base::InputError if there is no such mechanism
-Candidate candidate_of(const Case& given);
+/// @throws base::InputError if there is no such mechanism, or line contacts know no peak
+Candidate candidate_of(const Case& given, PressureBasis basis);
 
 using OptimisationGoal = model::OptimisationCase::Goal;
 

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "loads/hertz.h"
 #include "loads/pi.h"
+#include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
 #include "model/pin_in_space.h"

@@ -24,6 +24,7 @@
 #include "api/output_directory.h"
 #include "api/version.h"
 #include "loads/pi.h"
+#include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
 #include "post/view/cycle_view.h"

@@ -9,6 +9,7 @@
 #include "api/output_directory.h"
 #include "api/version.h"
 #include "base/errors.h"
+#include "model/case_header.h"
 #include "model/naming.h"
 
 namespace geneva {
@@ -115,6 +116,8 @@ post::DesignReport design_report(const model::Case& given) {
   report.johnson = loads::johnson_optimum(input);
   report.drawn = loads::drawn_optimum(input);
   report.own = own_wheel(mechanism);
+  report.has_johnsons_inertia =
+      mechanism.inertia_kind == model::MechanismCase::InertiaKind::johnson;
   if (report.johnson)
     report.pressure_ratio = report.own.peak_pressure / report.johnson->peak_pressure;
   report.shaft = shaft_report(*given.mechanism, report.exit_acceleration);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "api/mechanism_picture.h"
 #include "base/errors.h"
 #include "loads/motion/kinematics.h"
+#include "model/pin_in_space.h"
 
 namespace geneva::api {
 
@@ -69,6 +71,25 @@ std::vector<EngagementPoint> engagement(const model::MechanismCase& mechanism,
   if (pin)
     for (EngagementPoint& point : points) point.peak_pressure = peak_of(*pin, point.force);
   return points;
+}
+
+std::optional<LinePressures> line_pressures(const model::MechanismCase& mechanism,
+                                            const model::MechanismState& state,
+                                            const loads::Characteristics& cycle) {
+  const auto known = model::pin_line_contact(mechanism, state);
+  if (!known || loads::peak_doubt(known->pin, known->contact) != loads::PeakDoubt::none)
+    return std::nullopt;
+  LinePressures pressures{known->contact.peak_pressure,
+                          {known->contact.peak_pressure, state.load.driver_angle, 0.}};
+  for (const auto& [force, sign] :
+       {std::pair(cycle.force, 1.), std::pair(cycle.braking_force, -1.)}) {
+    if (!(force.value > 0.)) continue;
+    const auto peak = peak_of(known->pin, sign * force.value);
+    if (!peak) return std::nullopt;
+    if (*peak > pressures.of_cycle.value)
+      pressures.of_cycle = {*peak, force.driver_angle, force.time};
+  }
+  return pressures;
 }
 
 }  // namespace geneva::api

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "loads/motion/kinematics.h"
 #include "loads/pin/pin_line.h"
 #include "model/mechanism_state.h"
 #include "post/output/estimate_output.h"
@@ -16,5 +17,17 @@ namespace geneva::api {
 std::vector<post::EngagementPoint> engagement(const model::MechanismCase& mechanism,
                                               const model::MechanismState& state,
                                               const std::optional<loads::PinLine>& pin);
+
+/// Contact pressures of a pin in 3-D by line contacts along it.
+struct LinePressures {
+  double analysed;             ///< at the analysed driver angle [Pa]
+  loads::PlacedPeak of_cycle;  ///< greatest of the cycle, where the pin force of a wall is [Pa]
+};
+
+/// @return nothing in the plane, and where line contacts know no peak: the pressure of an even
+/// load, which bending, tilt and edges exceed, says nothing of what materials stand then
+std::optional<LinePressures> line_pressures(const model::MechanismCase& mechanism,
+                                            const model::MechanismState& state,
+                                            const loads::Characteristics& cycle);
 
 }  // namespace geneva::api

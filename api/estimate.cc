@@ -9,6 +9,7 @@
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/version.h"
+#include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
 #include "model/pin_in_space.h"

@@ -1,18 +1,39 @@
 #include "api/kinematics.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "api/engagement.h"
 #include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
 #include "api/roller_choice.h"
 #include "api/version.h"
+#include "base/errors.h"
+#include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
 
 namespace geneva {
 
 namespace {
+
+/// The greatest pressure of the cycle that limits are for; none of a pin in 3-D of which line
+/// contacts know no peak.
+std::optional<api::PlacedValue> limited_pressure(const model::MechanismCase& mechanism,
+                                                 const loads::Characteristics& values) try {
+  if (!mechanism.space)
+    return api::PlacedValue{values.pressure.value, values.pressure.driver_angle};
+  const auto line = api::line_pressures(mechanism, model::mechanism_state(mechanism), values);
+  if (!line) return std::nullopt;
+  return api::PlacedValue{line->of_cycle.value, line->of_cycle.driver_angle};
+} catch (const base::InputError&) {  // nothing presses at the analysed angle
+  return std::nullopt;
+}
 
 post::KinematicsReport kinematics_report(const Case& given, const int steps) {
   if (!given.mechanism)
@@ -31,7 +52,23 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
           dynamics.driven.unbounded(),
           loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps),
           api::roller_choice(mechanism, values),
-          api::motion_limits(given, contact, values)};
+          api::motion_limits(given, contact, values, limited_pressure(mechanism, values))};
+}
+
+/// The table's pressure is that of an even load.
+std::vector<std::string> notices_in_space(const model::MechanismCase& mechanism,
+                                          const post::KinematicsReport& report) {
+  if (!mechanism.space) return {};
+  const bool is_judged = std::any_of(
+      report.limits.begin(), report.limits.end(),
+      [](const post::LimitRow& row) { return row.dimension == base::Dimension::stress; });
+  return {
+      is_judged
+          ? "the pressures of the table are those of an even load along the pin; limits of the "
+            "contact are judged by that of line contacts along it ('geneva estimate')"
+          : "the pressures of the table are those of an even load along the pin, which bending, "
+            "tilt and edges exceed: no limit of the contact is judged by them; 'geneva run' and "
+            "'geneva cycle' know more"};
 }
 
 }  // namespace
@@ -39,7 +76,10 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
 Kinematics kinematics(const Case& given, const int steps) {
   return model::naming(given, [&] {
     post::KinematicsReport report = kinematics_report(given, steps);
-    return Kinematics{given, std::move(report), model::notices_of(*given.mechanism, given.units)};
+    std::vector<std::string> notices = model::notices_of(*given.mechanism, given.units);
+    for (const std::string& notice : notices_in_space(*given.mechanism, report))
+      notices.push_back(notice);
+    return Kinematics{given, std::move(report), std::move(notices)};
   });
 }
 

@@ -52,7 +52,7 @@ std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact
   const model::MechanismCase& mechanism = *given.mechanism;
   if (given.allowed.contact_pressure)
     add("peak contact pressure", *given.allowed.contact_pressure, "");
-  const loads::ContactKind line{true, mechanism.slot_friction,
+  const loads::ContactKind line{0., mechanism.slot_friction,
                                 contact.pin_diameter / contact.contact_modulus};
   for (const loads::TouchingBody& body :
        {loads::TouchingBody{"pin", mechanism.pin.poissons_ratio},
@@ -79,12 +79,18 @@ void append_needles(Rows& rows, const Case& given, const PlacedValue& force) {
 }  // namespace
 
 std::vector<LimitRow> motion_limits(const Case& given, const loads::PinContact& contact,
-                                    const loads::Characteristics& values) {
-  Rows rows =
-      pressure_limits(given, contact, {values.pressure.value, values.pressure.driver_angle});
-  const loads::PlacedPeak& wear =
-      given.mechanism->roller ? values.bore_pressure_times_speed : values.pressure_times_slip;
-  append_wear(rows, given, {wear.value, wear.driver_angle});
+                                    const loads::Characteristics& values,
+                                    const std::optional<PlacedValue>& pressure) {
+  Rows rows;
+  if (pressure) rows = pressure_limits(given, contact, *pressure);
+  if (given.mechanism->roller) {
+    const loads::PlacedPeak& wear = values.bore_pressure_times_speed;
+    append_wear(rows, given, {wear.value, wear.driver_angle});
+  } else if (pressure) {
+    const loads::PlacedPeak& wear = values.pressure_times_slip;
+    append_wear(rows, given,
+                {wear.value * pressure->value / values.pressure.value, wear.driver_angle});
+  }
   const loads::PlacedPeak& force =
       values.braking_force.value > values.force.value ? values.braking_force : values.force;
   append_needles(rows, given, {force.value, force.driver_angle});

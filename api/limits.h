@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "api/case.h"
@@ -22,8 +23,10 @@ std::vector<post::LimitRow> pressure_limits(const Case& given, const loads::PinC
                                             const PlacedValue& pressure);
 
 /// Pressure and pressure times slip speed over the cycle by the closed forms, beside their limits.
+/// @param pressure greatest of the cycle; none: no limit of a pressure is judged
 std::vector<post::LimitRow> motion_limits(const Case& given, const loads::PinContact& contact,
-                                          const loads::Characteristics& values);
+                                          const loads::Characteristics& values,
+                                          const std::optional<PlacedValue>& pressure);
 
 /// The same of a cycle by finite elements, and the stresses outside the contact's own field.
 std::vector<post::LimitRow> cycle_limits(const Case& given, const loads::PinContact& contact,

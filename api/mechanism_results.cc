@@ -1,5 +1,6 @@
 #include "api/mechanism_results.h"
 
+#include "api/engagement.h"
 #include "api/mechanism_picture.h"
 #include "api/pin_results.h"
 #include "model/pin_in_space.h"
@@ -80,7 +81,15 @@ std::optional<post::MechanismReport> mechanism_report(
       greatest_force(cycle),
       cycle.pressure,
       state.train.roller ? cycle.bore_pressure_times_speed : cycle.pressure_times_slip};
-  if constexpr (dim == 3) report.pin = pin_report(mechanism, state, solution, results.cells);
+  if constexpr (dim == 3) {
+    report.pin = pin_report(mechanism, state, solution, results.cells);
+    if (const auto line = line_pressures(mechanism, state, cycle)) {
+      const double peak = solution.contacts[post::leading_contact(solution)].peak_pressure;
+      report.cycle_pressure = line->of_cycle;
+      report.cycle_pressure.value *= peak / line->analysed;
+      report.cycle_wear.value *= report.cycle_pressure.value / cycle.pressure.value;
+    }
+  }
   return report;
 }
 

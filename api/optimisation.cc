@@ -11,6 +11,7 @@
 #include "api/output_directory.h"
 #include "api/version.h"
 #include "base/errors.h"
+#include "model/case_header.h"
 
 namespace geneva {
 
@@ -62,7 +63,8 @@ bool wants_slot_bottom(const Case& given) {
          (given.optimisation->goal == Goal::slot_bottom || given.optimisation->largest_slot_bottom);
 }
 
-Optimum optimise(const Case& given, const std::function<double(const Case&)>& slot_bottom) {
+Optimum optimise(const Case& given, const std::function<double(const Case&)>& slot_bottom,
+                 const std::function<void(int)>& tell) {
   if (!given.mechanism)
     model::refuse_model(given, "there is no mechanism", "geneva optimise", "mechanism");
   if (!given.optimisation)
@@ -70,7 +72,7 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
         "the case leaves nothing free: give 'Free' in the subsection 'Optimisation', for example "
         "'set Free = Wheel diameter: 80 mm .. 160 mm'");
   const model::OptimisationCase& wanted = *given.optimisation;
-  OptimumSearch search(given, wants_slot_bottom(given) ? slot_bottom : nullptr);
+  OptimumSearch search(given, wants_slot_bottom(given) ? slot_bottom : nullptr, tell);
   const OptimumSearch::Place best = search.best();
   Optimum optimum{given, given, {}};
   const model::ParameterText text = model::read_parameter_text(given.directory / "case.prm");

@@ -58,11 +58,14 @@ std::vector<OptimumSearch::Place> directions_all_round(const std::size_t n) {
 
 }  // namespace
 
-OptimumSearch::OptimumSearch(const Case& given, std::function<double(const Case&)> slot_bottom)
+OptimumSearch::OptimumSearch(const Case& given, std::function<double(const Case&)> slot_bottom,
+                             std::function<void(int)> tell)
     : wanted_(*given.optimisation),
       directory_(given.directory),
       text_(model::read_parameter_text(given.directory / "case.prm")),
-      slot_bottom_(std::move(slot_bottom)) {
+      slot_bottom_(std::move(slot_bottom)),
+      tell_(std::move(tell)),
+      basis_(pressure_basis(given)) {
   text_.varied_by = "'Free'";
   for (const model::FreeDimension& free : wanted_.free)
     variations_.push_back({free.section, free.name, {}});
@@ -90,12 +93,14 @@ std::string OptimumSearch::text_at(const Place& place, const std::size_t i) cons
 }
 
 Candidate OptimumSearch::candidate(const Case& given) const {
-  Candidate candidate = candidate_of(given);
+  Candidate candidate = candidate_of(given, basis_);
   if (slot_bottom_) candidate.slot_bottom = slot_bottom_(given);
   return candidate;
 }
 
 std::optional<OptimumSearch::Value> OptimumSearch::value(const Place& place) {
+  constexpr int now_and_then = 20;
+  if (tell_ && trials_ % now_and_then == 0) tell_(trials_);
   ++trials_;
   try {
     const Candidate found = candidate(case_at(place));

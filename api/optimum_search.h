@@ -19,7 +19,9 @@ class OptimumSearch {
 
   /// @param given with free dimensions; it must outlive the search
   /// @param slot_bottom tensile stress [Pa] of a case's wheel, or nothing where it has no part
-  OptimumSearch(const Case& given, std::function<double(const Case&)> slot_bottom);
+  /// @param tell called now and then with the number of candidates so far; may be empty
+  OptimumSearch(const Case& given, std::function<double(const Case&)> slot_bottom,
+                std::function<void(int)> tell);
 
   /// The case with these values of its free dimensions.
   [[nodiscard]] Case case_with(const std::vector<std::string>& values) const;
@@ -78,6 +80,8 @@ class OptimumSearch {
   model::ParameterText text_;
   std::vector<model::Variation> variations_;
   std::function<double(const Case&)> slot_bottom_;
+  std::function<void(int)> tell_;
+  PressureBasis basis_;
   std::string refusal_;
   int trials_ = 0;
 };

@@ -30,9 +30,12 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 /// Text in which man(1) sees no markup.
 std::string plain(const std::string& text) {
-  // At the start of a line a point or an apostrophe would begin a request.
-  std::string result = text.find_first_of(".'") == 0 ? "\\&" : "";
+  std::string result;
+  char before = '\n';
   for (const char letter : text) {
+    // At the start of a line a point or an apostrophe would begin a request.
+    if (before == '\n' && (letter == '.' || letter == '\'')) result += "\\&";
+    before = letter;
     if (letter == '\\' || letter == '-') result += '\\';
     result += letter;
   }
@@ -74,37 +77,60 @@ std::string manual_options(const CLI::App& command) {
   return text;
 }
 
-std::string bash_completion(const CLI::App& app) {
+/// Words that an option takes; empty where any text may follow.
+std::string values_of(const std::string& option) {
+  if (option == "--type") return "external internal spherical long-dwell four-bar geometry";
+  if (option == "--units") return "SI mm-N in-lbf";
+  if (option == "--with") return "run estimate kinematics design";
+  return "";
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
   std::vector<std::string> names;
+  for (const CLI::App* command : commands_of(app)) names.push_back(command->get_name());
+  return names;
+}
+
+/// Words that a command's argument is one of; empty where it is a directory.
+std::string arguments_of(const CLI::App& command) {
+  const std::string name = command.get_name();
+  if (name == "completion") return "bash zsh fish";
+  return name == "help" || name == "man" ? joined(names_of_commands(*command.get_parent()), " ")
+                                         : "";
+}
+
+std::string bash_completion(const CLI::App& app) {
+  const std::vector<std::string> names = names_of_commands(app);
   std::string cases;
   for (const CLI::App* command : commands_of(app)) {
-    names.push_back(command->get_name());
     std::vector<std::string> words;
     for (const CLI::Option* option : options_of(*command, false))
       for (const std::string& name : names_of(*option)) words.push_back(name);
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", command->get_name(), joined(words, " "));
+    cases += fmt::format("    {}) options=\"{}\" arguments=\"{}\" ;;\n", command->get_name(),
+                         joined(words, " "), arguments_of(*command));
   }
+  std::string values;
+  for (const char* const option : {"--type", "--units", "--with"})
+    values += fmt::format("    {}) words=\"{}\" ;;\n", option, values_of(option));
   return fmt::format(R"(_geneva() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=
-  local commands="{0}"
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} options= arguments= words=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "$commands --help --version" -- "$current"))
+    COMPREPLY=($(compgen -W "{0} --help --version" -- "$current"))
     return
   fi
   case ${{COMP_WORDS[1]}} in
 {1}  esac
+  words=$arguments
+  [[ $current == -* ]] && words=$options
   case $previous in
-    help | man) words=$commands ;;
-    completion) words="bash zsh fish" ;;
-    --type) words="external internal spherical long-dwell four-bar geometry" ;;
-    --units) words="SI mm-N in-lbf" ;;
-    *) [[ $current == -* ]] || {{ COMPREPLY=($(compgen -d -- "$current")); return; }} ;;
-  esac
-  COMPREPLY=($(compgen -W "$words" -- "$current"))
+{2}  esac
+  # Without words the shell itself completes directories, with blanks and tildes.
+  COMPREPLY=()
+  [ -z "$words" ] || COMPREPLY=($(compgen -W "$words" -- "$current"))
 }}
-complete -o filenames -F _geneva geneva
+complete -o dirnames -F _geneva geneva
 )",
-                     joined(names, " "), cases);
+                     joined(names, " "), cases, values);
 }
 
 /// Text within single quotes of a shell.
@@ -125,6 +151,13 @@ std::string zsh_text(const std::string& text) {
   return result;
 }
 
+/// What follows an option, as _arguments wants it.
+std::string zsh_value(const CLI::Option& option) {
+  if (option.get_expected_max() == 0) return "";
+  const std::string words = values_of(names_of(option).back());
+  return words.empty() ? ":value:_files" : ":value:(" + words + ")";
+}
+
 std::string zsh_completion(const CLI::App& app) {
   std::string commands;
   std::string cases;
@@ -137,8 +170,9 @@ std::string zsh_completion(const CLI::App& app) {
       for (const std::string& name : names_of(*option))
         cases +=
             " " + shell_quoted(fmt::format("{}[{}]{}", name, zsh_text(option->get_description()),
-                                           option->get_expected_max() > 0 ? ":value:_files" : ""));
-    cases += " '*:directory:_files -/' ;;\n";
+                                           zsh_value(*option)));
+    const std::string words = arguments_of(*command);
+    cases += words.empty() ? " '*:directory:_files -/' ;;\n" : " '*:word:(" + words + ")' ;;\n";
   }
   return fmt::format(R"(#compdef geneva
 _geneva() {{
@@ -166,11 +200,16 @@ std::string fish_completion(const CLI::App& app) {
     const std::string seen = shell_quoted("__fish_seen_subcommand_from " + command->get_name());
     text += fmt::format("complete -c geneva -f -n __fish_use_subcommand -a {} -d {}\n",
                         command->get_name(), shell_quoted(command->get_description()));
+    if (const std::string words = arguments_of(*command); !words.empty())
+      text += fmt::format("complete -c geneva -f -n {} -a {}\n", seen, shell_quoted(words));
     for (const CLI::Option* option : options_of(*command, false)) {
       text += "complete -c geneva -n " + seen;
       for (const std::string& name : option->get_snames()) text += " -s " + name;
       for (const std::string& name : option->get_lnames()) text += " -l " + name;
-      text += option->get_expected_max() > 0 ? " -r" : "";
+      if (const std::string words = values_of(names_of(*option).back()); !words.empty())
+        text += " -x -a " + shell_quoted(words);
+      else if (option->get_expected_max() > 0)
+        text += " -r";
       text += " -d " + shell_quoted(option->get_description()) + "\n";
     }
   }
@@ -195,7 +234,9 @@ std::string manual_page(const CLI::App& command) {
                           plain(each->get_description()));
   }
   text += ".SH OPTIONS\n" + manual_options(command);
-  if (is_program) text += ".SH EXAMPLES\n.nf\n" + plain(command.get_footer()) + "\n.fi\n";
+  const std::string footer = command.get_footer();
+  if (is_program)
+    text += ".SH EXAMPLES\n.nf\n" + plain(footer.substr(footer.find('\n') + 1)) + "\n.fi\n";
   text +=
       ".SH EXIT STATUS\n0: done; a safety factor below 1 does not change that (summary.json "
       "tells them). 1: wrong input. 2: a limit of the run was reached before the accuracy that is "

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
+
 #include "api/cycle.h"
 #include "app/solving_command.h"
 
@@ -11,10 +13,15 @@ int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case
                   const std::filesystem::path& output, mesh::Mesher* const mesher) {
   SolvingCommand command(communicator, case_directory, output);
   ProgressDisplay& progress = command.progress();
+  const auto start = std::chrono::steady_clock::now();
   const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
                         const std::size_t of) {
-    progress.line(
-        fmt::format("instant {} of {}: {}", done, of, post::instant_in_words(point.instant)));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const double left =
+        elapsed.count() * static_cast<double>(of - done) / static_cast<double>(done);
+    progress.line(fmt::format("instant {} of {}: {}{}", done, of,
+                              post::instant_in_words(point.instant),
+                              left >= 1. ? fmt::format("; about {:.0f} s left", left) : ""));
   };
   const Cycle found = cycle(command.given(), communicator, mesher, tell);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);

@@ -46,7 +46,9 @@ int init_case(const fs::path& directory, const model::Starter& starter) {
     base::replace_file(directory / file.name, file.text);
     std::cout << shown_path(directory / file.name) << '\n';
   }
-  const std::string place = directory == "." ? "" : " " + directory.string();
+  const std::string name = directory.string();
+  const bool is_plain = name.find_first_of(" \t'\"$`\\&;()<>|*?[]#~!{}") == std::string::npos;
+  const std::string place = name == "." ? "" : is_plain ? " " + name : " \"" + name + "\"";
   std::cout << "solve it with 'geneva run" << place << "'\n";
   return 0;
 }

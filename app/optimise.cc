@@ -29,11 +29,15 @@ int confirmed_optimum(const MPI_Comm communicator, const std::filesystem::path& 
   SolvingCommand command(communicator, case_directory, output);
   ProgressDisplay& progress = command.progress();
   int runs = 0;
-  Optimum optimum = optimise(command.given(), [&](const Case& candidate) {
+  const auto slot_bottom = [&](const Case& candidate) {
     const double stress = slot_bottom_stress(candidate, communicator, mesher);
     progress.phase(fmt::format("{} wheels solved", ++runs));
     return stress;
-  });
+  };
+  const auto tell = [&](const int trials) {
+    if (runs == 0) progress.phase(fmt::format("{} candidates worked out", trials));
+  };
+  Optimum optimum = optimise(command.given(), slot_bottom, tell);
   progress.phase("solving the best one");
   const bool is_accurate = is_confirmed(optimum, communicator, mesher, progress);
   progress.line(table(optimum));

@@ -25,6 +25,7 @@ SolvingCommand::SolvingCommand(const MPI_Comm communicator,
 void SolvingCommand::write(const std::function<Written(const std::filesystem::path&)>& write_into,
                            const std::string& files) {
   Written written;
+  progress_.phase("writing the results");
   model::together(communicator_, [&] {
     if (is_first_) written = write_into(directory_);
   });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -19,6 +20,7 @@
 #include "base/directory_replacement.h"
 #include "base/errors.h"
 #include "base/output_file.h"
+#include "model/case_header.h"
 
 namespace geneva::app {
 
@@ -64,19 +66,32 @@ class Runs {
       : directory_(directory), jobs_(jobs), report_(report) {}
 
   void make(std::vector<SweepCase>& cases) {
+    remove_stale();
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!cases[i].given) continue;
       while (workers_.busy() >= jobs_) workers_.wait();
       report_.points[i].directory = fmt::format("points/{}", i + 1);
-      if (is_done(i, *cases[i].given) && read_figures(i))
-        take(i, stored_code(i));
-      else
+      if (is_done(i, *cases[i].given) && read_figures(i)) {
+        ++kept_;
+        take(i, stored_code(i), ", kept from the last sweep");
+      } else {
         try_to_start(i, *cases[i].given);
+      }
     }
     while (workers_.busy() > 0) workers_.wait();
   }
 
  private:
+  /// Points of an earlier sweep that had more of them.
+  void remove_stale() const {
+    std::error_code error;
+    for (std::size_t i = report_.points.size() + 1;; ++i) {
+      const fs::path left = directory_ / fmt::format("points/{}", i);
+      if (!fs::exists(left / "ended", error)) return;
+      fs::remove_all(left, error);
+    }
+  }
+
   [[nodiscard]] fs::path place(const std::size_t point) const {
     return directory_ / report_.points[point].directory;
   }
@@ -154,7 +169,8 @@ class Runs {
     }
   }
 
-  void take(const std::size_t point, const int code) {
+  /// @param remark to the line that tells it
+  void take(const std::size_t point, const int code, const std::string& remark = "") {
     post::SweepPoint& result = report_.points[point];
     result.exit_code = code;
     result.message.clear();
@@ -165,13 +181,23 @@ class Runs {
     if (code != 0 && result.message.empty())
       result.message = fmt::format("ended with exit code {}", code);
     ++done_;
-    tell(result);
+    tell(result, remark.empty() ? time_left() : remark);
   }
 
-  void tell(const post::SweepPoint& point) const {
-    std::cout << fmt::format("{} of {}: {}{}\n", done_, report_.points.size(),
+  /// From what the points took that were solved so far; empty where that is next to nothing.
+  [[nodiscard]] std::string time_left() const {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    const std::size_t solved = done_ - kept_;
+    const double left = solved == 0 ? 0.
+                                    : elapsed.count() / static_cast<double>(solved) *
+                                          static_cast<double>(report_.points.size() - done_);
+    return left < 1. ? "" : fmt::format("; about {:.0f} s left", left);
+  }
+
+  void tell(const post::SweepPoint& point, const std::string& remark = "") const {
+    std::cout << fmt::format("{} of {}: {}{}{}\n", done_, report_.points.size(),
                              fmt::join(point.values, ", "),
-                             point.message.empty() ? "" : ": " + point.message)
+                             point.message.empty() ? "" : ": " + point.message, remark)
               << std::flush;
   }
 
@@ -180,6 +206,8 @@ class Runs {
   post::SweepReport& report_;
   Workers workers_;
   std::size_t done_ = 0;
+  std::size_t kept_ = 0;  ///< of those, from an earlier sweep
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 void do_at_once(std::vector<SweepCase>& cases, post::SweepReport& report) {

@@ -23,10 +23,15 @@ json quantity(const double value, const Dimension dimension) {
 json finite(const double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 json case_section(const CaseHeader& header) {
-  return {{"name", header.name},       {"title", header.title},
-          {"project", header.project}, {"author", header.author},
-          {"date", header.date},       {"output_units", name_of(header.units)},
-          {"content", header.content}, {"inputs", header.inputs}};
+  return {{"name", header.name},
+          {"title", header.title},
+          {"project", header.project},
+          {"author", header.author},
+          {"date", header.date},
+          {"output_units", name_of(header.units)},
+          {"content", header.content},
+          {"inputs", header.inputs},
+          {"worked_out", header.worked_out}};
 }
 
 json versions_section(const std::string& geneva_version) {

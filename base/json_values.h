@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -27,6 +28,9 @@ struct CaseHeader {
   std::string project = {};
   std::string author = {};
   std::string inputs = {};  ///< the case file with every default filled in
+  /// Values with their units that it leaves to a rule, by parameter with its subsections but the
+  /// model's: "Pin/Root gap".
+  std::map<std::string, std::string> worked_out = {};
 };
 
 /// Section "case" of a document.

@@ -7,6 +7,7 @@
 #include "fem/adaptivity/refinement.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact/result.h"
+#include "fem/contact/surface_strain.h"
 #include "fem/contact/zone.h"
 #include "fem/resultants.h"
 #include "fem/symmetry.h"
@@ -27,7 +28,11 @@ std::vector<ContactResult<dim>> contact_results(const Solution<dim>& solution,
     const auto places = mirrors(solution.mesh, solution.problem, contact);
     for (unsigned int k = 0; k < dim; ++k)
       if (places[k]) std::swap(contact.force[k], contact.lateral_force[k]);
-    if constexpr (dim == 2) count_from_mirrors(contact, places, solution.scales.length);
+    if constexpr (dim == 2) {
+      count_from_mirrors(contact, places, solution.scales.length);
+      const auto strains = surface_strains(level.interfaces[i], found.displacement);
+      for (std::size_t j = 0; j < strains.size(); ++j) contact.nodes[j].strain = strains[j];
+    }
     contacts.push_back(std::move(contact));
   }
   return contacts;

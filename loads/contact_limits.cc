@@ -1,8 +1,10 @@
 #include "loads/contact_limits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "base/errors.h"
 #include "loads/require.h"
@@ -55,6 +57,60 @@ double von_mises(const ContactStress& stress, const double poissons_ratio) {
   return std::sqrt(
       (square(stress.xx - stress.zz) + square(stress.zz - yy) + square(yy - stress.xx)) / 2. +
       3. * square(stress.xz));
+}
+
+/// Least value of a convex function between two places.
+double convex_minimum(const std::function<double(double)>& value, double from, double to) {
+  constexpr int steps = 32;
+  constexpr double golden = 0.6180339887498949;
+  double left = to - golden * (to - from);
+  double right = from + golden * (to - from);
+  double at_left = value(left);
+  double at_right = value(right);
+  for (int i = 0; i < steps; ++i) {
+    if (at_left < at_right) {
+      to = right;
+      right = left;
+      at_right = at_left;
+      left = to - golden * (to - from);
+      at_left = value(left);
+    } else {
+      from = left;
+      left = right;
+      at_left = at_right;
+      right = from + golden * (to - from);
+      at_right = value(right);
+    }
+  }
+  return std::min(at_left, at_right);
+}
+
+/// Greatest von Mises stress of the surface while a line contact of peak pressure 1 passes, with
+/// the residual stresses along x and y that make it least (Melan's theorem).
+double surface_mises_shaken_down(const double poissons_ratio, const double friction) {
+  constexpr int samples = 100;              // over a half-width
+  std::vector<std::array<double, 3>> path;  // xx, zz, xz
+  for (int i = -3 * samples; i <= 3 * samples; ++i) {
+    const ContactStress stress =
+        sliding_stress(unit_contact, friction, static_cast<double>(i) / samples, 0.);
+    path.push_back({stress.xx, stress.zz, stress.xz});
+  }
+  const auto worst = [&](const double residual_x, const double residual_y) {
+    double square = 0.;
+    for (const auto& [xx, zz, xz] : path) {
+      const double x = xx + residual_x;
+      const double y = poissons_ratio * (xx + zz) + residual_y;
+      const double differences = (x - y) * (x - y) + (y - zz) * (y - zz) + (zz - x) * (zz - x);
+      square = std::max(square, differences / 2. + 3. * xz * xz);
+    }
+    return std::sqrt(square);
+  };
+  constexpr double most = 3.;
+  return convex_minimum(
+      [&](const double x) {
+        return convex_minimum([&](const double y) { return worst(x, y); }, -most, most);
+      },
+      -most, most);
 }
 
 /// Of a line contact with peak pressure and half-width 1, at or below a depth.
@@ -134,13 +190,14 @@ ContactLimits line_contact_limits(const double poissons_ratio, const double fric
           [&](const double x, const double z) { return von_mises(stress(x, z), poissons_ratio); },
           0.)
           .value;
-  // At the surface the shear is mu p everywhere.
+  // At the surface the shear is mu p everywhere: other stresses decide there.
   constexpr double below_surface = 0.05;
   const double shear =
       maximum_below([&](const double x, const double z) { return std::abs(stress(x, z).xz); },
                     below_surface)
           .value;
-  return {1. / mises, shear_yield / std::max(shear, friction)};
+  return {1. / mises,
+          std::min(shear_yield / shear, 1. / surface_mises_shaken_down(poissons_ratio, friction))};
 }
 
 double yield_strength_by_hardness(const double hardness) {
@@ -178,6 +235,42 @@ ContactLimits layered_point_limits(const double poissons_ratio, const HardenedLa
           std::max(of_layer.shakedown * std::min(layer.yield_strength, core),
                    layered_limit(of_layer.shakedown * layer.yield_strength, shear_yield * core,
                                  layer.depth, radius_per_pressure, shear_at))};
+}
+
+PrincipalStress axial_stress(const double axis_ratio, const double depth,
+                             const double poissons_ratio) {
+  const double a = 1. / axis_ratio;
+  const double e = std::sqrt(1. - axis_ratio * axis_ratio);
+  const double root = std::sqrt((1. + depth * depth) / (a * a + depth * depth));
+  const double zeta = depth / a;
+  const double angle = std::atan2(a, depth);
+  const double first = std::ellint_1(e, angle);
+  const double second = std::ellint_2(e, angle);
+  const double along = zeta * (first - second);
+  const double across = zeta * (a * a * second - first);
+  const double factor = 2. / (e * e * a);
+  return {
+      factor * (-(1. - root) / 2. + along + poissons_ratio * (1. - a * a * root + across)),
+      factor * (0.5 + 0.5 / root - root * a * a + across + poissons_ratio * (-1. + root + along)),
+      -factor / 2. * (1. - root * root) / root};
+}
+
+ContactLimits ellipse_contact_limits(const double axis_ratio, const double poissons_ratio) {
+  constexpr double nearly_a_circle = 0.999;
+  constexpr double nearly_a_line = 1e-3;
+  if (!(axis_ratio > 0. && axis_ratio <= 1.))
+    throw base::InputError("ratio of an ellipse's axes: from 0 to 1, 0 excluded");
+  if (axis_ratio > nearly_a_circle) return point_contact_limits(poissons_ratio);
+  const ContactLimits line = line_contact_limits(poissons_ratio, 0.);
+  if (axis_ratio < nearly_a_line) return line;
+  const auto mises = [&](const double depth) {
+    const auto [x, y, z] = axial_stress(axis_ratio, depth, poissons_ratio);
+    return std::sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 2.);
+  };
+  constexpr int steps = 400;  // down to twice the half-width
+  double greatest = 0.;
+  for (int i = 0; i <= steps; ++i) greatest = std::max(greatest, mises(2. * i / steps));
+  return {1. / greatest, line.shakedown};
 }
 
 ContactLimits point_contact_limits(const double poissons_ratio) {

@@ -35,9 +35,10 @@ struct HardenedLayer {
 /// @param hardness Vickers or Brinell number [kgf/mm^2]
 double yield_strength_by_hardness(double hardness);
 
-/// Of a line contact in plane strain. Shakedown: k over the greatest shear xz below the surface
-/// (Melan's theorem; K. L. Johnson 1985, 9.1), 4 k without friction, at most k/mu, where the
-/// surface decides (Tresca).
+/// Of a line contact in plane strain. Shakedown, by Melan's theorem (K. L. Johnson 1985, 9.1): k
+/// over the greatest shear xz below the surface, 4 k without friction; at the surface, which
+/// decides with mu > 0.32, the residual stresses along x and y that make the greatest von Mises
+/// stress of a pass least (that by Tresca, k/mu, is up to 8 % above it).
 /// @param poissons_ratio of the body, -1 < nu < 0.5
 /// @param friction coefficient mu of gross sliding, 0 <= mu <= 1
 /// @throws base::InputError outside of these ranges
@@ -58,6 +59,24 @@ ContactLimits layered_line_limits(double poissons_ratio, double friction,
 /// least that of a body with the lesser strength throughout.
 ContactLimits layered_point_limits(double poissons_ratio, const HardenedLayer& layer, double core,
                                    double radius_per_pressure);
+
+/// Stresses on the axis of an elliptical contact over its peak pressure: along the long axis, along
+/// the short one, along the depth (K. L. Johnson 1985, Eq. 3.70).
+struct PrincipalStress {
+  double along;
+  double across;
+  double deep;
+};
+
+/// @param axis_ratio b/a of the ellipse, > 0, < 1
+/// @param depth z/b, >= 0
+PrincipalStress axial_stress(double axis_ratio, double depth, double poissons_ratio);
+
+/// Of an elliptical contact without friction: first yield on its axis; shakedown of a line, 4 k,
+/// which is on the safe side (a circle has 4.68 k).
+/// @param axis_ratio b/a, > 0, <= 1
+/// @throws base::InputError outside of this range
+ContactLimits ellipse_contact_limits(double axis_ratio, double poissons_ratio);
 
 /// Of a circular contact without friction. Shakedown: 4.68 k (A. R. S. Ponter, A. D. Hearle and
 /// K. L. Johnson 1985).

@@ -9,17 +9,26 @@ namespace {
 /// [Pa]
 ContactLimits yield_limits(const double poissons_ratio, const ContactKind& kind,
                            const double yield) {
-  const ContactLimits limits = kind.is_line ? line_contact_limits(poissons_ratio, kind.friction)
-                                            : point_contact_limits(poissons_ratio);
+  const ContactLimits limits = kind.is_line()
+                                   ? line_contact_limits(poissons_ratio, kind.friction)
+                                   : ellipse_contact_limits(kind.axis_ratio, poissons_ratio);
   return {limits.first_yield * yield, limits.shakedown * yield};
 }
 
 /// [Pa]
 ContactLimits layered_limits(const double poissons_ratio, const ContactKind& kind,
                              const HardenedLayer& layer, const double core) {
-  return kind.is_line ? layered_line_limits(poissons_ratio, kind.friction, layer, core,
-                                            kind.width_per_pressure)
-                      : layered_point_limits(poissons_ratio, layer, core, kind.width_per_pressure);
+  return kind.is_line()
+             ? layered_line_limits(poissons_ratio, kind.friction, layer, core,
+                                   kind.width_per_pressure)
+             : layered_point_limits(poissons_ratio, layer, core, kind.width_per_pressure);
+}
+
+/// Whether there are closed forms of its limits.
+bool is_known(const ContactKind& kind, const bool has_layer) {
+  constexpr double most_friction = 1.;
+  if (kind.is_line()) return kind.friction <= most_friction;
+  return kind.friction == 0. && (kind.is_circle() || !has_layer);
 }
 
 }  // namespace
@@ -28,12 +37,11 @@ std::vector<MaterialLimit> material_limits(const TouchingBody& body,
                                            const std::optional<ContactKind>& kind,
                                            const Allowables& allowed) {
   using Kind = MaterialLimit::Kind;
-  constexpr double most_friction = 1.;  // of the closed form
   std::vector<MaterialLimit> found;
   const auto yield = allowed.yield_strengths.find(body.name);
-  if (kind && kind->friction <= most_friction && yield != allowed.yield_strengths.end()) {
-    const auto layer = allowed.layers.find(body.name);
-    const bool has_layer = layer != allowed.layers.end();
+  const auto layer = allowed.layers.find(body.name);
+  const bool has_layer = layer != allowed.layers.end();
+  if (kind && is_known(*kind, has_layer) && yield != allowed.yield_strengths.end()) {
     const ContactLimits limits =
         has_layer ? layered_limits(body.poissons_ratio, *kind, layer->second, yield->second)
                   : yield_limits(body.poissons_ratio, *kind, yield->second);

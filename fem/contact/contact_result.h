@@ -11,6 +11,12 @@
 
 namespace geneva::fem {
 
+/// Along the two surfaces that meet, tension positive.
+struct SurfaceStrain {
+  double source = 0.;
+  double target = 0.;
+};
+
 /// A source node of a contact pair, SI units.
 template <int dim>
 struct ContactNode {
@@ -24,6 +30,7 @@ struct ContactNode {
   NodeStatus status;
   Components<dim> friction{};  ///< traction on the source along the surface [Pa]
   Components<dim> slip{};      ///< of the source against the target along the surface [m]
+  SurfaceStrain strain = {};   ///< in the plane
 };
 
 /// A stretch of the source surface in contact, by its arc lengths [m].

@@ -1,10 +1,8 @@
 #include "model/input/case_file.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <system_error>
 
@@ -297,17 +295,6 @@ Case case_of(const ParameterText& text, const fs::path& directory) {
 std::string name_of(const Case& given) {
   const fs::path path = (fs::absolute(given.directory) / "").lexically_normal();
   return path.parent_path().filename().string();
-}
-
-base::CaseHeader header_of(const Case& given) {
-  return {name_of(given),
-          given.title,
-          fmt::format("{:%Y-%m-%dT%H:%M:%S%z}", fmt::localtime(std::time(nullptr))),
-          given.units,
-          given.content,
-          given.project,
-          given.author,
-          given.completed};
 }
 
 void refuse_model(const Case& given, const std::string& reason, const std::string& command,

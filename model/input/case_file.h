@@ -177,9 +177,6 @@ Case case_of(const ParameterText& text, const std::filesystem::path& directory);
 /// Name of the case: that of its directory, also where the user says ".".
 std::string name_of(const Case& given);
 
-/// What the documents of a case say that they are about, made now.
-base::CaseHeader header_of(const Case& given);
-
 /// Refuses a case for a command that is for other models.
 /// @param reason what is missing there: "there is no wheel to design"
 /// @param command for example "geneva design"

@@ -83,6 +83,14 @@ void add_file(std::vector<KnownMaterial>& materials, const fs::path& file) {
   if (!file.empty() && fs::exists(file, error)) add_materials(materials, read_parameter_text(file));
 }
 
+/// Without what people write in one way or the other: "PA66" is "PA 66".
+std::string plain(const std::string& name) {
+  std::string text;
+  for (const char letter : lower_case(name))
+    if (letter != ' ' && letter != '-') text += letter;
+  return text;
+}
+
 }  // namespace
 
 std::vector<KnownMaterial> known_materials(const fs::path& case_directory) {
@@ -100,11 +108,15 @@ const KnownMaterial& material_named(const std::vector<KnownMaterial>& materials,
   for (const KnownMaterial& material : materials) {
     if (lower_case(material.name) == lower_case(name)) return material;
     names.push_back(material.name);
-    const std::string all_names = lower_case(material.name + ", " + material.also_called);
-    if (all_names.find(lower_case(name)) != std::string::npos) containing.push_back(material.name);
+    if (plain(material.name + ", " + material.also_called).find(plain(name)) != std::string::npos)
+      containing.push_back(material.name);
   }
   const auto nearest = nearest_word(name, names);
-  if (!containing.empty() && !name.empty())
+  const bool is_part = !plain(name).empty();
+  if (containing.size() == 1 && is_part)
+    throw base::InputError(fmt::format("no such material is known: did you mean {}?",
+                                       base::in_quotes(containing.front())));
+  if (!containing.empty() && is_part)
     throw base::InputError(fmt::format("one of {} is wanted", listed(containing)));
   throw base::InputError(
       fmt::format("no such material is known{}; 'geneva materials' lists them",

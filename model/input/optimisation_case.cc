@@ -26,14 +26,15 @@ FreeDimension read_free(const CaseSection& section, const std::string& text) {
   const std::string wanted =
       "'NAME: LEAST .. GREATEST' is wanted, for example 'Wheel diameter: 80 mm .. 160 mm'";
   const std::size_t colon = text.find(':');
-  if (colon == std::string::npos)
+  if (colon == std::string::npos || text.find("..", colon) == std::string::npos)
     section.refuse("Free", fmt::format("{}: {}", base::in_quotes(trimmed(text)), wanted));
   Variation range;
   try {
     range = read_variation("Mechanism/" + trimmed(text.substr(0, colon)) + " = " +
                            text.substr(colon + 1) + ", 2");
-  } catch (const base::InputError&) {
-    section.refuse("Free", fmt::format("{}: {}", base::in_quotes(trimmed(text)), wanted));
+  } catch (const base::InputError& error) {
+    section.refuse("Free",
+                   fmt::format("{}: {}; {}", base::in_quotes(trimmed(text)), wanted, error.what()));
   }
   FreeDimension free{range.section, range.name, 0., 0., ""};
   const auto number = [&](const std::string& value) {

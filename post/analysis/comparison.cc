@@ -277,6 +277,24 @@ std::string error_lines(const fem::Solution<dim>& solution, const RunReport& rep
          (is_edge ? report.stop_message + "\n" : std::string());
 }
 
+/// Tension of the surface at the end of the contact from which friction pulls: 2 mu p0 where like
+/// bodies slide (Smith and Liu 1953).
+template <int dim>
+std::vector<ComparisonRow> surface_rows([[maybe_unused]] const ContactAnalysis<dim>& analysis,
+                                        [[maybe_unused]] const Figures& errors) {
+  if constexpr (dim == 2) {
+    if (!analysis.surface) return {};
+    const auto& form = analysis.hertz;
+    const bool slides = form && form->line && form->friction != 0.;
+    const std::optional<double> closed =
+        slides ? std::optional(2. * std::abs(form->friction) * form->peak_pressure())
+               : std::nullopt;
+    return {row_of("surface tension", Dimension::stress, analysis.surface->tension, closed,
+                   value_of(errors, Figure::surface_tension))};
+  }
+  return {};
+}
+
 /// Of the contact with the maximum pressure, and of the pin.
 template <int dim>
 std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
@@ -296,6 +314,7 @@ std::vector<ComparisonRow> rows_of_contact(const fem::Solution<dim>& solution,
         "friction force", Dimension::force, parts * friction->force,
         mechanism ? std::optional(friction->coefficient * mechanism->load.force) : std::nullopt,
         value_of(errors, Figure::force)));
+  append(rows, surface_rows(analysis, errors));
   const auto mindlin = partial_slip(solution, leading, analysis);
   if (const auto friction = friction_figures(solution, contact, mechanism);
       friction && friction->sticking_share)

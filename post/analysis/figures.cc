@@ -75,6 +75,8 @@ Evaluation evaluation(const Figure figure, const ContactCells& cells, const int 
       return {!cells.is_elliptic ? 2. : cells.is_axisymmetric ? 1.6 : 0.15, 0., true};
     case Figure::mid_length_pressure:
       return {0., 0.2, true};
+    case Figure::surface_tension:
+      return {1.5, 0., true};
     default:
       return {0., 0., false};
   }
@@ -198,10 +200,12 @@ std::optional<double> value_of(const Figures& figures, const Figure figure) {
 }
 
 Figures figures(const fem::ContactResult<2>& contact, const ContactAnalysis<2>& analysis) {
-  return {{Figure::force, fem::magnitude(contact.force)},
-          {Figure::half_width, contact.half_width},
-          {Figure::max_shear, analysis.max_shear.value},
-          {Figure::max_shear_depth, analysis.max_shear_depth}};
+  Figures all{{Figure::force, fem::magnitude(contact.force)},
+              {Figure::half_width, contact.half_width},
+              {Figure::max_shear, analysis.max_shear.value},
+              {Figure::max_shear_depth, analysis.max_shear_depth}};
+  if (analysis.surface) all[Figure::surface_tension] = analysis.surface->tension;
+  return all;
 }
 
 Figures figures(const fem::ContactResult<3>& contact, const ContactAnalysis<3>& analysis) {

@@ -15,6 +15,7 @@ enum class Figure {
   half_length,          ///< in 3-D
   max_shear,            ///< maximum shear below the contact
   max_shear_depth,      ///< its depth
+  surface_tension,      ///< in the plane, with friction
   mid_length_pressure,  ///< in 3-D, as all below: maximum pressure of the middle section
   mid_length_shear,     ///< maximum shear below the middle section
   mid_length_shear_depth,

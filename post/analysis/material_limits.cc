@@ -10,15 +10,22 @@ namespace geneva::post {
 
 namespace {
 
-/// Whether a contact is a line or a circle, by Hertz; nothing of others.
-std::optional<bool> is_line_contact(const ContactAnalysis<2>& analysis) {
+/// b/a of a contact: 0 of a line, 1 of a circle; nothing where Hertz does not apply.
+std::optional<double> axis_ratio(const ContactAnalysis<2>& analysis) {
   if (!analysis.hertz) return std::nullopt;
-  return analysis.hertz->line.has_value();
+  return analysis.hertz->line ? 0. : 1.;
 }
-std::optional<bool> is_line_contact(const ContactAnalysis<3>& analysis) {
-  if (!analysis.hertz || (!analysis.hertz->line && !analysis.hertz->is_circle()))
-    return std::nullopt;
-  return analysis.hertz->line.has_value();
+
+/// An ellipse that is so long is a line to its materials.
+constexpr double ratio_of_lines = 0.02;
+
+std::optional<double> axis_ratio(const ContactAnalysis<3>& analysis) {
+  if (!analysis.hertz) return std::nullopt;
+  if (analysis.hertz->line) return 0.;
+  if (analysis.hertz->is_circle()) return 1.;
+  const loads::HertzEllipse& ellipse = *analysis.hertz->ellipse;
+  const double ratio = ellipse.semi_axis_short / ellipse.semi_axis_long;
+  return ratio < ratio_of_lines ? 0. : ratio;
 }
 
 /// How deep below a contact a place is; nothing of one that is further beside it than it is wide.
@@ -48,8 +55,8 @@ std::vector<loads::MaterialLimit> material_limits(const fem::Solution<dim>& solu
                                                   const loads::Allowables& allowed,
                                                   const double friction) {
   std::optional<loads::ContactKind> kind;
-  if (const std::optional<bool> is_line = is_line_contact(analysis))
-    kind = loads::ContactKind{*is_line, friction,
+  if (const std::optional<double> ratio = axis_ratio(analysis))
+    kind = loads::ContactKind{*ratio, friction,
                               analysis.hertz->half_width() / analysis.hertz->peak_pressure()};
   std::vector<loads::MaterialLimit> found;
   for (const unsigned int touched : std::set<unsigned int>{body_of(solution, contact.source),

@@ -83,18 +83,29 @@ double distance_from(const fem::ContactResult<2>& contact, const Point<2>& place
   return nearest;
 }
 
-/// Sets the maximum shear below the contact and its depth.
+/// Sets the maximum shear below the contact, or with much friction at its surface, and its depth.
 void set_shear(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
                const std::vector<CellStress<2>>& cells, ContactAnalysis<2>& analysis) {
   const ShearZone zone = contact.has_one_curvature
                              ? ShearZone{analysis.centre.place, contact.half_width}
                              : zone_of_top(contact);
   const double half_width = std::max(zone.half_width, 1e-12 * solution.scales.length);
-  analysis.max_shear = peak_shear(solution, cells, zone.centre, 3. * half_width);
-  const Point<2> place(analysis.max_shear.place[0], analysis.max_shear.place[1]);
-  analysis.max_shear_depth =
-      contact.has_one_curvature ? std::abs((place - analysis.centre.place) * analysis.centre.normal)
-                                : distance_from(contact, place);
+  const auto depth = [&] {
+    const Point<2> place(analysis.max_shear.place[0], analysis.max_shear.place[1]);
+    return contact.has_one_curvature
+               ? std::abs((place - analysis.centre.place) * analysis.centre.normal)
+               : distance_from(contact, place);
+  };
+  const auto find_top = [&](const double radius) {
+    analysis.max_shear = peak_shear(solution, cells, zone.centre, 3. * half_width, radius);
+  };
+  find_top(0.45 * half_width);
+  // Friction brings the top near the surface, where the field changes over shorter ways.
+  constexpr double of_depth = 0.5;
+  if (analysis.surface && of_depth * depth() < 0.45 * half_width) find_top(of_depth * depth());
+  if (analysis.surface && analysis.surface->shear > analysis.max_shear.value)
+    analysis.max_shear = {analysis.surface->shear, analysis.surface->shear_place};
+  analysis.max_shear_depth = depth();
 }
 
 /// What is drawn and compared beside the figures.
@@ -116,6 +127,7 @@ ContactAnalysis<2> contact_analysis(const fem::Solution<2>& solution,
   analysis.centre = pressure_centre(solution, contact);
   analysis.hertz_objection = hertz_objection(solution, contact, contact.half_width);
   if (analysis.hertz_objection.empty()) analysis.hertz = closed_form(solution, contact);
+  analysis.surface = surface_extremes(solution, contact);
   set_shear(solution, contact, cells, analysis);
   return analysis;
 }

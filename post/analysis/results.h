@@ -11,6 +11,7 @@
 #include "post/analysis/depth_line.h"
 #include "post/analysis/field_difference.h"
 #include "post/analysis/stress.h"
+#include "post/analysis/surface_stress.h"
 
 namespace geneva::post {
 
@@ -33,6 +34,7 @@ struct ContactAnalysis<2> {
   std::string hertz_objection;                ///< why it is left out
   StressPeak<2> max_shear;                    ///< maximum in-plane shear [Pa] below the contact
   double max_shear_depth;                     ///< [m]
+  std::optional<SurfaceExtremes> surface;     ///< with friction
   std::optional<FieldDifference> difference;  ///< of analyse() only
   std::vector<DepthSample> depth_line;        ///< the same
 };

@@ -55,7 +55,9 @@ struct MechanismReport {
   std::optional<NeedleReport> needle;  ///< of a roller on needles, at the analysed angle
   double slot_friction;                ///< coefficient, of a pin fixed to its carrier
   loads::PlacedPeak cycle_force;       ///< maximum pin force of the cycle [N]
-  loads::PlacedPeak cycle_pressure;    ///< maximum Hertz pressure of the cycle [Pa]
+  /// Maximum pressure of the cycle: Hertz's, in 3-D the computed one as line contacts scale it
+  /// where they know it [Pa]
+  loads::PlacedPeak cycle_pressure;
   loads::PlacedPeak cycle_wear;  ///< maximum pressure times sliding speed of the cycle: Hertz's on
                                  ///< the wall, or a roller's mean pressure in its bore [Pa m/s]
 };

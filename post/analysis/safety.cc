@@ -38,6 +38,16 @@ CycleValue scaled(const double stress, const MechanismReport& mechanism, const d
   return {stress * std::pow(force.value / mechanism.load.force, power), force.driver_angle};
 }
 
+/// A stress over the cycle as the contact pressure goes: in 3-D not with the root of the force.
+template <int dim>
+CycleValue with_pressure(const double stress, const fem::Solution<dim>& solution,
+                         const MechanismReport& mechanism) {
+  if (!mechanism.pin) return scaled(stress, mechanism, 0.5);
+  const double pressure = solution.contacts[leading_contact(solution)].peak_pressure;
+  return {stress * mechanism.cycle_pressure.value / pressure,
+          mechanism.cycle_pressure.driver_angle};
+}
+
 /// Of a pin of which only its section is modelled: of the greatest stress at its root, by beam
 /// theory. Bending is greatest where shear is zero, and the other way round.
 std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
@@ -96,13 +106,16 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
   const bool has_contact = fem::has_contact(solution.problem);
   const std::string where = has_contact ? " away from the contact" : "";
   const auto& mechanism = report.mechanism;
+  /// @param power of the pin force with which it goes over the cycle
   const auto add = [&](const std::string& quantity, const double stress, const bool is_finite,
                        const double limit, const double power, const std::string& meaning) {
-    rows.push_back(
-        {quantity, Dimension::stress, is_finite ? std::optional(stress) : std::nullopt, limit,
-         mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt,
-         mechanism && is_finite ? std::optional(scaled(stress, *mechanism, power)) : std::nullopt,
-         meaning});
+    std::optional<CycleValue> cycle;
+    if (mechanism && is_finite)
+      cycle = power == 1. ? scaled(stress, *mechanism, power)
+                          : with_pressure(stress, solution, *mechanism);
+    rows.push_back({quantity, Dimension::stress, is_finite ? std::optional(stress) : std::nullopt,
+                    limit, mechanism ? std::optional(mechanism->load.driver_angle) : std::nullopt,
+                    cycle, meaning});
   };
   const auto& yields = report.allowed.yield_strengths;
   if (const auto yield = yields.find(name); yield != yields.end()) {

@@ -159,7 +159,7 @@ StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalSt
 
 StressPeak<2> peak_shear(const fem::Solution<2>& solution,
                          const std::vector<CellStress<2>>& stresses, const Point<2>& around,
-                         const double distance) {
+                         const double distance, const double radius) {
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   StressPeak<2> local;
   int body = 0;
@@ -172,7 +172,6 @@ StressPeak<2> peak_shear(const fem::Solution<2>& solution,
   const StressPeak<2> peak = maximum(communicator, local);
   const bool is_here = local.value == peak.value && local.place == peak.place;
   body = dealii::Utilities::MPI::max(is_here ? body : -1, communicator);
-  const double radius = 0.15 * distance;
   const auto samples =
       samples_around(Point<2>(peak.place[0], peak.place[1]), radius, body, stresses,
                      solution.problem.plane == fem::PlaneKind::axisymmetric);

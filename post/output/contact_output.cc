@@ -8,6 +8,7 @@
 
 #include "base/output_file.h"
 #include "post/analysis/partial_slip_form.h"
+#include "post/analysis/surface_stress.h"
 #include "post/output/result_files.h"
 
 namespace geneva::post {
@@ -67,13 +68,29 @@ ContactColumn mindlin_column(const fem::ContactResult<dim>& contact,
   return column;
 }
 
-/// @param mindlin closed form of the friction, if there is one
-/// @param has_friction whether any pair has
+/// Stress along both surfaces, of plane strain and plane stress.
+void add_surface_columns(const fem::Solution<2>& solution, const fem::ContactResult<2>& contact,
+                         const UnitSystem units, std::vector<ContactColumn>& columns) {
+  const OutputUnit stress = output_unit(units, Dimension::stress);
+  const std::vector<SurfaceStress> stresses = surface_stresses(solution, contact);
+  if (stresses.empty()) return;
+  ContactColumn source{"surface_stress_source", stress.name, {}};
+  ContactColumn target{"surface_stress_target", stress.name, {}};
+  for (const SurfaceStress& at : stresses) {
+    source.values.push_back(at.source * stress.factor);
+    target.values.push_back(at.target * stress.factor);
+  }
+  columns.insert(columns.end(), {source, target});
+}
+
+/// Of one pair of a solution.
 template <int dim>
-std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contact,
-                                           const ContactAnalysis<dim>& analysis,
-                                           const std::optional<PartialSlipForm<dim>>& mindlin,
-                                           const bool has_friction, const UnitSystem units) {
+std::vector<ContactColumn> contact_columns(const fem::Solution<dim>& solution,
+                                           const Results<dim>& results, const std::size_t pair,
+                                           const UnitSystem units) {
+  const fem::ContactResult<dim>& contact = solution.contacts[pair];
+  const ContactAnalysis<dim>& analysis = results.contacts[pair];
+  const bool has_friction = fem::has_friction(solution.problem);
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
   std::vector<ContactColumn> columns;
@@ -93,8 +110,11 @@ std::vector<ContactColumn> contact_columns(const fem::ContactResult<dim>& contac
                            hertz_pressure(analysis, node) * stress.factor});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
-  if (has_friction) add_friction_columns(contact, units, columns);
-  if (has_friction) columns.push_back(mindlin_column(contact, analysis, mindlin, units));
+  if (!has_friction) return columns;
+  add_friction_columns(contact, units, columns);
+  columns.push_back(
+      mindlin_column(contact, analysis, partial_slip(solution, pair, analysis), units));
+  if constexpr (dim == 2) add_surface_columns(solution, contact, units, columns);
   return columns;
 }
 
@@ -241,9 +261,7 @@ void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& r
   std::vector<ContactColumn> all;
   std::size_t n_points = 0;
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
-    const auto columns = contact_columns(solution.contacts[pair], results.contacts[pair],
-                                         partial_slip(solution, pair, results.contacts[pair]),
-                                         fem::has_friction(solution.problem), units);
+    const auto columns = contact_columns(solution, results, pair, units);
     if (all.empty()) all.assign(columns.begin(), columns.end());
     if (pair > 0)
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -295,11 +313,7 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
                    const fs::path& directory) {
   write_csv(
       solution,
-      [&](const std::size_t pair) {
-        return contact_columns(solution.contacts[pair], results.contacts[pair],
-                               partial_slip(solution, pair, results.contacts[pair]),
-                               fem::has_friction(solution.problem), units);
-      },
+      [&](const std::size_t pair) { return contact_columns(solution, results, pair, units); },
       own_file(directory, "contact.csv"));
   write_contact_vtu(solution, results, units, own_file(directory, "contact.vtu"));
   if (!solution.problem.steps.empty())

@@ -109,6 +109,7 @@ json design_summary(const DesignReport& report) {
   result["motion"] = motion_section(report);
   result["geometry"] = geometry_section(report);
   result["wheel"] = wheel_section(report.own, "");
+  result["wheel"]["has_johnsons_inertia"] = report.has_johnsons_inertia;
   if (report.pressure_ratio) result["wheel"]["peak_pressure_ratio"] = *report.pressure_ratio;
   if (report.shaft) result["shaft"] = shaft_section(*report.shaft);
   if (!report.strength.empty()) result["strength"] = strength_section(report.strength);

@@ -45,6 +45,7 @@ struct DesignReport {
   std::optional<loads::DesignedWheel> johnson;  ///< optimum with Table 1; none beyond 10 stations
   loads::DrawnOptimum drawn;                    ///< optimum with the case's own proportions
   loads::DesignedWheel own;                     ///< the wheel that the case describes
+  bool has_johnsons_inertia;                    ///< own, by his k5; else as drawn or given
   std::optional<double> pressure_ratio;         ///< own peak pressure over that of johnson
   std::optional<ShaftReport> shaft;
   std::vector<loads::DesignPoint> curve;

@@ -64,6 +64,10 @@ json optimum_summary(const OptimumReport& report) {
           {"trials", report.trials}};
 }
 
+bool OptimumFigure::is_exceeded() const {
+  return limit && confirmed && *confirmed > *limit * (1. + error.value_or(0.));
+}
+
 std::string optimum_csv(const OptimumReport& report, const UnitSystem units) {
   std::string text = "quantity,unit,before,after,limit,finite elements\n";
   for (const OptimumFigure& figure : report.figures) {
@@ -95,6 +99,10 @@ std::string optimum_table(const OptimumReport& report, const UnitSystem units) {
         cell(figure.before, unit.factor), cell(figure.after, unit.factor),
         cell(figure.limit, unit.factor), cell(figure.confirmed, unit.factor) + error);
   }
+  for (const OptimumFigure& figure : report.figures)
+    if (figure.is_exceeded())
+      text += fmt::format("EXCEEDED by finite elements: {}; ask for {:.2g} % less\n",
+                          figure.quantity, 100. * (1. - *figure.limit / *figure.confirmed));
   const std::vector<std::string> binds = binding(report);
   text += binds.empty() ? "\nnothing binds: it is a minimum within all bounds and limits\n"
                         : fmt::format("\nwhat binds: {}\n", fmt::join(binds, ", "));

@@ -30,6 +30,9 @@ struct OptimumFigure {
   std::optional<double> confirmed;  ///< of `after`, by finite elements
   std::optional<double> error;      ///< of that, relative
   std::string place;                ///< of `after`, where it has one
+
+  /// Whether finite elements find the limit of a greatest value exceeded, beyond their error.
+  [[nodiscard]] bool is_exceeded() const;
 };
 
 /// The best dimensions that were found.

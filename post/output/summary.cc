@@ -114,6 +114,14 @@ json friction_section(const FrictionFigures& friction, const double parts) {
   return section;
 }
 
+/// Greatest stresses along the surfaces in contact.
+void add_surface(json& section, const ContactAnalysis<2>& analysis, const Figures& errors) {
+  if (!analysis.surface) return;
+  section["surface_tension"] = quantity(analysis.surface->tension, "Pa");
+  section["surface_tension_error"] = error_value(errors, Figure::surface_tension);
+  section["surface_compression"] = quantity(analysis.surface->compression, "Pa");
+}
+
 template <int dim>
 json common_contact_section(const fem::Solution<dim>& solution,
                             const fem::ContactResult<dim>& contact, const Figures& errors,
@@ -451,6 +459,8 @@ void add_contacts(json& result, const fem::Solution<dim>& solution, const Result
                                     report.errors.contacts[i], parts));
     if (const auto friction = friction_figures(solution, solution.contacts[i], report.mechanism)) {
       pairs.back()["friction"] = friction_section(*friction, parts);
+      if constexpr (dim == 2)
+        add_surface(pairs.back()["friction"], results.contacts[i], report.errors.contacts[i]);
       if (i == leading) result["contact"]["friction"] = pairs.back()["friction"];
     }
     if (results.contacts[i].hertz)

@@ -130,6 +130,17 @@ std::vector<std::string> told_quantities(const SweepReport& report) {
   return told;
 }
 
+/// The limit that a point's least safety factor is for; empty where there is none.
+std::string nearest_limit(const SweepPoint& point) {
+  const std::string begin = "safety factor: ";
+  const SweepFigure* nearest = nullptr;
+  for (const SweepFigure& figure : point.figures)
+    if (figure.quantity.rfind(begin, 0) == 0 && figure.value &&
+        (nearest == nullptr || *figure.value < *nearest->value))
+      nearest = &figure;
+  return nearest == nullptr ? "" : nearest->quantity.substr(begin.size());
+}
+
 /// Exit code, message and figures of a point, separated by commas.
 std::string point_fields(const SweepReport& report, const SweepPoint& point,
                          const UnitSystem units) {
@@ -224,6 +235,9 @@ std::string sweep_table(const SweepReport& report, const UnitSystem units) {
                                    ? fmt::format("{:.5g}", *figure->value * unit.factor)
                                    : "-");
     }
+    if (quantity != "least safety factor") continue;
+    columns.push_back({"of"});
+    for (const SweepPoint& point : report.points) columns.back().push_back(nearest_limit(point));
   }
   std::string text;
   for (std::size_t row = 0; row <= report.points.size(); ++row) {

@@ -71,20 +71,20 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
   const bool is_cycle = results.document("cycle") != nullptr;
   if (is_run) append(verdict_part(results));
   if (!is_run && !is_cycle) append(closed_verdict_part(results));
-  if (is_run) append({inputs_section(results.case_text(), ""), {}});
-  if (is_run) append(checks_part(results));
+  if (is_run) append({inputs_section(results, ""), {}});
   if (results.document("design") != nullptr) append(design_part(results));
   if (results.document("crown") != nullptr) append(crown_part(results));
   if (results.document("optimum") != nullptr) append(optimum_part(results));
   if (is_cycle) append(cycle_part(results, played));
   if (results.document("sweep") != nullptr) append(sweep_part(results));
-  if (!is_run) append({inputs_section(results.case_text(), what_is_varied(results)), {}});
+  if (!is_run) append({inputs_section(results, what_is_varied(results)), {}});
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
   if (is_run) {
     append(contact_part(results));
     append({field, {}});
     append(convergence_part(results));
+    append(checks_part(results));
   }
   if (results.document("estimate") != nullptr) append(estimate_part(results));
   if (results.document("kinematics") != nullptr) append(kinematics_part(results));

@@ -196,6 +196,7 @@ class FirstSteps(CliTest):
         for command in ("", *COMMANDS):
             page = self.prints("man", *([command] if command else []))
             self.assertTrue(page.startswith(".TH GENEVA"))
+            self.assertFalse([line for line in page.splitlines() if line.startswith("'")], "a line of no macro")
             for section in ("NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS"):
                 self.assertIn(f".SH {section}\n", page)
         self.assertIn("\\fB\\-o, \\-\\-output\\fR \\fIDIR\\fR", self.prints("man", "run"))
@@ -222,10 +223,15 @@ class FirstSteps(CliTest):
 
         self.assertEqual(completed("geneva", "kin"), ["kinematics"])
         self.assertEqual(completed("geneva", "run", "--con"), ["--continue"])
-        self.assertEqual(completed("geneva", "run", "my"), ["my-wheel"])
+        self.assertEqual(completed("geneva", "run", "my"), [], "directories are left to the shell")
+        self.assertIn("complete -o dirnames", script.read_text())
+        self.assertEqual(completed("geneva", "sweep", "--with", "k"), ["kinematics"])
+        self.assertEqual(completed("geneva", "help", "opt"), ["optimise"])
         self.assertEqual(completed("geneva", "init", "--type", "long"), ["long-dwell"])
         self.assertTrue(self.prints("completion", "zsh").startswith("#compdef geneva"))
+        self.assertIn(":value:(external internal spherical", self.prints("completion", "zsh"))
         self.assertIn("-l output -r", self.prints("completion", "fish"))
+        self.assertIn("-x -a 'run estimate kinematics design'", self.prints("completion", "fish"))
         self.assertIn("bash", self.refuses("completion", "tcsh"))
 
 

@@ -78,12 +78,26 @@ class Friction(CliTest):
                 self.assert_close(look_up(summary, "equilibrium.expected_bore_torque.value"), load, 1e-9, "J a + M_f")
 
     def test_the_field_is_that_of_smith_and_liu(self):
+        """With half-widths of a thousandth of the pin's radius: a finite pin adds some 2.6 b/R p0 to the stress along its surface."""
         for friction in (0.1, 0.3, 0.5):
-            summary = self.solved(friction, "field", accuracy="0.3 %")
+            summary = self.solved(friction, "field", accuracy="0.03 %", changes={
+                "Mechanism/Driver speed": "50 rpm", "Mechanism/Load inertia": "0.0001 kg.m^2", "Mechanism/Friction moment": "0.02 N.m"})
             self.assert_close(look_up(summary, "contact.peak_pressure.value"), look_up(summary, "hertz.peak_pressure.value"),
                               0.005, "similar bodies keep Hertz's pressure")
             for side in ("source", "target"):
                 self.assertLess(look_up(summary, f"contact.stress_difference_{side}"), 0.02, (friction, side))
+            peak = look_up(summary, "hertz.peak_pressure.value")
+            self.assert_close(look_up(summary, "contact.friction.surface_tension.value"), 2 * friction * peak, 0.02,
+                              f"behind the pin, mu = {friction}")
+            self.assert_close(look_up(summary, "contact.friction.surface_compression.value"),
+                              peak * math.sqrt(1 + 4 * friction**2), 0.02, f"below the pin, mu = {friction}")
+            rows = {row["quantity"]: row for row in summary["comparison"]}
+            self.assert_close(number(rows["maximum shear"]["computed"]), number(rows["maximum shear"]["closed_form"]), 0.02,
+                              f"maximum shear, mu = {friction}")
+            if friction == 0.5:
+                self.assertLess(number(rows["its depth"]["computed"]), 0.05 * look_up(summary, "contact.half_width.value"))
+            else:
+                self.assert_close(number(rows["its depth"]["computed"]), number(rows["its depth"]["closed_form"]), 0.1, "its depth")
 
     def test_little_friction_is_a_small_change(self):
         without = self.solved(0)

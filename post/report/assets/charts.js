@@ -16,7 +16,8 @@
     const bases = [...new Set(series.map((one) => baseName(one.name)))];
     const paired = bases.length < series.length;
     return series.map((one, index) => {
-      const colour = colours[(paired ? bases.indexOf(baseName(one.name)) : index) % colours.length];
+      const number = paired ? bases.indexOf(baseName(one.name)) : index;
+      const colour = colours[number % colours.length];
       const markers = one.style === "markers";
       return {
         label: one.name,
@@ -26,7 +27,7 @@
         backgroundColor: markers ? "transparent" : colour,
         pointStyle: markers ? "circle" : "rectRot",
         borderWidth: one.style === "wide" ? 6 : 2,
-        borderDash: one.style === "dashed" ? [6, 4] : [],
+        borderDash: one.style === "dashed" ? [6, 4] : number >= colours.length ? [2, 3] : [],
         pointRadius: markers ? 3 : one.style !== "wide" && one.points.length < 20 ? 3 : 0,
         pointHitRadius: 6,
       };
@@ -62,10 +63,21 @@
     }));
   }
 
+  // An axis is no longer than the chart is high.
+  function inLines(label) {
+    const most = 38;
+    const lines = [""];
+    for (const word of label.split(" ")) {
+      if (lines[lines.length - 1].length + word.length > most) lines.push("");
+      lines[lines.length - 1] += (lines[lines.length - 1] === "" ? "" : " ") + word;
+    }
+    return lines.length > 1 ? lines : label;
+  }
+
   function axis(specification, values) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
-      title: { display: true, text: specification.label, color: ink() },
+      title: { display: true, text: inLines(specification.label), color: ink() },
       ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12, callback: (value) => genevaNumber(value, 6) },
       grid: { color: rule() },
     };

@@ -219,13 +219,13 @@
   outlines.geometry.setIndex(new THREE.BufferAttribute(decoded(view.outlines, Uint32Array), 1));
   outlines.frustumCulled = false;
   scene.add(outlines);
-  // The numbered places of the maximum stresses, always in front and of the same size.
-  function markOf({ place }, i) {
+  // A sign at a place of the model, always in front and of the same size; it goes along with the deformation.
+  function markOf(place, displacement, text, shade) {
     const canvas = Object.assign(document.createElement("canvas"), { width: 64, height: 64 });
     const pen = canvas.getContext("2d");
     pen.beginPath();
     pen.arc(32, 32, 26, 0, 2 * Math.PI);
-    pen.fillStyle = "rgba(255, 255, 255, 0.85)";
+    pen.fillStyle = shade;
     pen.fill();
     pen.lineWidth = 5;
     pen.strokeStyle = pen.fillStyle = "#1b2126";
@@ -233,14 +233,26 @@
     pen.font = "bold 34px sans-serif";
     pen.textAlign = "center";
     pen.textBaseline = "middle";
-    pen.fillText(String(i + 1), 32, 34);
+    pen.fillText(text, 32, 34);
     const mark = new THREE.Sprite(new THREE.SpriteMaterial({ map: new THREE.CanvasTexture(canvas), depthTest: false }));
-    mark.position.fromArray(place);
+    mark.userData = { place: place, displacement: displacement };
     mark.renderOrder = 1;
+    scene.add(mark);
     return mark;
   }
-  const marks = view.marks.map(markOf);
-  for (const mark of marks) scene.add(mark);
+  function nearestDisplacement(place) {
+    const { points, displacements } = meshes.model;
+    let nearest = 0;
+    let least = Infinity;
+    for (let i = 0; i < points.length; i += 3) {
+      const distance = Math.hypot(points[i] - place[0], points[i + 1] - place[1], points[i + 2] - place[2]);
+      if (distance < least) [nearest, least] = [i, distance];
+    }
+    return Array.from(displacements.slice(nearest, nearest + 3));
+  }
+  // The numbered places of the maximum stresses, and the lettered ones of the values that are kept.
+  const marks = view.marks.map(({ place }, i) => markOf(place, nearestDisplacement(place), String(i + 1), "rgba(255, 255, 255, 0.85)"));
+  const keptMarks = [];
   const camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -20 * extent, 20 * extent);
   const stage = box.querySelector(".stage");
   stage.appendChild(renderer.domElement);
@@ -324,7 +336,10 @@
     objects.model.material.clippingPlanes = planes;
     outlines.material.clippingPlanes = planes;
     outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
-    for (const mark of marks) mark.visible = outlines.visible && !(isZone() && meshes.contact);
+    const isNearCut = (mark) => planes.every((plane) => Math.abs(plane.distanceToPoint(new THREE.Vector3(...mark.userData.place))) < 0.05 * extent);
+    for (const mark of marks) mark.visible = objects.model.visible && !(isZone() && meshes.contact) && isNearCut(mark);
+    for (const mark of keptMarks) mark.visible = !isMountain();
+    if (view.dimension === 3) control("part").disabled = name === "none";
   }
 
   function deform() {
@@ -333,6 +348,10 @@
     const maximum = u > 0 ? (0.15 * (isZone() ? zone : extent)) / u : 0;
     const factor = share * Math.max(maximum, 1);
     uniforms.factor.value = isMountain() ? 0 : factor;
+    for (const mark of marks.concat(keptMarks)) {
+      const { place, displacement } = mark.userData;
+      mark.position.fromArray(place.map((x, k) => x + uniforms.factor.value * (displacement[k] - still[k])));
+    }
     control("deformation").nextElementSibling.textContent =
       factor === 0 ? "undeformed" : `${Number(factor.toPrecision(2))} times`;
   }
@@ -407,7 +426,7 @@
 
   function draw() {
     const size = (22 * (camera.top - camera.bottom)) / (camera.zoom * Math.max(stage.clientHeight, 1));
-    for (const mark of marks) mark.scale.set(size, size, 1);
+    for (const mark of marks.concat(keptMarks)) mark.scale.set(size, size, 1);
     renderer.setClearColor(getComputedStyle(document.documentElement).getPropertyValue("--panel").trim());
     renderer.render(scene, camera);
   }
@@ -441,9 +460,32 @@
     const isDrag = !pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4;
     pressed = null;
     if (isDrag) return;
-    const hit = probe(event);
-    if (!hit) kept.replaceChildren();
-    else if (kept.children.length < 12) kept.append(Object.assign(document.createElement("li"), { textContent: `${nameOf(control("field").value)}: ${describe(hit)}` }));
+    keep(probe(event));
+    refresh(false);
+  }
+  // The newest values, with their letters in the picture.
+  const LETTERS = "ABCDEFGHIJKL";
+  function keep(hit) {
+    if (!hit) {
+      kept.replaceChildren();
+      scene.remove(...keptMarks.splice(0));
+      return;
+    }
+    if (kept.children.length === LETTERS.length) {
+      kept.firstChild.remove();
+      scene.remove(keptMarks.shift());
+    }
+    const used = keptMarks.map((mark) => mark.userData.letter);
+    const letter = [...LETTERS].find((one) => !used.includes(one));
+    kept.append(Object.assign(document.createElement("li"), { textContent: `${letter}: ${nameOf(control("field").value)} ${describe(hit)}` }));
+    const mark = markOf(hit.point.toArray(), displacementAt(hit), letter, "rgba(255, 236, 160, 0.9)");
+    mark.userData.letter = letter;
+    keptMarks.push(mark);
+  }
+
+  function displacementAt(hit) {
+    const { displacements } = meshes[Object.keys(objects).find((one) => objects[one] === hit.object)];
+    return [0, 1, 2].map((k) => displacements[3 * hit.face.a + k]);
   }
 
   function describe(hit) {

@@ -82,6 +82,17 @@
     label.setAttribute("transform", `translate(${best[0].toFixed(2)} ${best[1].toFixed(2)})`);
   }
 
+  // A label gives way while a pin or the force passes.
+  const sizes = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")];
+  function giveWay() {
+    const force = document.getElementById("mechanism-force");
+    const passing = [...drawing.querySelectorAll(".pin")].map((pin) => pin.getBBox());
+    if (force.style.visibility !== "hidden") passing.push(force.getBBox());
+    sizes.forEach((label, i) => {
+      label.style.opacity = passing.some((box) => covered(labels[i], box) > 0) ? 0.15 : 1;
+    });
+  }
+
   function show(step) {
     document.getElementById("mechanism-wheel").setAttribute("d", mechanism.wheel.map((loop) => pathData(loop, step.wheel_angle) + "Z").join(""));
     const linkage = document.getElementById("mechanism-linkage");
@@ -95,6 +106,7 @@
       drawing.querySelectorAll(".mechanism-crank").forEach((line, i) => setLine(line, pixel(mechanism.driver_axis), pixel(step.pins[i])));
     drawForce(step);
     labelPin(pixel(step.pins[0]));
+    giveWay();
     document.querySelectorAll("#mechanism-readings output").forEach((output) => {
       const value = step[output.dataset.key];
       output.textContent = value === null ? "not bounded" : genevaNumber(value * Number(output.dataset.factor), 5);
@@ -114,6 +126,7 @@
 
   const start = mechanism.analysed || mechanism.steps[Number(slider.value)];
   labelPin(pixel(start.pins[0]));
+  giveWay();
   tellPosition(start);
   function goTo() {
     const step = mechanism.steps[Number(slider.value)];

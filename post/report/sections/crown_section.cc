@@ -7,6 +7,7 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -90,7 +91,8 @@ Chart along_pin(const Pins& pins, const CsvTable& table, const char* const colum
               {}};
   for (const auto& [key, in_table, title] : pins) {
     const CsvTable rows = table.rows_with("pin", in_table);
-    ChartSeries series{title, SeriesStyle::line, {}};
+    const bool is_checked = std::string(key) == "finite_elements";
+    ChartSeries series{title, is_checked ? SeriesStyle::markers : SeriesStyle::line, {}};
     for (std::size_t i = 0; i < rows.n_rows(); ++i)
       series.points.push_back({rows.column("z").values[i], rows.column(column).values[i]});
     chart.series.push_back(series);
@@ -134,6 +136,16 @@ Chart map_chart(const json& crown, const UnitSystem units) {
   return chart;
 }
 
+/// What was found in large type, and how even the load is with it.
+std::string answer_of_crown(const json& crown, const UnitSystem units) {
+  const json& found = crown.at("crown");
+  return answer("most even " + escaped(found.at("parameter")),
+                shown_with_unit(found.at("size"), Dimension::length, units),
+                fmt::format("maximum over even line load {} instead of {}",
+                            significant(crown.at("after").at("ratio"), 4),
+                            significant(crown.at("before").at("ratio"), 4)));
+}
+
 }  // namespace
 
 ReportPart crown_part(const ResultsDirectory& results) {
@@ -145,7 +157,8 @@ ReportPart crown_part(const ResultsDirectory& results) {
                                   along_pin(pins, table, "peak_pressure", "contact pressure"),
                                   map_chart(crown, units), search_chart(crown, units)};
   return {html_section("crown", "Crown of the pin",
-                       finding(crown, units) + evenness_table(crown, units) + html(charts)),
+                       answer_of_crown(crown, units) + finding(crown, units) +
+                           evenness_table(crown, units) + html(charts)),
           charts};
 }
 

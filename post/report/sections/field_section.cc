@@ -32,7 +32,7 @@ constexpr const char* field_place = R"(<div id="field-view">
 </div>
 <div class="stage"></div>
 <div class="legend"><span class="unit"></span><div class="bar"></div><div class="ticks"></div></div>
-<p class="status" role="status">Point at the model to read a value, click to keep it below; drag it, or press arrows, plus, minus and Home.</p>
+<p class="status" role="status">Point at the model to read a value, click to keep it below with a letter at its place, click beside the model to clear; drag it, or press arrows, plus, minus and Home.</p>
 <ul class="kept" aria-label="values kept"></ul>
 </div>
 )";

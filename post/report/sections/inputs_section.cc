@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
 
@@ -60,6 +61,14 @@ std::string table_of_inputs(const std::vector<CaseInput>& inputs, const bool is_
   return table.rows.empty() ? "" : "<div class=\"list\">\n" + table.html() + "</div>\n";
 }
 
+/// Puts the values that follow from a rule where the case has the word for it.
+void fill_in(std::vector<CaseInput>& inputs, const nlohmann::json& worked_out) {
+  for (CaseInput& input : inputs)
+    if (const auto found = worked_out.find(input.name);
+        found != worked_out.end() && input.value == "default")
+      input.value = found->get<std::string>();
+}
+
 }  // namespace
 
 std::string shown_value(const CaseInput& input) {
@@ -68,8 +77,10 @@ std::string shown_value(const CaseInput& input) {
   return texts.count(last) > 0 ? input.value : shown_input(input.value);
 }
 
-std::string inputs_section(const std::string& case_text, const std::string& remark) {
-  const std::vector<CaseInput> inputs = case_inputs(case_text);
+std::string inputs_section(const ResultsDirectory& results, const std::string& remark) {
+  const std::string case_text = results.case_text();
+  std::vector<CaseInput> inputs = case_inputs(case_text);
+  fill_in(inputs, results.about().at("worked_out"));
   if (inputs.empty()) return "";
   return html_section(
       "inputs", "Inputs",

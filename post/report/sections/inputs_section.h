@@ -3,6 +3,7 @@
 #include <string>
 
 #include "post/report/results/case_inputs.h"
+#include "post/report/results/results_directory.h"
 
 namespace geneva::post {
 
@@ -11,8 +12,7 @@ std::string shown_value(const CaseInput& input);
 
 /// Every input of a case: materials, what the case gives, its lines word for word, and the rest;
 /// what is folded on the screen is open on paper.
-/// @param case_text of the case file, completed; nothing is shown of an empty one
 /// @param remark in front of them; may be empty
-std::string inputs_section(const std::string& case_text, const std::string& remark);
+std::string inputs_section(const ResultsDirectory& results, const std::string& remark);
 
 }  // namespace geneva::post

@@ -9,6 +9,7 @@
 
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -184,20 +185,31 @@ std::vector<std::array<double, 2>> flat_range(const CsvTable& table) {
   return range;
 }
 
-/// The best wheel as drawn in large type, and how far the diameter may be off it.
+/// The best wheel in large type, with the inertia that the case's wheel has, and how far the
+/// diameter may be off it.
 std::string design_answer(const ResultsDirectory& results) {
-  const json& best = results.document("design")->at("geometry");
+  const json& design = *results.document("design");
   const UnitSystem units = results.units();
   const std::string length = output_unit(units, Dimension::length).name;
+  const bool is_johnsons =
+      design.contains("optimum_diameter") && design.at("wheel").at("has_johnsons_inertia") == true;
+  const auto wheel_in_words = [&](const json& wheel) {
+    return fmt::format("⌀ {} {}", shown(wheel.at("optimum_diameter"), Dimension::length, units),
+                       length);
+  };
+  const json& best = is_johnsons ? design : design.at("geometry");
+  std::string text = answer(is_johnsons ? "best wheel, Johnson's inertia" : "best wheel, as drawn",
+                            wheel_in_words(best),
+                            shown_with_unit(best.at("peak_pressure"), Dimension::stress, units));
+  if (is_johnsons)
+    text += fmt::format(
+        "<p>With the inertia of the drawn wheel it would be {} and {}.</p>\n",
+        wheel_in_words(design.at("geometry")),
+        shown_with_unit(design.at("geometry").at("peak_pressure"), Dimension::stress, units));
   const auto range = flat_range(*results.table("design"));
-  std::string text = fmt::format(
-      "<p class=\"answer\"><span>best wheel, as drawn</span> <strong>⌀ {} {}</strong> {} {}</p>\n",
-      shown(best.at("optimum_diameter"), Dimension::length, units), length,
-      shown(best.at("peak_pressure"), Dimension::stress, units),
-      output_unit(units, Dimension::stress).name);
   if (range.size() > 1)
     text += fmt::format(
-        "<p class=\"verdict\">From {} to {} {} the peak contact pressure is at most 1 % "
+        "<p class=\"verdict\">As drawn, from {} to {} {} the peak contact pressure is at most 1 % "
         "higher.</p>\n",
         significant(range.front()[0], 4), significant(range.back()[0], 4), length);
   return text;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "post/report/html/html.h"
@@ -44,9 +45,14 @@ std::string answer_of_optimum(const json& optimum, const base::UnitSystem units)
   std::string text;
   const json* nearest = nullptr;
   const auto used = [](const json& row) {  // of what is allowed; "least ..." is a limit from below
-    const double share = number_of(row.at("after")) / number_of(row.at("limit"));
+    const double limit = number_of(row.at("limit"));
+    const double share = number_of(row.at("after")) / limit;
     const bool is_from_below = row.at("quantity").get<std::string>().rfind("least ", 0) == 0;
-    return is_from_below ? 1. / share : share;
+    if (is_from_below || row.at("confirmed").is_null()) return is_from_below ? 1. / share : share;
+    const json& error = row.at("confirmed_error");
+    const double by_elements =
+        number_of(row.at("confirmed")) / (1. + (error.is_null() ? 0. : error.get<double>()));
+    return std::max(share, by_elements / limit);
   };
   for (const json& row : optimum.at("figures")) {
     const base::Dimension dimension = base::dimension_named(row.at("dimension"));

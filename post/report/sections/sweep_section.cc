@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,6 +14,7 @@
 #include "post/report/html/html.h"
 #include "post/report/html/shown_values.h"
 #include "post/report/pictures/map_picture.h"
+#include "post/report/sections/limits.h"
 
 namespace geneva::post {
 
@@ -79,6 +81,20 @@ bool varies(const json& points, const std::size_t parameter) {
   });
 }
 
+/// Whether a figure is more than roundings apart at two points.
+bool changes(const json& points, const std::string& quantity) {
+  constexpr double rounding = 1e-6;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (const json& point : points) {
+    const json* const figure = figure_of(point, quantity);
+    if (figure == nullptr || figure->at("value").is_null()) continue;
+    least = std::min(least, number_of(figure->at("value")));
+    most = std::max(most, number_of(figure->at("value")));
+  }
+  return most - least > rounding * std::max(std::abs(least), std::abs(most));
+}
+
 /// A table with the number of each point and the parameters in which they differ.
 HtmlTable points_table(const json& sweep, const std::string& caption) {
   const json& points = sweep.at("points");
@@ -94,6 +110,20 @@ HtmlTable points_table(const json& sweep, const std::string& caption) {
   return table;
 }
 
+/// The limit that a point's least safety factor is for; empty where there is none.
+std::string nearest_limit_of(const json& point) {
+  const std::string begin = "safety factor: ";
+  const json* nearest = nullptr;
+  for (const json& figure : point.at("figures")) {
+    if (figure.at("quantity").get<std::string>().rfind(begin, 0) != 0 ||
+        figure.at("value").is_null())
+      continue;
+    if (nearest == nullptr || number_of(figure.at("value")) < number_of(nearest->at("value")))
+      nearest = &figure;
+  }
+  return nearest == nullptr ? "" : nearest->at("quantity").get<std::string>().substr(begin.size());
+}
+
 /// A figure of a point; marked where its limit is exceeded.
 std::string value_cell(const json& point, const Quantity& quantity, const base::UnitSystem units) {
   const json* const figure = figure_of(point, quantity.name);
@@ -106,8 +136,10 @@ std::string value_cell(const json& point, const Quantity& quantity, const base::
   const std::string value = is_factor
                                 ? significant(number_of(figure->at("value")), digits_of_factor)
                                 : shown(figure->at("value"), quantity.dimension, units);
-  return is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>"
-                                             : value;
+  const std::string marked =
+      is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>" : value;
+  return is_factor ? marked + "<br><small>" + escaped(nearest_limit_of(point)) + "</small>"
+                   : marked;
 }
 
 /// All figures of all points, in tables that are no wider than a sheet of paper.
@@ -239,14 +271,26 @@ std::string maps(const json& sweep, const std::vector<Quantity>& quantities,
   return "<div class=\"charts\">\n" + text + "</div>\n";
 }
 
+using Curves = std::map<std::string, std::vector<std::array<double, 2>>>;
+
+/// Curves by ascending place; a single one without a name where all are the same.
+Curves distinct(Curves curves) {
+  for (auto& [name, points] : curves) std::sort(points.begin(), points.end());
+  const bool are_same = std::all_of(curves.begin(), curves.end(), [&](const auto& curve) {
+    return curve.second == curves.begin()->second;
+  });
+  if (curves.size() > 1 && are_same) return {{"", curves.begin()->second}};
+  return curves;
+}
+
 /// A figure against the parameter, a curve for each combination of the others, and the limit.
 Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t across,
                const base::UnitSystem units, const std::size_t number) {
   const double factor = base::output_unit(units, quantity.dimension).factor;
   const std::string name = short_name(sweep.at("parameters")[across]);
-  std::map<std::string, std::vector<std::array<double, 2>>> curves;
+  Curves curves;
+  Curves limits;
   std::vector<std::string> order;
-  std::vector<std::array<double, 2>> limit;
   for (const json& point : sweep.at("points")) {
     const json* const figure = figure_of(point, quantity.name);
     if (figure == nullptr || figure->at("value").is_null()) continue;
@@ -255,7 +299,7 @@ Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t ac
     if (curves.count(others) == 0) order.push_back(others);
     curves[others].push_back({x, number_of(figure->at("value")) * factor});
     if (!figure->at("limit").is_null())
-      limit.push_back({x, number_of(figure->at("limit")) * factor});
+      limits[others].push_back({x, number_of(figure->at("limit")) * factor});
   }
   Chart chart{fmt::format("chart-sweep-{}", number),
               quantity.name,
@@ -266,9 +310,9 @@ Chart chart_of(const json& sweep, const Quantity& quantity, const std::size_t ac
   for (const std::string& others : order)
     chart.series.emplace_back(others.empty() ? quantity.name : others, SeriesStyle::line,
                               curves[others]);
-  if (limit.empty()) return chart;
-  std::sort(limit.begin(), limit.end());
-  chart.series.emplace_back("allowed", SeriesStyle::dashed, limit);
+  for (const auto& [others, limit] : distinct(limits))
+    chart.series.emplace_back(others.empty() ? "allowed" : others + ", allowed",
+                              SeriesStyle::dashed, limit);
   return chart;
 }
 
@@ -283,6 +327,41 @@ std::string what_stays(const json& sweep) {
   return text;
 }
 
+/// The point that keeps its limits best, or without limits the one of the least peak pressure.
+std::string answer_of_sweep(const json& sweep, const base::UnitSystem units) {
+  const json& points = sweep.at("points");
+  const json* best = nullptr;
+  const auto factor_of = [](const json& point) {
+    const json* const figure = figure_of(point, "least safety factor");
+    return figure == nullptr || figure->at("value").is_null() ? std::nan("")
+                                                              : number_of(figure->at("value"));
+  };
+  for (const json& point : points)
+    if (std::isfinite(factor_of(point)) && (best == nullptr || factor_of(point) > factor_of(*best)))
+      best = &point;
+  if (best != nullptr)
+    return answer("greatest safety factor", significant(factor_of(*best), 3),
+                  fmt::format("{}, with {} {}", escaped(nearest_limit_of(*best)),
+                              escaped(others_of(sweep, *best, sweep.at("parameters").size())),
+                              factor_of(*best) >= 1. ? "<span class=\"pass\">✓ pass</span>"
+                                                     : "<span class=\"fail\">✗ EXCEEDED</span>"));
+  const std::string name = "peak contact pressure";
+  const auto pressure_of = [&](const json& point) {
+    const json* const figure = figure_of(point, name);
+    return figure == nullptr || figure->at("value").is_null() ? std::nan("")
+                                                              : number_of(figure->at("value"));
+  };
+  for (const json& point : points)
+    if (std::isfinite(pressure_of(point)) &&
+        (best == nullptr || pressure_of(point) < pressure_of(*best)))
+      best = &point;
+  if (best == nullptr) return "";
+  return answer(
+      "least " + name,
+      shown_with_unit(figure_of(*best, name)->at("value"), base::Dimension::stress, units),
+      "with " + escaped(others_of(sweep, *best, sweep.at("parameters").size())));
+}
+
 }  // namespace
 
 ReportPart sweep_part(const ResultsDirectory& results) {
@@ -292,6 +371,7 @@ ReportPart sweep_part(const ResultsDirectory& results) {
   const std::vector<std::size_t> numeric = numeric_parameters(sweep);
   if (!numeric.empty())
     for (const Quantity& quantity : quantities) {
+      if (!changes(sweep.at("points"), quantity.name)) continue;
       Chart chart = chart_of(sweep, quantity, numeric.front(), results.units(), charts.size());
       if (!chart.series.empty()) charts.push_back(std::move(chart));
     }
@@ -300,7 +380,8 @@ ReportPart sweep_part(const ResultsDirectory& results) {
                   sweep.at("points").size(), escaped(what_stays(sweep)));
   return {
       html_section("sweep", "Sweep",
-                   head + html(charts) + maps(sweep, quantities, results.units()) +
+                   answer_of_sweep(sweep, results.units()) + head + html(charts) +
+                       maps(sweep, quantities, results.units()) +
                        values_tables(sweep, quantities, results.units()) + remarks_table(sweep)),
       charts};
 }

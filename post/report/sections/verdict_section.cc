@@ -94,9 +94,11 @@ std::string main_figure(const json& summary, const UnitSystem units) {
   if (main == nullptr) return "";
   const Dimension dimension = dimension_named(main->at("dimension"));
   if (main->at("bounded") == false) return answer(escaped(main->at("quantity")), "not bounded", "");
+  const std::string where =
+      summary.contains("load") ? " " + at_angle(summary.at("load").at("driver_angle"), units) : "";
   return answer(escaped(main->at("quantity")),
                 shown_with_unit(main->at("computed"), dimension, units),
-                shown_error(main->at("error")));
+                shown_error(main->at("error")) + where);
 }
 
 std::string notices(const json& summary) {

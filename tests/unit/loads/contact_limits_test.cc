@@ -58,14 +58,14 @@ TEST(ContactLimits, LineYieldsFirstAtThePublishedMultiples) {
     EXPECT_NEAR(line_contact_limits(0.3, mu).first_yield, limit, 1e-4) << mu;
 }
 
-TEST(ContactLimits, LineShakesDownUpToJohnsonsMap) {
+TEST(ContactLimits, LineShakesDownUpToMelansLimitByVonMises) {
   const std::array<std::array<double, 2>, 7> map{{{0., 4.},
                                                   {0.1, 3.5642},
                                                   {0.2, 3.2024},
                                                   {0.3, 2.8996},
-                                                  {0.35, 2.7665},
-                                                  {0.4, 2.5},
-                                                  {0.5, 2.}}};
+                                                  {0.35, 2.6149},
+                                                  {0.4, 2.3162},
+                                                  {0.5, 1.8819}}};
   for (const auto& [mu, limit] : map)
     EXPECT_NEAR(std::sqrt(3.) * line_contact_limits(0.3, mu).shakedown, limit, 1e-4) << mu;
 }
@@ -75,6 +75,32 @@ TEST(ContactLimits, PointYieldsFirstAtThePublishedMultiples) {
   EXPECT_NEAR(point_contact_limits(0.3).first_yield, 1.61280, 1e-5);
   EXPECT_NEAR(point_contact_limits(0.35).first_yield, 1.67411, 1e-5);
   EXPECT_NEAR(point_contact_limits(0.3).shakedown, 4.68 / std::sqrt(3.), 1e-12);
+}
+
+/// K. L. Johnson 1985, Table 4.1.
+TEST(ContactLimits, GreatestShearBelowAnEllipseIsThePublishedOne) {
+  const std::array<std::array<double, 3>, 4> published{
+      {{0.2, 0.322, 0.745}, {0.4, 0.325, 0.665}, {0.6, 0.323, 0.590}, {0.8, 0.317, 0.530}}};
+  for (const auto& [ratio, shear, depth] : published) {
+    const auto shear_at = [ratio = ratio](const double z) {
+      const auto [x, y, deep] = axial_stress(ratio, z, 0.3);
+      return (std::max({x, y, deep}) - std::min({x, y, deep})) / 2.;
+    };
+    EXPECT_NEAR(shear_at(depth), shear, 1e-3) << ratio;
+    EXPECT_GT(shear_at(depth), shear_at(depth - 0.05));
+    EXPECT_GT(shear_at(depth), shear_at(depth + 0.05));
+  }
+}
+
+TEST(ContactLimits, EllipseLiesBetweenALineAndACircle) {
+  for (const double nu : {0.2, 0.3, 0.45}) {
+    EXPECT_NEAR(ellipse_contact_limits(2e-3, nu).first_yield,
+                line_contact_limits(nu, 0.).first_yield, 5e-3);
+    EXPECT_NEAR(ellipse_contact_limits(0.998, nu).first_yield, point_contact_limits(nu).first_yield,
+                5e-3);
+    EXPECT_EQ(ellipse_contact_limits(0.5, nu).shakedown, line_contact_limits(nu, 0.).shakedown);
+  }
+  test::expect_refused([] { ellipse_contact_limits(1.5, 0.3); }, {"axes"});
 }
 
 TEST(ContactLimits, RefusesANegativeFriction) {
