@@ -22,9 +22,7 @@ bool begins_with(const std::string& line, const char* const beginning) {
 /// Whether the user can and wants to see colours there (no-color.org).
 bool takes_colours(std::FILE* const stream) {
   const char* const refused = std::getenv("NO_COLOR");
-  const char* const terminal = std::getenv("TERM");
-  return isatty(fileno(stream)) == 1 && (refused == nullptr || *refused == '\0') &&
-         terminal != nullptr && std::string(terminal) != "dumb";
+  return is_terminal(stream) && (refused == nullptr || *refused == '\0');
 }
 
 std::string in_colour(const std::string& line) {
@@ -39,6 +37,13 @@ std::string in_colour(const std::string& line) {
 }
 
 }  // namespace
+
+bool is_terminal(std::FILE* const stream) {
+  const char* const terminal = std::getenv("TERM");
+  const bool is_started_by_mpirun = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr;
+  return isatty(fileno(stream)) == 1 && !is_started_by_mpirun && terminal != nullptr &&
+         std::string(terminal) != "dumb";
+}
 
 std::string highlighted(const std::string& text) {
   std::istringstream lines(text);

@@ -5,6 +5,10 @@
 
 namespace geneva::app {
 
+/// Whether a stream is a terminal that understands control sequences. Open MPI gives its processes
+/// one even where its own output is a file: then it is none.
+bool is_terminal(std::FILE* stream);
+
 /// Lines with their meaning in colour: notes in yellow; errors and limits that are exceeded in red.
 std::string highlighted(const std::string& text);
 

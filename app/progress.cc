@@ -1,7 +1,6 @@
 #include "app/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <numeric>
@@ -13,7 +12,7 @@ namespace geneva::app {
 
 ProgressDisplay::ProgressDisplay(const bool is_speaking, const base::UnitSystem units)
     : is_speaking_(is_speaking),
-      is_terminal_(isatty(STDOUT_FILENO) == 1),
+      is_terminal_(is_terminal(stdout)),
       stress_(base::output_unit(units, base::Dimension::stress)) {}
 
 void ProgressDisplay::clear_status() {

@@ -125,8 +125,10 @@ const KnownMaterial& material_named(const std::vector<KnownMaterial>& materials,
 
 std::optional<double> flank_pressure(const KnownMaterial& material,
                                      const std::optional<double>& hardness) {
-  if (hardness == material.hardness || !hardness || !material.pressure_by_hardness)
-    return material.contact_pressure;
+  if (hardness == material.hardness || !hardness) return material.contact_pressure;
+  if (!material.pressure_by_hardness)
+    return material.hardness && *hardness < *material.hardness ? std::nullopt
+                                                               : material.contact_pressure;
   return material.pressure_by_hardness->first * *hardness + material.pressure_by_hardness->second;
 }
 

@@ -31,7 +31,7 @@ struct KnownMaterial {
 };
 
 /// What the flanks of gears of the material bear, by a hardness other than the material's own where
-/// one is given and the endurance follows from it.
+/// one is given and the endurance follows from it; nothing of a softer one where it does not.
 std::optional<double> flank_pressure(const KnownMaterial& material,
                                      const std::optional<double>& hardness);
 

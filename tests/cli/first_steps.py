@@ -123,7 +123,7 @@ class FirstSteps(CliTest):
             layer = 600 * 9.80665e6 / 3
             self.prints("kinematics", case)
             known = json.loads((case / "results" / "kinematics.json").read_text())["safety"]
-            self.assertEqual(len(known), 6)
+            self.assertEqual(len(known), 5, "pitting of a case that is softer than usual is unknown")
             for row in known:  # the same closed forms
                 self.assert_close(number(row["allowed"]), number(rows[row["quantity"]]["allowed"]), 1e-9, row["quantity"])
             self.assert_close(stress, 590e6 if depth == "1 nm" else layer, 1e-9, "von Mises stress")

@@ -465,6 +465,37 @@ class Loads(Kinematics):
         self.assertGreater(number(values["exit_tangency"]), 0.01)
 
 
+class Limits(Kinematics):
+    """Of a pin in 3-D, whose line load is not even."""
+
+    def judged(self, command, name, changes=None):
+        case = self.copy_case(name, f"{command}-{len(list(self.directory.iterdir()))}")
+        change_case(case, {"Mechanism/Wheel material/Yield strength": "100000 psi", **(changes or {})})
+        run = self.geneva(command, case)
+        self.assertEqual(run.code, 0, run.describe())
+        document = json.loads((case / "results" / f"{command}.json").read_text())
+        return {row["quantity"]: number(row["computed"]) for row in document["safety"]}, run.out
+
+    def test_a_crowned_pin_is_judged_by_its_own_pressure_and_not_by_an_even_one(self):
+        estimated, _ = self.judged("estimate", "crowned-pin")
+        moved, text = self.judged("kinematics", "crowned-pin")
+        self.assertEqual(set(moved), {"contact, first yield, wheel", "contact, shakedown, wheel"})
+        for quantity, value in moved.items():
+            self.assert_close(value, estimated[quantity], 1e-6, quantity)
+            self.assertGreater(value, 800e6, "an even load would be 510 MPa")
+        self.assertIn("line contacts along it", text)
+
+    def test_no_limit_is_judged_where_the_wall_has_sharp_edges(self):
+        moved, text = self.judged("kinematics", "johnson-optimum-3d")
+        self.assertEqual(moved, {})
+        self.assertIn("no limit of the contact is judged", text)
+
+    def test_of_a_plane_case_all_are_judged_as_before(self):
+        moved, text = self.judged("kinematics", "johnson-optimum-wheel")
+        self.assert_close(moved["contact, first yield, wheel"], 1.0169**0.5 * 501.1e6, 2e-3, "Hertz at the greatest force")
+        self.assertNotIn("note: the pressures", text)
+
+
 class Files(Kinematics):
 
     def test_they_go_where_they_are_told(self):

@@ -681,6 +681,23 @@ class SweepReport(ReportTest):
                 (allowed,) = [one["points"] for one in chart["series"] if one["name"] == "allowed"]
                 self.assertAlmostEqual(allowed[0][1], 554, 6, "pitting of the wheel's C45, the least of all limits")
 
+    def test_draws_a_limit_for_each_material_and_no_curve_of_what_stays(self):
+        output = self.case / "sweep-materials"
+        run = self.geneva("sweep", self.case, "--with", "estimate", "--set", "Mechanism/Wheel material/Material = C45 normalised; POM-C",
+                          "--set", "Mechanism/Pin diameter = 8 mm .. 14 mm, 4", "-o", output)
+        self.assertEqual(run.code, 0, run.describe())
+        page = (output / "report.html").read_text()
+        charts = json.loads(re.search(r'id="charts">\s*(.*?)\s*</script>', page).group(1))
+        (pressure,) = [chart for chart in charts if chart["y"]["label"] == "peak contact pressure [MPa]"]
+        limits = [series for series in pressure["series"] if series["name"].endswith("allowed")]
+        self.assertEqual(len(limits), 2)
+        for series in limits:
+            self.assertEqual(len({y for _, y in series["points"]}), 1, "a limit does not jump")
+        for chart in charts:
+            values = [y for series in chart["series"] for _, y in series["points"]]
+            self.assertGreater(max(values) - min(values), 1e-7 * max(map(abs, values)), chart["y"]["label"])
+        self.assertIn("greatest safety factor", page)
+
     @classmethod
     def prepare(cls, runner):
         run = runner.geneva("sweep", cls.case, "--with", "kinematics", "--set", "Mechanism/Pin diameter = 8 mm .. 14 mm, 3", "--set",

@@ -44,16 +44,18 @@ bool is_leading(const Quantity& quantity) {
          quantity.name.rfind("peak contact pressure", 0) == 0;
 }
 
+constexpr const char* begin_of_factors = "safety factor: ";
+
 /// Those that decide first.
-std::vector<Quantity> quantities_of(const json& points) {
+/// @param of_factors the single safety factors instead of everything else
+std::vector<Quantity> quantities_of(const json& points, const bool of_factors) {
   std::vector<Quantity> quantities;
   for (const json& point : points)
     for (const json& figure : point.at("figures")) {
       const std::string name = figure.at("quantity");
       const bool is_new = std::none_of(quantities.begin(), quantities.end(),
                                        [&](const Quantity& known) { return known.name == name; });
-      // Of the safety factors the least one is shown; sweep.csv holds all.
-      if (is_new && name.rfind("safety factor: ", 0) != 0)
+      if (is_new && (name.rfind(begin_of_factors, 0) == 0) == of_factors)
         quantities.push_back({name, base::dimension_named(figure.at("dimension"))});
     }
   std::stable_partition(quantities.begin(), quantities.end(), is_leading);
@@ -128,35 +130,37 @@ std::string nearest_limit_of(const json& point) {
 std::string value_cell(const json& point, const Quantity& quantity, const base::UnitSystem units) {
   const json* const figure = figure_of(point, quantity.name);
   if (figure == nullptr) return "–";
+  const bool is_least = quantity.name == "least safety factor";
+  const bool is_factor = is_least || quantity.name.rfind(begin_of_factors, 0) == 0;
   if (figure->at("value").is_null())
-    return quantity.name == "least safety factor" ? "<span class=\"fail\">✗ none</span>"
-                                                  : "not bounded";
+    return is_factor ? "<span class=\"fail\">✗ none</span>" : "not bounded";
   constexpr int digits_of_factor = 3;
-  const bool is_factor = quantity.name == "least safety factor";
   const std::string value = is_factor
                                 ? significant(number_of(figure->at("value")), digits_of_factor)
                                 : shown(figure->at("value"), quantity.dimension, units);
   const std::string marked =
       is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>" : value;
-  return is_factor ? marked + "<br><small>" + escaped(nearest_limit_of(point)) + "</small>"
-                   : marked;
+  return is_least ? marked + "<br><small>" + escaped(nearest_limit_of(point)) + "</small>" : marked;
 }
 
 /// All figures of all points, in tables that are no wider than a sheet of paper.
 std::string values_tables(const json& sweep, const std::vector<Quantity>& quantities,
-                          const base::UnitSystem units) {
+                          const std::string& caption, const base::UnitSystem units) {
   constexpr std::size_t most_columns = 8;
   const json& points = sweep.at("points");
   const std::size_t n_leading = points_table(sweep, "").headings.size();
   const std::size_t room = most_columns - std::min(n_leading, most_columns - 3);
-  const std::size_t n_tables = std::max<std::size_t>(1, (quantities.size() + room - 1) / room);
+  const std::size_t n_tables = (quantities.size() + room - 1) / room;
+  if (n_tables == 0) return "";
   const std::size_t n_figures = (quantities.size() + n_tables - 1) / n_tables;
   std::string text;
   for (std::size_t first = 0; first < quantities.size(); first += n_figures) {
-    HtmlTable table = points_table(sweep, first == 0 ? "Every point" : "Every point, continued");
+    HtmlTable table = points_table(sweep, first == 0 ? caption : caption + ", continued");
     for (std::size_t i = first; i < std::min(first + n_figures, quantities.size()); ++i) {
+      const bool is_factor = quantities[i].name.rfind(begin_of_factors, 0) == 0;
       table.headings.push_back(
-          escaped(labelled(quantities[i].name, quantities[i].dimension, units)));
+          escaped(is_factor ? quantities[i].name.substr(std::string(begin_of_factors).size())
+                            : labelled(quantities[i].name, quantities[i].dimension, units)));
       for (std::size_t point = 0; point < points.size(); ++point)
         table.rows[point].push_back(value_cell(points[point], quantities[i], units));
     }
@@ -366,7 +370,7 @@ std::string answer_of_sweep(const json& sweep, const base::UnitSystem units) {
 
 ReportPart sweep_part(const ResultsDirectory& results) {
   const json& sweep = *results.document("sweep");
-  const std::vector<Quantity> quantities = quantities_of(sweep.at("points"));
+  const std::vector<Quantity> quantities = quantities_of(sweep.at("points"), false);
   std::vector<Chart> charts;
   const std::vector<std::size_t> numeric = numeric_parameters(sweep);
   if (!numeric.empty())
@@ -378,12 +382,14 @@ ReportPart sweep_part(const ResultsDirectory& results) {
   const std::string head =
       fmt::format("<p>'geneva {}' for {} combinations{}.</p>\n", escaped(sweep.at("command")),
                   sweep.at("points").size(), escaped(what_stays(sweep)));
-  return {
-      html_section("sweep", "Sweep",
-                   answer_of_sweep(sweep, results.units()) + head + html(charts) +
-                       maps(sweep, quantities, results.units()) +
-                       values_tables(sweep, quantities, results.units()) + remarks_table(sweep)),
-      charts};
+  const base::UnitSystem units = results.units();
+  const std::vector<Quantity> factors = quantities_of(sweep.at("points"), true);
+  return {html_section(
+              "sweep", "Sweep",
+              answer_of_sweep(sweep, units) + head + html(charts) + maps(sweep, quantities, units) +
+                  values_tables(sweep, quantities, "Every point", units) +
+                  values_tables(sweep, factors, "Safety factors", units) + remarks_table(sweep)),
+          charts};
 }
 
 }  // namespace geneva::post
