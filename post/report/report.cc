@@ -80,14 +80,14 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
   if (!is_run) append({inputs_section(results, what_is_varied(results)), {}});
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
+  if (results.document("estimate") != nullptr) append(estimate_part(results));
+  if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   if (is_run) {
     append(contact_part(results));
     append({field, {}});
     append(convergence_part(results));
     append(checks_part(results));
   }
-  if (results.document("estimate") != nullptr) append(estimate_part(results));
-  if (results.document("kinematics") != nullptr) append(kinematics_part(results));
   return page;
 }
 

@@ -300,6 +300,17 @@ class StickAndSlip(CliTest):
         heat = [float(step["dissipated"]) for step in steps]
         self.assertEqual(heat, sorted(heat))
 
+    def test_all_work_of_steady_sliding_is_heat(self):
+        """Once all of it slides no more elastic energy is stored."""
+        case = self.case("steady", "1e-3", [0, 1, 2, 3])
+        self.run_case(case)
+        steps = self.table(case, "steps.csv")
+        for before, now in zip(steps[1:], steps[2:]):
+            heat = float(now["dissipated"]) - float(before["dissipated"])
+            work = float(now["friction_force_x"]) * 1e-6  # m
+            self.assert_close(heat, work, 1e-8, "energy balance")
+            self.assert_close(float(now["friction_force_x"]), self.MU * self.LOAD * 1e-3, 1e-8, "mu P")
+
     def test_dissimilar_bodies_that_slide_shift_the_pressure(self):
         """Johnson, 8.2: g = arctan(beta mu)/pi, resultant at -(8/3) g a, a = a0/sqrt(1 - 4 g^2); beta = -0.3830."""
         stiff, soft = (210e9, 0.3), (21e9, 0.1)

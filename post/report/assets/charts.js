@@ -188,13 +188,17 @@
   // Paper is white, whatever the screen is.
   function recolour(onPaper) {
     document.documentElement.classList.toggle("paper", onPaper);
-    Chart.defaults.font.size = onPaper ? 20 : 12; // a chart on paper is less than half as wide
     for (const chart of Object.values(window.genevaCharts)) {
+      // Two charts side by side are less than half as wide on paper.
+      const isAlone = chart.canvas.closest(".charts").children.length === 1;
+      const font = { size: onPaper ? (isAlone ? 14 : 20) : 12 };
       for (const scale of Object.values(chart.options.scales)) {
         scale.title.color = scale.ticks.color = ink();
+        scale.title.font = scale.ticks.font = font;
         scale.grid.color = rule();
       }
       chart.options.plugins.legend.labels.color = ink();
+      chart.options.plugins.legend.labels.font = font;
       chart.update();
     }
   }
