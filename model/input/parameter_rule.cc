@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/errors.h"
+#include "model/input/nearest_word.h"
 
 namespace geneva::model {
 
@@ -160,7 +161,10 @@ std::optional<std::string> refusal(const Rule& rule, const std::string& text) {
   if (const auto* choice = std::get_if<ChoiceRule>(&rule)) {
     const auto& words = choice->words;
     if (std::find(words.begin(), words.end(), text) != words.end()) return std::nullopt;
-    return fmt::format("{}: one of {} is wanted", base::in_quotes(text), listed(words));
+    const auto nearest = nearest_word(text, words);
+    return fmt::format(
+        "{}: one of {} is wanted{}", base::in_quotes(text), listed(words),
+        nearest ? fmt::format(" (did you mean {}?)", base::in_quotes(*nearest)) : "");
   }
   const auto* quantity = std::get_if<QuantityRule>(&rule);
   if (quantity == nullptr || is_word(*quantity, text)) return std::nullopt;

@@ -107,7 +107,9 @@ std::optional<SurfaceExtremes> surface_extremes(const fem::Solution<2>& solution
   const std::vector<SurfaceStress> stresses = surface_stresses(solution, contact);
   if (stresses.empty() || !fem::has_friction(solution.problem)) return std::nullopt;
   const std::vector<fem::ContactNode<2>>& nodes = contact.nodes;
-  const auto [first, last] = closed_range(nodes);
+  const std::pair<std::size_t, std::size_t> closed = closed_range(nodes);
+  const std::size_t first = closed.first;
+  const std::size_t last = closed.second;
   if (last - first + 1 < fewest) return std::nullopt;
   SurfaceExtremes result{0., 0., 0., {}};
   for (std::size_t i = first + skipped; i + skipped <= last; ++i) {

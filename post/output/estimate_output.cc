@@ -152,6 +152,7 @@ std::string estimate_table(const EstimateReport& report, const UnitSystem units)
         unit.name.empty() ? row.quantity : fmt::format("{} [{}]", row.quantity, unit.name),
         row.value * unit.factor, row.basis);
   }
+  text += limit_lines(report.limits, units);
   for (const std::string& sentence : report.left_out) text += "left out: " + sentence + "\n";
   return text;
 }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int width = 900;
 constexpr int height = 540;
-constexpr double left = 80.;
+constexpr double left = 116.;
 constexpr double top = 20.;
 constexpr double half_widths_up = 4.;
 
@@ -156,17 +156,17 @@ std::string axes(const Window& window, const std::array<double, 2>& origin,
   const double half_high = 0.5 * height / window.scale;
   const double right = window.right + origin[0];
   const double up = window.up + origin[1];
-  for (const double at : round_numbers(right - half_wide, right + half_wide, 8)) {
+  for (const double at : round_numbers(right - half_wide, right + half_wide, 6)) {
     const double x = left + window.column(at - origin[0]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v6\"/>\n", x, top + height);
-    result += text(x, top + height + 22., "middle", fmt::format("{:.4g}", at));
+    result += text(x, top + height + 28., "middle", fmt::format("{:.4g}", at));
   }
-  for (const double at : round_numbers(up - half_high, up + half_high, 8)) {
+  for (const double at : round_numbers(up - half_high, up + half_high, 6)) {
     const double y = top + window.row(at - origin[1]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}h-6\"/>\n", left, y);
-    result += text(left - 10., y + 5., "end", fmt::format("{:.4g}", at));
+    result += text(left - 10., y + 8., "end", fmt::format("{:.4g}", at));
   }
-  return result + text(left + 0.5 * width, top + height + 44., "middle", label);
+  return result + text(left + 0.5 * width, top + height + 58., "middle", label);
 }
 
 /// The numbered places of the maximum stresses.
@@ -182,10 +182,10 @@ std::string marks(const json& view, const FlatMesh& mesh, const Window& window) 
     const double x = left + window.column(right);
     const double y = top + window.row(up);
     result += fmt::format(
-        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"11\" fill=\"#ffffff\" fill-opacity=\"0.85\" "
+        "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"14\" fill=\"#ffffff\" fill-opacity=\"0.85\" "
         "stroke=\"#1b2126\" stroke-width=\"2\"/>\n",
         x, y);
-    result += text(x, y + 5., "middle", std::to_string(number));
+    result += text(x, y + 8., "middle", std::to_string(number));
   }
   return result;
 }
@@ -194,17 +194,17 @@ std::string marks(const json& view, const FlatMesh& mesh, const Window& window) 
 /// @param id on the page
 std::string colour_bar(const std::array<double, 2>& range, const std::string& unit,
                        const bool is_exceeded, const std::string& id) {
-  const double y = top + height + 60.;
+  const double y = top + height + 76.;
   std::string result =
       fmt::format("{1}<rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
                   id, colour_gradient(id), left, y, width);
-  for (const double at : round_numbers(range[0], range[1], 8)) {
+  for (const double at : round_numbers(range[0], range[1], 6)) {
     const double x = left + (at - range[0]) / (range[1] - range[0]) * width;
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v5\"/>\n", x, y + 16.);
-    result += text(x, y + 34., "middle", significant(at, 4));
+    result += text(x, y + 42., "middle", significant(at, 4));
   }
   return result +
-         text(left + 0.5 * width, y + 54., "middle",
+         text(left + 0.5 * width, y + 72., "middle",
               fmt::format("von Mises stress [{}], {} to {}{}", unit, significant(range[0], 4),
                           significant(range[1], 4), is_exceeded ? ", more at the contact" : ""));
 }
@@ -239,12 +239,12 @@ std::string field_picture(const json& view, const PicturePart part, const Pictur
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
              "aria-label=\"von Mises stress {8}, at most {2:.4g} {3}\" "
-             "style=\"font-family:DejaVu Sans,sans-serif;font-size:15px;fill:#1b2126\">\n"
+             "style=\"font-family:DejaVu Sans,sans-serif;font-size:22px;fill:#1b2126\">\n"
              "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
              "<image x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\" "
              "href=\"data:image/png;base64,{9}\"/>\n<g stroke=\"#1b2126\" fill=\"none\">"
              "<rect x=\"{4}\" y=\"{5}\" width=\"{6}\" height=\"{7}\"/></g>\n",
-             width + left + 30., height + top + 130., range[1],
+             width + left + 30., height + top + 164., range[1],
              view.at("stress_unit").get<std::string>(), left, top, width, height,
              is_model ? "of the model" : "around the contact", image) +
          (is_model ? marks(view, mesh, window) +
