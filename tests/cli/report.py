@@ -877,7 +877,7 @@ end
         pictures = [base64.b64decode(data).decode() for data in
                     re.findall(r'src="data:image/svg\+xml;base64,([^"]*)"', (self.directory / "both.html").read_text())]
         ticks = [[float(x) for x in re.findall(r'<path stroke="#1b2126" d="M([\d.]+) 560.0v6"', picture)] for picture in pictures]
-        labels = [[float(x) for x in re.findall(r'y="582.0" text-anchor="middle">([^<]*)<', picture)] for picture in pictures]
+        labels = [[float(x) for x in re.findall(r'y="588.0" text-anchor="middle">([^<]*)<', picture)] for picture in pictures]
         per_length = [(x[-1] - x[0]) / (at[-1] - at[0]) for x, at in zip(ticks, labels, strict=True)]
         self.assert_close(per_length[1] * 25.4, per_length[0], 1e-2, "pixels per inch")
         charts = re.search(r'id="charts">\s*(.*?)\s*</script>', (self.directory / "both.html").read_text()).group(1)
