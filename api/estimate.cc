@@ -71,10 +71,8 @@ void append_line(post::EstimateReport& report, const loads::PinLine& pin) {
   rows.push_back({"pin slope in the slot", Dimension::slope, line.slope, "beam"});
 }
 
-/// The greatest pressure over the engagements, by the best that is known of each angle, and its
-/// limits where line contacts know a peak.
-void append_engagement(post::EstimateReport& report, const Case& given,
-                       const loads::PinContact& contact) {
+/// The greatest pressure over the engagements, by the best that is known of each angle.
+void append_engagement(post::EstimateReport& report) {
   const auto pressure = [](const post::EngagementPoint& point) {
     return point.peak_pressure.value_or(point.even_pressure);
   };
@@ -87,8 +85,16 @@ void append_engagement(post::EstimateReport& report, const Case& given,
   report.rows.push_back(
       {"greatest pressure of the engagement", Dimension::stress, pressure(*worst), basis});
   report.rows.push_back({"its driver angle", Dimension::angle, worst->driver_angle, basis});
-  if (report.doubt == loads::PeakDoubt::none)
-    report.limits = api::pressure_limits(given, contact, {pressure(*worst), worst->driver_angle});
+}
+
+/// Limits of the greatest pressure of the cycle, in 3-D where line contacts know it.
+std::vector<post::LimitRow> limits_of(const Case& given, const model::MechanismState& state,
+                                      const loads::PinContact& contact) {
+  const loads::Characteristics cycle = loads::characteristics(state.driven, state.train, contact);
+  const auto line = api::line_pressures(*given.mechanism, state, cycle);
+  if (given.mechanism->space && !line) return {};
+  const loads::PlacedPeak& pressure = line ? line->of_cycle : cycle.pressure;
+  return api::pressure_limits(given, contact, {pressure.value, pressure.driver_angle});
 }
 
 void append_strength(post::EstimateReport& report, const loads::Allowables& allowed,
@@ -180,7 +186,8 @@ post::EstimateReport estimate_report(const Case& given) {
   }
   report.engagement =
       api::engagement(mechanism, state, known ? std::optional(known->pin) : std::nullopt);
-  append_engagement(report, given, contact);
+  append_engagement(report);
+  report.limits = limits_of(given, state, contact);
   append_strength(report, given.allowed, known && loads::is_beam(known->pin),
                   mechanism.roller.has_value());
   append_left_out(report, mechanism);

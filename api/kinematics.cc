@@ -59,9 +59,10 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
 std::vector<std::string> notices_in_space(const model::MechanismCase& mechanism,
                                           const post::KinematicsReport& report) {
   if (!mechanism.space) return {};
-  const bool is_judged = std::any_of(
-      report.limits.begin(), report.limits.end(),
-      [](const post::LimitRow& row) { return row.dimension == base::Dimension::stress; });
+  const bool is_judged =
+      std::any_of(report.limits.begin(), report.limits.end(), [](const post::LimitRow& row) {
+        return row.quantity == "peak contact pressure" || row.quantity.rfind("contact, ", 0) == 0;
+      });
   return {
       is_judged
           ? "the pressures of the table are those of an even load along the pin; limits of the "

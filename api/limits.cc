@@ -86,7 +86,7 @@ std::vector<LimitRow> motion_limits(const Case& given, const loads::PinContact& 
   if (given.mechanism->roller) {
     const loads::PlacedPeak& wear = values.bore_pressure_times_speed;
     append_wear(rows, given, {wear.value, wear.driver_angle});
-  } else if (pressure) {
+  } else if (pressure && values.pressure.value > 0.) {
     const loads::PlacedPeak& wear = values.pressure_times_slip;
     append_wear(rows, given,
                 {wear.value * pressure->value / values.pressure.value, wear.driver_angle});

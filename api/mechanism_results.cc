@@ -1,5 +1,7 @@
 #include "api/mechanism_results.h"
 
+#include <cmath>
+
 #include "api/engagement.h"
 #include "api/mechanism_picture.h"
 #include "api/pin_results.h"
@@ -29,6 +31,17 @@ std::optional<loads::BeamBending> pin_beam_bending(const model::MechanismCase& m
 /// On either wall.
 loads::PlacedPeak greatest_force(const loads::Characteristics& cycle) {
   return cycle.braking_force.value > cycle.force.value ? cycle.braking_force : cycle.force;
+}
+
+/// The computed peak pressure where it is greatest over the cycle: as that of line contacts goes,
+/// where these know none with the root of the force.
+loads::PlacedPeak pressure_over_cycle(const double peak, const model::MechanismState& state,
+                                      const loads::Characteristics& cycle,
+                                      const std::optional<LinePressures>& line) {
+  loads::PlacedPeak greatest = line ? line->of_cycle : greatest_force(cycle);
+  greatest.value = line ? peak * line->of_cycle.value / line->analysed
+                        : peak * std::sqrt(greatest.value / state.load.force);
+  return greatest;
 }
 
 }  // namespace
@@ -83,12 +96,11 @@ std::optional<post::MechanismReport> mechanism_report(
       state.train.roller ? cycle.bore_pressure_times_speed : cycle.pressure_times_slip};
   if constexpr (dim == 3) {
     report.pin = pin_report(mechanism, state, solution, results.cells);
-    if (const auto line = line_pressures(mechanism, state, cycle)) {
-      const double peak = solution.contacts[post::leading_contact(solution)].peak_pressure;
-      report.cycle_pressure = line->of_cycle;
-      report.cycle_pressure.value *= peak / line->analysed;
+    const double peak = solution.contacts[post::leading_contact(solution)].peak_pressure;
+    report.cycle_pressure =
+        pressure_over_cycle(peak, state, cycle, line_pressures(mechanism, state, cycle));
+    if (!state.train.roller)
       report.cycle_wear.value *= report.cycle_pressure.value / cycle.pressure.value;
-    }
   }
   return report;
 }

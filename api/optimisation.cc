@@ -80,6 +80,8 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
   report.about = model::header_of(given);
   report.geneva_version = version;
   report.goal = api::name_of(wanted.goal);
+  report.basis = search.basis() == api::PressureBasis::line_contacts ? "line contacts along the pin"
+                                                                     : "Hertz, an even load";
   constexpr double on_bound = 1e-3;
   std::vector<std::string> values;
   for (std::size_t i = 0; i < best.size(); ++i) {

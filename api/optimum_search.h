@@ -40,6 +40,9 @@ class OptimumSearch {
   /// candidate costs a run, or a bound is no mechanism.
   [[nodiscard]] bool has_effect(const Place& best, std::size_t dimension);
 
+  /// What the candidates' pressures are by.
+  [[nodiscard]] PressureBasis basis() const { return basis_; }
+
   /// How many candidates were worked out.
   [[nodiscard]] int trials() const { return trials_; }
 

@@ -111,8 +111,12 @@ std::vector<SweepFigure> figures_of_motion(const Case& given) {
     figures.push_back(
         exact(same == 0 ? name : fmt::format("{} ({})", name, same + 1), row.dimension, row.value));
   }
+  // In 3-D the limits are judged by line contacts, not by this pressure of an even load.
+  const std::vector<std::string> judged = given.mechanism->space
+                                              ? std::vector<std::string>()
+                                              : std::vector<std::string>{"maximum Hertz pressure"};
   append_limits(
-      figures, report.limits, {"maximum Hertz pressure"},
+      figures, report.limits, judged,
       report.is_roller ? "maximum mean bore pressure x sliding speed" : "maximum pressure x slip");
   return figures;
 }

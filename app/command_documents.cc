@@ -133,14 +133,6 @@ complete -o dirnames -F _geneva geneva
                      joined(names, " "), cases, values);
 }
 
-/// Text within single quotes of a shell.
-std::string shell_quoted(const std::string& text) {
-  std::string result;
-  for (const char letter : text)
-    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return "'" + result + "'";
-}
-
 /// Text that _arguments and _describe take for no markup.
 std::string zsh_text(const std::string& text) {
   std::string result;
@@ -217,6 +209,13 @@ std::string fish_completion(const CLI::App& app) {
 }
 
 }  // namespace
+
+std::string shell_quoted(const std::string& text) {
+  std::string result;
+  for (const char letter : text)
+    result += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return "'" + result + "'";
+}
 
 std::string manual_page(const CLI::App& command) {
   const bool is_program = command.get_parent() == nullptr;

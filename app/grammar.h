@@ -42,6 +42,9 @@ class Grammar {
 /// A command of the program; nothing if there is none of that name.
 CLI::App* command_named(CLI::App& app, const std::string& name);
 
+/// Text within single quotes of a shell.
+std::string shell_quoted(const std::string& text);
+
 /// Manual page of a command, or of the program, as a text for man(1).
 std::string manual_page(const CLI::App& command);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/grammar.h"
 #include "base/errors.h"
 #include "base/output_file.h"
 #include "model/input/case_file.h"
@@ -48,8 +49,10 @@ int init_case(const fs::path& directory, const model::Starter& starter) {
   }
   const std::string name = directory.string();
   const bool is_plain = name.find_first_of(" \t'\"$`\\&;()<>|*?[]#~!{}") == std::string::npos;
-  const std::string place = name == "." ? "" : is_plain ? " " + name : " \"" + name + "\"";
-  std::cout << "solve it with 'geneva run" << place << "'\n";
+  if (is_plain)
+    std::cout << "solve it with 'geneva run" << (name == "." ? "" : " " + name) << "'\n";
+  else
+    std::cout << "solve it with: geneva run " << shell_quoted(name) << '\n';
   return 0;
 }
 

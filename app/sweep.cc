@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -67,6 +68,9 @@ class Runs {
 
   void make(std::vector<SweepCase>& cases) {
     remove_stale();
+    to_solve_ = static_cast<std::size_t>(
+        std::count_if(cases.begin(), cases.end(),
+                      [](const SweepCase& point) { return point.given.has_value(); }));
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!cases[i].given) continue;
       while (workers_.busy() >= jobs_) workers_.wait();
@@ -85,11 +89,16 @@ class Runs {
   /// Points of an earlier sweep that had more of them.
   void remove_stale() const {
     std::error_code error;
-    for (std::size_t i = report_.points.size() + 1;; ++i) {
-      const fs::path left = directory_ / fmt::format("points/{}", i);
-      if (!fs::exists(left / "ended", error)) return;
-      fs::remove_all(left, error);
+    std::vector<fs::path> stale;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory_ / "points", error)) {
+      const std::string name = entry.path().filename().string();
+      std::size_t number = 0;
+      const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+      const bool is_number = read.ec == std::errc() && read.ptr == name.data() + name.size();
+      if (is_number && number > report_.points.size() && fs::exists(entry.path() / "case.prm"))
+        stale.push_back(entry.path());
     }
+    for (const fs::path& point : stale) fs::remove_all(point, error);
   }
 
   [[nodiscard]] fs::path place(const std::size_t point) const {
@@ -108,7 +117,9 @@ class Runs {
   }
 
   /// What is left beside a run that ended: its exit code, and who ran it.
-  static std::string mark_of(const int code) { return fmt::format("{} {}\n", code, version); }
+  static std::string mark_of(const int code) {
+    return fmt::format("{} {} {}\n", code, version, base::results_format);
+  }
 
   [[nodiscard]] int stored_code(const std::size_t point) const {
     return text_of(place(point) / "ended") == mark_of(0) ? 0 : not_converged;
@@ -190,7 +201,7 @@ class Runs {
     const std::size_t solved = done_ - kept_;
     const double left = solved == 0 ? 0.
                                     : elapsed.count() / static_cast<double>(solved) *
-                                          static_cast<double>(report_.points.size() - done_);
+                                          static_cast<double>(to_solve_ - done_);
     return left < 1. ? "" : fmt::format("; about {:.0f} s left", left);
   }
 
@@ -207,6 +218,7 @@ class Runs {
   Workers workers_;
   std::size_t done_ = 0;
   std::size_t kept_ = 0;  ///< of those, from an earlier sweep
+  std::size_t to_solve_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -50,14 +50,12 @@ void add_wheel(WorkedOut& found, const DrawnWheel& drawn) {
         found.add("Slot clearance", wheel.slot_width - wheel.pin_diameter);
         found.add("Slot depth", wheel.slot_depth);
         found.add("Locking radius", wheel.locking_radius);
-        found.add("Pin core radius", wheel.pin_core_radius);
         add_own(found, wheel);
       },
       drawn);
 }
 
 void add_block(WorkedOut& found, const loads::LocalDimensions& block) {
-  found.add("Pin core radius", block.pin_core_radius);
   found.add("Block width", block.width);
   found.add("Block depth", block.depth);
 }
@@ -73,6 +71,14 @@ void add_pin(WorkedOut& found, const MechanismCase& mechanism, const MechanismSi
   found.add("Pin/Profile load", load, base::Dimension::force);
 }
 
+/// Of a pin that is held at its core, as every pin in the plane.
+void add_core(WorkedOut& found, const MechanismCase& mechanism, const MechanismSizes& sizes) {
+  if (mechanism.space && mechanism.pin_holding.hold != PinHolding::Hold::core) return;
+  found.add("Pin core radius", mechanism.bore_clearance
+                                   ? stud_core_radius(mechanism)
+                                   : block_dimensions(mechanism, sizes).pin_core_radius);
+}
+
 /// What cannot be worked out is left out: a case is not refused for it.
 std::map<std::string, std::string> worked_out(const Case& given) {
   WorkedOut found(given.units);
@@ -82,6 +88,7 @@ std::map<std::string, std::string> worked_out(const Case& given) {
     const MechanismDynamics dynamics = mechanism_dynamics(mechanism);
     found.add("Pin diameter", dynamics.sizes.pin_diameter);
     found.add("Wheel thickness", dynamics.sizes.thickness);
+    add_core(found, mechanism, dynamics.sizes);
     if (mechanism.is_local) add_block(found, block_dimensions(mechanism, dynamics.sizes));
     if (dynamics.wheel) add_wheel(found, *dynamics.wheel);
     if (mechanism.space) add_pin(found, mechanism, dynamics.sizes);

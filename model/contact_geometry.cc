@@ -34,7 +34,7 @@ std::vector<loads::Outline> with_roller(std::vector<loads::Outline> outlines,
                                         const MechanismCase& mechanism) {
   const double bore = mechanism.roller->diameter;
   const double clearance = *mechanism.bore_clearance;
-  const double core = mechanism.dimensions.pin_core_radius.value_or((bore - clearance) / 4.);
+  const double core = stud_core_radius(mechanism);
   const loads::Outline pin = outlines.back();
   outlines.pop_back();
   for (loads::Outline& outline : loads::roller_outlines(pin, {bore, clearance, core}))

@@ -57,6 +57,11 @@ MechanismSizes sizes_of(const MechanismCase& given) {
           given.dimensions.thickness.value_or(row.k3 * diameter)};
 }
 
+double stud_core_radius(const MechanismCase& mechanism) {
+  const double stud = mechanism.roller->diameter - *mechanism.bore_clearance;
+  return mechanism.dimensions.pin_core_radius.value_or(stud / 4.);
+}
+
 double analysed_angle(const MechanismCase& given, const loads::DrivenMechanism& driven,
                       const loads::WheelTrain& train) {
   switch (given.angle_kind) {

@@ -32,6 +32,9 @@ loads::DrivenMechanism driven_mechanism(const MechanismCase& mechanism);
 /// Sizes that are given or follow from Johnson's proportions.
 MechanismSizes sizes_of(const MechanismCase& mechanism);
 
+/// Radius of the core at which a roller's stud is held in the plane [m].
+double stud_core_radius(const MechanismCase& mechanism);
+
 /// Where the case wants the analysis [rad].
 double analysed_angle(const MechanismCase& mechanism, const loads::DrivenMechanism& driven,
                       const loads::WheelTrain& train);

@@ -59,8 +59,8 @@ struct Evaluation {
 /// Measured on random line contacts, wheels, spheres and punches at 0.5 %, s from 0.02 to 0.11,
 /// beyond what the cells around leave: half-widths are off by up to 1.9 s^2, where p^2 is no
 /// parabola by 0.5 s; the maximum shear by 2 s^2; its depth by 0.14 s, of spheres by 1.5 s and
-/// of punches by 1.8 s. In 3-D the depth is that of a cell's middle, which 0.7 of a cell was seen
-/// to be off.
+/// of punches by 1.8 s; the tension of a surface that slides with mu = 0.1 by up to 1.5 s. In 3-D
+/// the depth is that of a cell's middle, which 0.7 of a cell was seen to be off.
 Evaluation evaluation(const Figure figure, const ContactCells& cells, const int dim) {
   switch (figure) {
     case Figure::half_width:

@@ -10,8 +10,8 @@
 #include "post/analysis/contact_sections.h"
 #include "post/analysis/depth_line.h"
 #include "post/analysis/field_difference.h"
+#include "post/analysis/sliding_surface.h"
 #include "post/analysis/stress.h"
-#include "post/analysis/surface_stress.h"
 
 namespace geneva::post {
 

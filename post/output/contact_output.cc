@@ -8,7 +8,7 @@
 
 #include "base/output_file.h"
 #include "post/analysis/partial_slip_form.h"
-#include "post/analysis/surface_stress.h"
+#include "post/analysis/sliding_surface.h"
 #include "post/output/result_files.h"
 
 namespace geneva::post {

@@ -58,6 +58,7 @@ json optimum_summary(const OptimumReport& report) {
   return {{"case", base::case_section(report.about)},
           {"versions", base::versions_section(report.geneva_version)},
           {"goal", report.goal},
+          {"basis", report.basis},
           {"dimensions", dimensions},
           {"figures", figures},
           {"binds", binding(report)},
@@ -82,8 +83,9 @@ std::string optimum_csv(const OptimumReport& report, const UnitSystem units) {
 }
 
 std::string optimum_table(const OptimumReport& report, const UnitSystem units) {
-  std::string text = fmt::format("least {}, {} candidates\n\n{:<44} {:>17} {:>17}\n", report.goal,
-                                 report.trials, "", "as it is", "best");
+  std::string text =
+      fmt::format("least {}, {} candidates; pressures by {}\n\n{:<44} {:>17} {:>17}\n", report.goal,
+                  report.trials, report.basis, "", "as it is", "best");
   for (const OptimumDimension& dimension : report.dimensions)
     text += fmt::format("{:<44} {:>17} {:>17}\n", dimension.name,
                         dimension.before.empty() ? "by rule" : dimension.before, dimension.after) +

@@ -39,7 +39,8 @@ struct OptimumFigure {
 struct OptimumReport {
   base::CaseHeader about;
   std::string geneva_version;
-  std::string goal;  ///< what is least, the name of a figure
+  std::string goal;   ///< what is least, the name of a figure
+  std::string basis;  ///< of the pressures: "Hertz, an even load" or "line contacts along the pin"
   std::vector<OptimumDimension> dimensions;
   std::vector<OptimumFigure> figures;
   int trials;  ///< how many candidates were worked out

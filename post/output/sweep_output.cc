@@ -78,6 +78,17 @@ ParameterColumn column_of(const SweepReport& report, const std::size_t parameter
   return column;
 }
 
+/// The limit that a point's least safety factor is for; empty where there is none.
+std::string nearest_limit(const SweepPoint& point) {
+  const std::string begin = "safety factor: ";
+  const SweepFigure* nearest = nullptr;
+  for (const SweepFigure& figure : point.figures)
+    if (figure.quantity.rfind(begin, 0) == 0 && figure.value &&
+        (nearest == nullptr || *figure.value < *nearest->value))
+      nearest = &figure;
+  return nearest == nullptr ? "" : nearest->quantity.substr(begin.size());
+}
+
 json point_section(const SweepPoint& point) {
   json figures = json::array();
   for (const SweepFigure& figure : point.figures)
@@ -91,6 +102,7 @@ json point_section(const SweepPoint& point) {
           {"directory", point.directory},
           {"exit_code", point.exit_code},
           {"message", point.message},
+          {"nearest_limit", nearest_limit(point)},
           {"figures", figures}};
 }
 
@@ -128,17 +140,6 @@ std::vector<std::string> told_quantities(const SweepReport& report) {
   for (const std::string& quantity : all)
     if (std::find(ranked.begin(), ranked.end(), quantity) != ranked.end()) told.push_back(quantity);
   return told;
-}
-
-/// The limit that a point's least safety factor is for; empty where there is none.
-std::string nearest_limit(const SweepPoint& point) {
-  const std::string begin = "safety factor: ";
-  const SweepFigure* nearest = nullptr;
-  for (const SweepFigure& figure : point.figures)
-    if (figure.quantity.rfind(begin, 0) == 0 && figure.value &&
-        (nearest == nullptr || *figure.value < *nearest->value))
-      nearest = &figure;
-  return nearest == nullptr ? "" : nearest->quantity.substr(begin.size());
 }
 
 /// Exit code, message and figures of a point, separated by commas.

@@ -338,7 +338,7 @@
     outlines.visible = objects.model.visible && Number(control("deformation").value) === 0;
     const isNearCut = (mark) => planes.every((plane) => Math.abs(plane.distanceToPoint(new THREE.Vector3(...mark.userData.place))) < 0.05 * extent);
     for (const mark of marks) mark.visible = objects.model.visible && !(isZone() && meshes.contact) && isNearCut(mark);
-    for (const mark of keptMarks) mark.visible = !isMountain();
+    for (const mark of keptMarks) mark.visible = !isMountain() && isNearCut(mark);
     if (view.dimension === 3) control("part").disabled = name === "none";
   }
 
@@ -478,12 +478,21 @@
     const used = keptMarks.map((mark) => mark.userData.letter);
     const letter = [...LETTERS].find((one) => !used.includes(one));
     kept.append(Object.assign(document.createElement("li"), { textContent: `${letter}: ${nameOf(control("field").value)} ${describe(hit)}` }));
-    const mark = markOf(hit.point.toArray(), displacementAt(hit), letter, "rgba(255, 236, 160, 0.9)");
+    const mark = markOf(placeOf(hit), displacementAt(hit), letter, "rgba(255, 236, 160, 0.9)");
     mark.userData.letter = letter;
     keptMarks.push(mark);
   }
 
+  function weightsOf(hit) {
+    const mesh = meshes[Object.keys(objects).find((one) => objects[one] === hit.object)];
+    const corners = ["a", "b", "c"].map((corner) => new THREE.Vector3().fromArray(mesh.points, 3 * hit.face[corner]));
+    return THREE.Triangle.getBarycoord(hit.point, ...corners, new THREE.Vector3()).toArray();
+  }
+  // The mountain of pressure stands elsewhere than the surface that carries it.
+  const placeOf = (hit) => (isMountain() ? placeOnSurface(hit.face, weightsOf(hit)) : hit.point.toArray());
+
   function displacementAt(hit) {
+    if (isMountain()) return nearestDisplacement(placeOf(hit));
     const { displacements } = meshes[Object.keys(objects).find((one) => objects[one] === hit.object)];
     return [0, 1, 2].map((k) => displacements[3 * hit.face.a + k]);
   }
@@ -493,8 +502,7 @@
     const mesh = meshes[name];
     const field = control("field").value;
     const values = mesh.fields[field];
-    const corners = ["a", "b", "c"].map((corner) => new THREE.Vector3().fromArray(mesh.points, 3 * hit.face[corner]));
-    const weights = THREE.Triangle.getBarycoord(hit.point, ...corners, new THREE.Vector3()).toArray();
+    const weights = weightsOf(hit);
     const value = values ? ["a", "b", "c"].reduce((sum, corner, k) => sum + weights[k] * values[hit.face[corner]], 0) : NaN;
     const at = isMountain() ? placeOnSurface(hit.face, weights) : hit.point.toArray();
     const place = at.slice(0, view.dimension)

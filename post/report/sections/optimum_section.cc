@@ -83,11 +83,11 @@ ReportPart optimum_part(const ResultsDirectory& results) {
   std::string binds;
   for (const json& word : optimum.at("binds"))
     binds += (binds.empty() ? "" : ", ") + escaped(word.get<std::string>());
-  const std::string head =
-      fmt::format("<p>Least {}, of {} candidates. {}</p>\n", escaped(optimum.at("goal")),
-                  optimum.at("trials").get<int>(),
-                  binds.empty() ? "Nothing binds: it is a minimum within all bounds and limits."
-                                : "What binds: " + binds + ".");
+  const std::string head = fmt::format(
+      "<p>Least {}, of {} candidates; pressures by {}. {}</p>\n", escaped(optimum.at("goal")),
+      optimum.at("trials").get<int>(), escaped(optimum.at("basis")),
+      binds.empty() ? "Nothing binds: it is a minimum within all bounds and limits."
+                    : "What binds: " + binds + ".");
   return {html_section("optimum", "Best dimensions",
                        answer_of_optimum(optimum, results.units()) + head +
                            dimensions_table(optimum) + optimum_table(optimum, results.units())),

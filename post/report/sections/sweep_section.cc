@@ -112,20 +112,6 @@ HtmlTable points_table(const json& sweep, const std::string& caption) {
   return table;
 }
 
-/// The limit that a point's least safety factor is for; empty where there is none.
-std::string nearest_limit_of(const json& point) {
-  const std::string begin = "safety factor: ";
-  const json* nearest = nullptr;
-  for (const json& figure : point.at("figures")) {
-    if (figure.at("quantity").get<std::string>().rfind(begin, 0) != 0 ||
-        figure.at("value").is_null())
-      continue;
-    if (nearest == nullptr || number_of(figure.at("value")) < number_of(nearest->at("value")))
-      nearest = &figure;
-  }
-  return nearest == nullptr ? "" : nearest->at("quantity").get<std::string>().substr(begin.size());
-}
-
 /// A figure of a point; marked where its limit is exceeded.
 std::string value_cell(const json& point, const Quantity& quantity, const base::UnitSystem units) {
   const json* const figure = figure_of(point, quantity.name);
@@ -140,7 +126,8 @@ std::string value_cell(const json& point, const Quantity& quantity, const base::
                                 : shown(figure->at("value"), quantity.dimension, units);
   const std::string marked =
       is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>" : value;
-  return is_least ? marked + "<br><small>" + escaped(nearest_limit_of(point)) + "</small>" : marked;
+  return is_least ? marked + "<br><small>" + escaped(point.at("nearest_limit")) + "</small>"
+                  : marked;
 }
 
 /// All figures of all points, in tables that are no wider than a sheet of paper.
@@ -331,39 +318,48 @@ std::string what_stays(const json& sweep) {
   return text;
 }
 
+/// "with Pin diameter 8 mm"; empty where nothing varies.
+std::string with_values(const json& sweep, const json& point) {
+  const std::string values = others_of(sweep, point, sweep.at("parameters").size());
+  return values.empty() ? "" : "with " + escaped(values);
+}
+
+/// The value of a figure of a point; not a number where it has none.
+double value_of(const json& point, const std::string& quantity) {
+  const json* const figure = figure_of(point, quantity);
+  return figure == nullptr || figure->at("value").is_null() ? std::nan("")
+                                                            : number_of(figure->at("value"));
+}
+
+/// The point at which a figure is greatest, times a sign; none where no point has it.
+const json* best_point(const json& points, const std::string& quantity, const double sign) {
+  const json* best = nullptr;
+  for (const json& point : points)
+    if (const double value = sign * value_of(point, quantity);
+        std::isfinite(value) && (best == nullptr || value > sign * value_of(*best, quantity)))
+      best = &point;
+  return best;
+}
+
 /// The point that keeps its limits best, or without limits the one of the least peak pressure.
 std::string answer_of_sweep(const json& sweep, const base::UnitSystem units) {
   const json& points = sweep.at("points");
-  const json* best = nullptr;
-  const auto factor_of = [](const json& point) {
-    const json* const figure = figure_of(point, "least safety factor");
-    return figure == nullptr || figure->at("value").is_null() ? std::nan("")
-                                                              : number_of(figure->at("value"));
-  };
-  for (const json& point : points)
-    if (std::isfinite(factor_of(point)) && (best == nullptr || factor_of(point) > factor_of(*best)))
-      best = &point;
-  if (best != nullptr)
-    return answer("greatest safety factor", significant(factor_of(*best), 3),
-                  fmt::format("{}, with {} {}", escaped(nearest_limit_of(*best)),
-                              escaped(others_of(sweep, *best, sweep.at("parameters").size())),
-                              factor_of(*best) >= 1. ? "<span class=\"pass\">✓ pass</span>"
-                                                     : "<span class=\"fail\">✗ EXCEEDED</span>"));
-  const std::string name = "peak contact pressure";
-  const auto pressure_of = [&](const json& point) {
-    const json* const figure = figure_of(point, name);
-    return figure == nullptr || figure->at("value").is_null() ? std::nan("")
-                                                              : number_of(figure->at("value"));
-  };
-  for (const json& point : points)
-    if (std::isfinite(pressure_of(point)) &&
-        (best == nullptr || pressure_of(point) < pressure_of(*best)))
-      best = &point;
+  const std::string factor_name = "least safety factor";
+  if (const json* const best = best_point(points, factor_name, 1.)) {
+    const double factor = value_of(*best, factor_name);
+    return answer(
+        "greatest safety factor", significant(factor, 3),
+        fmt::format("{} {} {}", escaped(best->at("nearest_limit")), with_values(sweep, *best),
+                    factor >= 1. ? "<span class=\"pass\">✓ pass</span>"
+                                 : "<span class=\"fail\">✗ EXCEEDED</span>"));
+  }
+  const std::string pressure = "peak contact pressure";
+  const json* const best = best_point(points, pressure, -1.);
   if (best == nullptr) return "";
   return answer(
-      "least " + name,
-      shown_with_unit(figure_of(*best, name)->at("value"), base::Dimension::stress, units),
-      "with " + escaped(others_of(sweep, *best, sweep.at("parameters").size())));
+      "least " + pressure,
+      shown_with_unit(figure_of(*best, pressure)->at("value"), base::Dimension::stress, units),
+      with_values(sweep, *best));
 }
 
 }  // namespace

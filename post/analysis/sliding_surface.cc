@@ -1,4 +1,4 @@
-#include "post/analysis/surface_stress.h"
+#include "post/analysis/sliding_surface.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -105,8 +105,11 @@ std::vector<SurfaceStress> surface_stresses(const fem::Solution<2>& solution,
 std::optional<SurfaceExtremes> surface_extremes(const fem::Solution<2>& solution,
                                                 const fem::ContactResult<2>& contact) {
   const std::vector<SurfaceStress> stresses = surface_stresses(solution, contact);
-  if (stresses.empty() || !fem::has_friction(solution.problem)) return std::nullopt;
   const std::vector<fem::ContactNode<2>>& nodes = contact.nodes;
+  const bool has_friction = std::any_of(nodes.begin(), nodes.end(), [](const auto& node) {
+    return node.friction != fem::Components<2>{};
+  });
+  if (stresses.empty() || !has_friction) return std::nullopt;
   const std::pair<std::size_t, std::size_t> closed = closed_range(nodes);
   const std::size_t first = closed.first;
   const std::size_t last = closed.second;
@@ -129,9 +132,15 @@ std::optional<SurfaceExtremes> surface_extremes(const fem::Solution<2>& solution
                                               one.end >= nodes[first + skipped].arc_length;
                                      });
   if (interval == contact.intervals.end()) return result;
-  for (const SlidingEnd& end : {sliding_end(nodes, first, last, interval->begin),
-                                sliding_end(nodes, last, first, interval->end)})
-    result.tension = std::max(result.tension, tension_at(end, nodes, stresses));
+  // Where the surface itself ends, at a plane of symmetry for one, the pressure is not zero.
+  if (first > 0)
+    result.tension =
+        std::max(result.tension,
+                 tension_at(sliding_end(nodes, first, last, interval->begin), nodes, stresses));
+  if (last + 1 < nodes.size())
+    result.tension =
+        std::max(result.tension,
+                 tension_at(sliding_end(nodes, last, first, interval->end), nodes, stresses));
   return result;
 }
 
