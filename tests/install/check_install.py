@@ -63,7 +63,7 @@ class Install(unittest.TestCase):
         commands = re.findall(r"^  ([a-z]+) ", commands_text, re.MULTILINE)
         self.assertEqual({path.name for path in (share / "man/man1").iterdir()},
                          {"geneva.1", *(f"geneva-{command}.1" for command in commands)})
-        self.assertIn("complete -o filenames -F _geneva geneva", (share / "bash-completion/completions/geneva").read_text())
+        self.assertIn("complete -o dirnames -F _geneva geneva", (share / "bash-completion/completions/geneva").read_text())
         self.assertTrue((share / "zsh/site-functions/_geneva").exists())
         self.assertTrue((share / "fish/vendor_completions.d/geneva.fish").exists())
         self.assertIn("subsection 42CrMo4 nitrided", (share / "geneva/materials.prm").read_text())
