@@ -26,8 +26,11 @@ std::vector<ContactResult<dim>> contact_results(const Solution<dim>& solution,
     ContactResult<dim> contact = contact_result(solution.problem.pairs[i], level.interfaces[i],
                                                 found.contacts[i], solution.scales);
     const auto places = mirrors(solution.mesh, solution.problem, contact);
-    for (unsigned int k = 0; k < dim; ++k)
-      if (places[k]) std::swap(contact.force[k], contact.lateral_force[k]);
+    for (unsigned int k = 0; k < dim; ++k) {
+      if (!places[k]) continue;
+      std::swap(contact.force[k], contact.lateral_force[k]);
+      contact.friction_force[k] = 0.;  // its mirror image cancels it
+    }
     if constexpr (dim == 2) {
       count_from_mirrors(contact, places, solution.scales.length);
       const auto strains = surface_strains(level.interfaces[i], found.displacement);

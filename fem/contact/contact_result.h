@@ -51,8 +51,9 @@ struct ContactResult {
   std::vector<ContactNode<dim>> nodes;  ///< in the plane in the order of the arc length
   /// Faces (indices into nodes) of the source whose nodes all face the target; in 3-D.
   std::vector<std::array<std::size_t, 4>> faces;
-  Components<dim> force;             ///< resultant of the pressure on the source body [N]
-  Components<dim> friction_force{};  ///< resultant of the friction on the source body [N]
+  Components<dim> force;  ///< resultant of the pressure on the source body [N]
+  /// Resultant of the friction on the source body [N], without what a mirror image cancels.
+  Components<dim> friction_force{};
   /// What the pressure adds up to along the normals of planes of symmetry, or along the radius of a
   /// body of revolution, and what is balanced there [N]; not in `force`
   Components<dim> lateral_force;

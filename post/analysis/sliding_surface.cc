@@ -106,9 +106,13 @@ std::optional<SurfaceExtremes> surface_extremes(const fem::Solution<2>& solution
                                                 const fem::ContactResult<2>& contact) {
   const std::vector<SurfaceStress> stresses = surface_stresses(solution, contact);
   const std::vector<fem::ContactNode<2>>& nodes = contact.nodes;
-  const bool has_friction = std::any_of(nodes.begin(), nodes.end(), [](const auto& node) {
-    return node.friction != fem::Components<2>{};
-  });
+  // By the problem, which is the same on every rank: tractions differ by roundings.
+  const auto& pairs = solution.problem.pairs;
+  const bool has_friction =
+      std::any_of(pairs.begin(), pairs.end(), [&](const fem::ContactPair& pair) {
+        return pair.source == contact.source && pair.target == contact.target &&
+               pair.friction.coefficient > 0.;
+      });
   if (stresses.empty() || !has_friction) return std::nullopt;
   const std::pair<std::size_t, std::size_t> closed = closed_range(nodes);
   const std::size_t first = closed.first;
