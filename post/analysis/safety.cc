@@ -106,7 +106,7 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
   const bool has_contact = fem::has_contact(solution.problem);
   const std::string where = has_contact ? " away from the contact" : "";
   const auto& mechanism = report.mechanism;
-  /// @param power of the pin force with which it goes over the cycle
+  // The power is that of the pin force with which it goes over the cycle.
   const auto add = [&](const std::string& quantity, const double stress, const bool is_finite,
                        const double limit, const double power, const std::string& meaning) {
     std::optional<CycleValue> cycle;
