@@ -338,12 +338,23 @@ double scale_of(const std::string& unit, Dimension dimension, const std::string&
   return meaning->scale;
 }
 
+/// What a user may have meant who gives a hardness with its scale; Rockwell's numbers are converted
+/// by tables only (ISO 18265), of which one pair shows the size of the number that is wanted.
+std::string hardness_hint(const std::string& unit) {
+  if (unit == "HRC" || unit == "HRc" || unit == "Rc")
+    return " (a hardness is Vickers' or Brinell's number: 58 HRC is about 650)";
+  if (unit == "HV" || unit == "HB" || unit == "HBW" || unit == "BHN")
+    return " (a hardness is given as its number alone)";
+  return "";
+}
+
 /// UDUNITS-2 takes radians, bits and bytes for plain numbers too.
 double dimensionless_scale(const std::string& unit, const std::string& text) {
   if (unit.empty()) return 1.;
   if (unit == "%" || unit == "percent") return 0.01;
-  refuse(text, Dimension::dimensionless,
-         fmt::format("{} does not belong to a plain number", in_quotes(unit)));
+  refuse(
+      text, Dimension::dimensionless,
+      fmt::format("{} does not belong to a plain number{}", in_quotes(unit), hardness_hint(unit)));
 }
 
 double memory_scale(const std::string& unit, const std::string& text) {

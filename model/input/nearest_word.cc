@@ -35,6 +35,25 @@ std::size_t edit_distance(const std::string& first, const std::string& second) {
   return rows.back().back();
 }
 
+bool begins_with(const std::string& whole, const std::string& part) {
+  return part.size() <= whole.size() &&
+         std::equal(part.begin(), part.end(), whole.begin(),
+                    [](const char one, const char other) {
+                      return lower_case(one) == lower_case(other);
+                    });
+}
+
+std::optional<std::string> only_one_that_begins_with(const std::string& word,
+                                                     const std::vector<std::string>& candidates) {
+  constexpr std::size_t fewest_letters = 3;
+  if (word.size() < fewest_letters) return std::nullopt;
+  const auto begins = [&](const std::string& candidate) { return begins_with(candidate, word); };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), begins);
+  if (found == candidates.end() || std::any_of(found + 1, candidates.end(), begins))
+    return std::nullopt;
+  return *found;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_word(const std::string& word,
@@ -49,7 +68,7 @@ std::optional<std::string> nearest_word(const std::string& word,
     least = distance;
     nearest = candidate;
   }
-  return nearest;
+  return nearest ? nearest : only_one_that_begins_with(word, candidates);
 }
 
 }  // namespace geneva::model

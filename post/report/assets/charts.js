@@ -200,6 +200,9 @@
       chart.options.plugins.legend.labels.color = ink();
       chart.options.plugins.legend.labels.font = font;
       chart.update();
+      // Paper scales the drawing to its columns: in a narrow window it would be taller than wide.
+      if (onPaper) chart.resize(isAlone ? 1120 : 552, 320);
+      else chart.resize();
     }
   }
   window.addEventListener("beforeprint", () => recolour(true));

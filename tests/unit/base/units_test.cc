@@ -134,6 +134,15 @@ TEST(Units, ASecondNumberIsRefusedInsteadOfMultiplied) {
       "its unit is wanted, for example '600 rpm' or '62.8 rad/s'");
 }
 
+TEST(Units, AHardnessIsANumberOfVickersOrBrinell) {
+  EXPECT_EQ(refusal("58 HRC", Dimension::dimensionless),
+            "'58 HRC': 'HRC' does not belong to a plain number (a hardness is Vickers' or "
+            "Brinell's number: 58 HRC is about 650); a plain number or a percentage is wanted, for "
+            "example '0.3' or '30 %'");
+  EXPECT_NE(refusal("700 HV", Dimension::dimensionless).find("as its number alone"),
+            std::string::npos);
+}
+
 TEST(Units, AUnitOfAnotherDimensionIsRefused) {
   EXPECT_EQ(refusal("4.53 s", Dimension::length),
             "'4.53 s': 's' is no unit of length; a length with its unit is wanted, for example "

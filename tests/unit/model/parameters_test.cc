@@ -132,4 +132,12 @@ TEST(Parameters, TheNearestWordIsTheOneWithTheLeastEdits) {
   EXPECT_FALSE(nearest_word(std::string(1000, 'a'), words));
 }
 
+TEST(Parameters, ABeginningStandsForTheOnlyWordThatHasIt) {
+  const std::vector<std::string> words{"Slot width", "Slot depth", "Stations"};
+  EXPECT_EQ(nearest_word("stat", words), "Stations");
+  EXPECT_EQ(nearest_word("Slot w", words), "Slot width");
+  EXPECT_FALSE(nearest_word("Slot", words));
+  EXPECT_FALSE(nearest_word("St", words));
+}
+
 }  // namespace
