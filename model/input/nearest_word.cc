@@ -37,10 +37,9 @@ std::size_t edit_distance(const std::string& first, const std::string& second) {
 
 bool begins_with(const std::string& whole, const std::string& part) {
   return part.size() <= whole.size() &&
-         std::equal(part.begin(), part.end(), whole.begin(),
-                    [](const char one, const char other) {
-                      return lower_case(one) == lower_case(other);
-                    });
+         std::equal(part.begin(), part.end(), whole.begin(), [](const char one, const char other) {
+           return lower_case(one) == lower_case(other);
+         });
 }
 
 std::optional<std::string> only_one_that_begins_with(const std::string& word,
