@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/contact/interface.h"
+#include "fem/energy.h"
 #include "fem/problem/problem.h"
 
 namespace geneva::fem {
@@ -23,6 +24,7 @@ struct PairAtInstant {
 template <int dim>
 struct Instant {
   std::vector<PairAtInstant<dim>> pairs;
+  Energy energy;  ///< since the first step, of the modelled part [J]
 };
 
 }  // namespace geneva::fem

@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "fem/contact/active_set.h"
+#include "fem/energy_account.h"
 
 namespace geneva::fem {
 
@@ -69,6 +70,7 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
   equilibrium.forget_slip();
   const std::size_t n_steps = std::max<std::size_t>(problem.steps.size(), 1);
   State<dim> state{start.displacement, start.history, {}, {}};
+  EnergyAccount<dim> energy;
   for (std::size_t step = 0;; ++step) {
     if (step < on_last_mesh.size()) equilibrium.recall(on_last_mesh[step]);
     Solved solved = advance(equilibrium, state, problem, step, settings, observer);
@@ -79,6 +81,10 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
     const LevelState& found = std::get<LevelState>(solved);
     instants.push_back(instant_of(equilibrium.level(), found, equilibrium.scales(),
                                   step == 0 ? nullptr : &instants.back()));
+    if (!problem.steps.empty())
+      instants.back().energy =
+          energy.add(equilibrium.level(), found)
+              .times(equilibrium.scales().force() * equilibrium.scales().length);
     if (step + 1 == n_steps) return solved;
     equilibrium.remember_slip(found);
     state = equilibrium.end_of_instant(std::move(state), found);

@@ -54,8 +54,8 @@ Tensor<1, dim> friction_vector(const ContactRow<dim>& row, const ContactState& s
   return friction;
 }
 
-/// Forces of the contact on the bodies, the hanging nodes' shares given to the nodes that they hang
-/// on.
+}  // namespace
+
 template <int dim>
 std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
                                                   const LevelState& state) {
@@ -83,8 +83,6 @@ std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
   }
   return forces;
 }
-
-}  // namespace
 
 /// Each dof counts for the first holder that has it: at common nodes only its line is in force.
 template <int dim>
@@ -155,6 +153,8 @@ AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& l
           moment * solution.scales.force() * solution.scales.length};
 }
 
+template std::map<global_dof_index, double> contact_forces(const Level<2>&, const LevelState&);
+template std::map<global_dof_index, double> contact_forces(const Level<3>&, const LevelState&);
 template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&, const LevelState&);
 template Moment<2> friction_couple(const Solution<2>&, const Level<2>&, const LevelState&);
 template Moment<3> friction_couple(const Solution<3>&, const Level<3>&, const LevelState&);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <vector>
 
 #include "fem/active_set_iteration.h"
@@ -13,6 +14,11 @@ namespace geneva::fem {
 template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
                                      const LevelState& state);
+
+/// Forces of the contacts on the bodies, the hanging nodes' shares given to the nodes that they
+/// hang on, by dof, in the units of the triangulation.
+template <int dim>
+std::map<global_dof_index, double> contact_forces(const Level<dim>& level, const LevelState& state);
 
 /// Couple of the friction, which acts on either surface where it is undeformed, with the initial
 /// gap between them for an arm [N m].

@@ -13,6 +13,7 @@ namespace {
 
 /// Limits of what rounding, the linear solver and the active set leave behind.
 constexpr double balance_limit = 1e-6;
+constexpr double energy_limit = 1e-8;
 constexpr double complementarity_limit = 1e-6;
 constexpr double penetration_limit = 1e-3;
 /// Chords in the mesh for the drawn wheel's arcs make 1.3e-4 (johnson-optimum-wheel).
@@ -36,6 +37,14 @@ double complementarity_residual(const fem::ContactResult<dim>& contact, const do
     const double pressure = node.pressure / contact.peak_pressure;
     residual = std::max({residual, std::abs(pressure * node.gap) / approach, -pressure});
   }
+  return residual;
+}
+
+template <int dim>
+double energy_residual(const fem::Solution<dim>& solution) {
+  double residual = 0.;
+  for (const fem::Instant<dim>& instant : solution.instants)
+    residual = std::max(residual, instant.energy.imbalance());
   return residual;
 }
 
@@ -71,6 +80,12 @@ std::vector<Check> checks(const fem::Solution<dim>& solution, const Results<dim>
        results.equilibrium.force_residual, balance_limit},
       {"balance of moments", "sum of all moments over the " + scale + ", times that extent",
        results.equilibrium.moment_residual, balance_limit}};
+  if (!solution.problem.steps.empty())
+    list.push_back(
+        {"balance of energy",
+         "work of loads and supports, less what is stored and what contacts take, over the "
+         "greatest of them, maximum of the load steps",
+         energy_residual(solution), energy_limit});
   if (report.mechanism && report.mechanism->bore_torque)
     list.push_back(
         {report.mechanism->held_surface + " torque",

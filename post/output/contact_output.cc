@@ -204,15 +204,19 @@ std::vector<ContactColumn> step_columns(const fem::Solution<dim>& solution, cons
   for (const char* const name : {"force_", "friction_force_"})
     for (std::size_t i = 0; i < dim; ++i)
       columns.push_back({std::string(name) + axes[i], force.name, {}});
-  columns.insert(columns.end(),
-                 {{"dissipated", "J", {}}, {"sticking_nodes", "", {}}, {"slipping_nodes", "", {}}});
+  columns.insert(columns.end(), {{"dissipated", "J", {}},
+                                 {"sticking_nodes", "", {}},
+                                 {"slipping_nodes", "", {}},
+                                 {"work", "J", {}},
+                                 {"elastic_energy", "J", {}}});
   for (std::size_t step = 0; step < solution.instants.size(); ++step) {
     const fem::PairAtInstant<dim>& at = solution.instants[step].pairs[pair];
     std::vector<double> row{static_cast<double>(step + 1), solution.problem.steps[step].time};
     for (const double component : at.force) row.push_back(component * force.factor);
     for (const double component : at.friction_force) row.push_back(component * force.factor);
     row.insert(row.end(),
-               {at.dissipated, static_cast<double>(at.sticking), static_cast<double>(at.slipping)});
+               {at.dissipated, static_cast<double>(at.sticking), static_cast<double>(at.slipping),
+                solution.instants[step].energy.work, solution.instants[step].energy.stored});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
   return columns;

@@ -258,7 +258,9 @@ class StickAndSlip(CliTest):
         case = self.copy_case("mindlin-sphere", "back")
         (case / "steps.csv").write_text("time [s], block end\n0, 0\n1, 1\n2, 0.2\n")
         for ranks in (None, 2):
-            rows = {row["quantity"]: row for row in self.run_case(case, ranks=ranks)["comparison"]}
+            summary = self.run_case(case, ranks=ranks)
+            self.assert_energy_balanced(summary)
+            rows = {row["quantity"]: row for row in summary["comparison"]}
             share = rows["sticking share of the contact"]
             exact = (1 - 0.75 * 0.8 / 2)**(2 / 3)
             self.assert_close(number(share["closed_form"]), exact, 1e-4, "closed form")
@@ -291,7 +293,7 @@ class StickAndSlip(CliTest):
     def test_a_cycle_dissipates_what_the_closed_form_says(self):
         """W = (4/pi) (mu P')^2/E* [F - F^2/2 + (1 - F) ln(1 - F)]."""
         case = self.case("cycle", "4.5e-5", [0, 1, 0, -1, 0, 1])
-        self.run_case(case)
+        self.assert_energy_balanced(self.run_case(case))
         steps = self.table(case, "steps.csv")
         share = self.share(steps[1])
         exact = 4 / math.pi * (self.MU * self.LOAD)**2 / self.MODULUS * (
@@ -299,6 +301,9 @@ class StickAndSlip(CliTest):
         self.assert_close(float(steps[-1]["dissipated"]) - float(steps[1]["dissipated"]), exact, 0.03, "heat of a cycle")
         heat = [float(step["dissipated"]) for step in steps]
         self.assertEqual(heat, sorted(heat))
+        self.assert_close(float(steps[5]["elastic_energy"]), float(steps[1]["elastic_energy"]), 1e-3, "the same again")
+        work = float(steps[5]["work"]) - float(steps[1]["work"])
+        self.assert_close(work, heat[5] - heat[1], 0.35, "heat of a step is that of its last friction")
 
     def test_all_work_of_steady_sliding_is_heat(self):
         """Once all of it slides no more elastic energy is stored."""
@@ -309,6 +314,8 @@ class StickAndSlip(CliTest):
             heat = float(now["dissipated"]) - float(before["dissipated"])
             work = float(now["friction_force_x"]) * 1e-6  # m
             self.assert_close(heat, work, 1e-8, "energy balance")
+            self.assert_close(float(now["work"]) - float(before["work"]), heat, 1e-8, "work of the support")
+            self.assert_close(float(now["elastic_energy"]), float(before["elastic_energy"]), 1e-8, "stored")
             self.assert_close(float(now["friction_force_x"]), self.MU * self.LOAD * 1e-3, 1e-8, "mu P")
 
     def test_dissimilar_bodies_that_slide_shift_the_pressure(self):
@@ -406,6 +413,11 @@ class StickAndSlip(CliTest):
         for check in summary["checks"]:
             if check["name"].startswith("balance"):
                 self.assertLess(check["value"], below, check["name"])
+
+    def assert_energy_balanced(self, summary):
+        check = {check["name"]: check for check in summary["checks"]}["balance of energy"]
+        self.assertTrue(check["passed"])
+        self.assertLess(check["value"], 1e-8)
 
     def test_friction_across_a_gap_is_in_balance(self):
         """Friction acts on either surface where it is undeformed, with the gap for an arm."""
