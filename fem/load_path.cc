@@ -66,26 +66,29 @@ template <int dim>
 Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
             const Settings& settings, const StepObserver& observer,
             std::vector<Instant<dim>>& instants) {
-  const std::vector<Instant<dim>> on_last_mesh = std::exchange(instants, {});
+  std::vector<Instant<dim>> found_here;
   equilibrium.forget_slip();
   const std::size_t n_steps = std::max<std::size_t>(problem.steps.size(), 1);
   State<dim> state{start.displacement, start.history, {}, {}};
   EnergyAccount<dim> energy;
   for (std::size_t step = 0;; ++step) {
-    if (step < on_last_mesh.size()) equilibrium.recall(on_last_mesh[step]);
+    if (step < instants.size()) equilibrium.recall(instants[step]);
     Solved solved = advance(equilibrium, state, problem, step, settings, observer);
     if (auto* const stop = std::get_if<Stop>(&solved)) {
       stop->step = step;
       return solved;
     }
     const LevelState& found = std::get<LevelState>(solved);
-    instants.push_back(instant_of(equilibrium.level(), found, equilibrium.scales(),
-                                  step == 0 ? nullptr : &instants.back()));
+    found_here.push_back(instant_of(equilibrium.level(), found, equilibrium.scales(),
+                                    step == 0 ? nullptr : &found_here.back()));
     if (!problem.steps.empty())
-      instants.back().energy =
+      found_here.back().energy =
           energy.add(equilibrium.level(), found)
               .times(equilibrium.scales().force() * equilibrium.scales().length);
-    if (step + 1 == n_steps) return solved;
+    if (step + 1 == n_steps) {
+      instants = std::move(found_here);
+      return solved;
+    }
     equilibrium.remember_slip(found);
     state = equilibrium.end_of_instant(std::move(state), found);
   }

@@ -414,6 +414,22 @@ class StickAndSlip(CliTest):
             if check["name"].startswith("balance"):
                 self.assertLess(check["value"], below, check["name"])
 
+    def test_a_mesh_without_equilibrium_leaves_the_one_before(self):
+        """A block balanced on a cylinder by friction alone."""
+        case = self.copy_case("hertz-line-contact", "balanced")
+        text = (case / "case.prm").read_text()
+        for old, new in (("block bottom: fixed", "cylinder core: fixed"), ("= cylinder core\n", "= block bottom\n"),
+                         ("cylinder surface -> block top", "block top -> cylinder surface\n  set Friction coefficient = 0.3"),
+                         ("Load cylinder core", "Load block bottom"), ("= force", "= pressure"), ("6 N", "0.1 MPa"),
+                         ("    set Direction = 0, -1\n", "")):
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        (case / "case.prm").write_text("set Structural accuracy = off\n" + text)
+        run = self.geneva("run", case)
+        self.assertEqual(run.code, 2, run.describe())
+        self.assertIn("not converged", run.err)
+        self.assertEqual(len(geneva_cli.read_summary(case / "results")["checks"]), 5)
+
     def assert_energy_balanced(self, summary):
         check = {check["name"]: check for check in summary["checks"]}["balance of energy"]
         self.assertTrue(check["passed"])
