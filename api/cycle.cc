@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
@@ -140,6 +141,26 @@ std::vector<bool> bodies_that_turn(const std::vector<post::CycleFields>& fields)
   return turning;
 }
 
+/// What the greatest tensile stresses go through, the same on all ranks.
+/// @param fields on rank 0
+std::vector<post::Swing> swings_of(const post::CycleReport& report,
+                                   const std::vector<post::CycleFields>& fields,
+                                   const MPI_Comm communicator) {
+  std::vector<post::Swing> swings;
+  if (!fields.empty()) {
+    const std::vector<bool> turning = bodies_that_turn(fields);
+    for (const post::CycleStressRange& range : post::stress_ranges(report)) {
+      const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& one) {
+        return one.driver_angle == range.driver_angle;
+      });
+      if (range.greatest.name == "tensile stress" && at != fields.end())
+        swings.push_back(post::swing_of(range.greatest, fields,
+                                        static_cast<std::size_t>(at - fields.begin()), turning));
+    }
+  }
+  return dealii::Utilities::MPI::broadcast(communicator, swings, 0);
+}
+
 }  // namespace
 
 Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher,
@@ -165,6 +186,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
       report.points.push_back(
           {instant, loads::hertz_pressure(contact, instant.load.force), std::nullopt, ""});
     result.fields = solve_shared(report.points, given, dynamics.driven, communicator, mesher, tell);
+    report.swings = swings_of(report, result.fields, communicator);
     report.curve = api::curve_of(report.points, dynamics.driven, dynamics.train, contact);
     report.work = api::work_of(dynamics.driven, dynamics.train);
     report.limits = api::cycle_limits(given, contact, report);

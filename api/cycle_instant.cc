@@ -2,6 +2,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "api/analysis_fields.h"
@@ -28,13 +30,22 @@ Case case_at(const Case& given, const loads::PinLoad& load) {
   return result;
 }
 
+/// @param is_mirrored whether the solution is the mirror image about y = 0
 template <int dim>
-std::vector<post::CycleStress> stresses_of(const fem::Solution<dim>& solution) {
+std::vector<post::CycleStress> stresses_of(const fem::Solution<dim>& solution,
+                                           const bool is_mirrored) {
   std::vector<post::CycleStress> stresses;
-  for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
-    if (stress.is_bounded)
-      stresses.push_back({stress.body, stress.name, stress.maximum.value,
-                          stress.maximum.total_error(), stress.where});
+  for (const post::NamedStress<dim>& stress : post::named_stresses(solution)) {
+    if (!stress.is_bounded) continue;
+    std::array<double, 3> place{};
+    std::copy(stress.maximum.place.begin(), stress.maximum.place.end(), place.begin());
+    if (is_mirrored) place[1] = -place[1];
+    const auto body = std::find_if(solution.problem.bodies.begin(), solution.problem.bodies.end(),
+                                   [&](const auto& one) { return one.name == stress.body; });
+    stresses.push_back({stress.body, stress.name, stress.maximum.value,
+                        stress.maximum.total_error(), stress.where, place,
+                        static_cast<unsigned int>(body - solution.problem.bodies.begin())});
+  }
   return stresses;
 }
 
@@ -66,7 +77,7 @@ SolvedInstant solved(const Case& at, const MPI_Comm communicator, mesh::Mesher* 
   if (const auto torque = bore_torque(model, *at.mechanism, solution))
     contact.bore_torque = sign * *torque;
   contact.expected_bore_torque = sign * model.mechanism->expected_bore_torque;
-  contact.stresses = stresses_of(solution);
+  contact.stresses = stresses_of(solution, at.mechanism->is_mirrored);
   contact.hertz_objection =
       post::hertz_objection(solution, solution.contacts.front(), contact.half_width);
   contact.shortfall = shortfall(solution, at.settings.accuracy);

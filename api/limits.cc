@@ -114,7 +114,7 @@ std::vector<LimitRow> cycle_limits(const Case& given, const loads::PinContact& c
     if (strength == strengths.end()) continue;
     rows.push_back({stress.name + " away from the contact" + (is_tensile ? " (fatigue), " : ", ") +
                         stress.body,
-                    Dimension::stress, stress.value, strength->second, range.driver_angle,
+                    Dimension::stress, range.range(), strength->second, range.driver_angle,
                     stress.where});
   }
   return rows;

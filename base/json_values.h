@@ -37,7 +37,7 @@ struct CaseHeader {
 nlohmann::json case_section(const CaseHeader& header);
 
 /// Of the files that the program writes; grows whenever a reader of the files must know.
-constexpr int results_format = 4;
+constexpr int results_format = 5;
 
 /// Section "versions" of a document: the program's and results_format.
 nlohmann::json versions_section(const std::string& geneva_version);

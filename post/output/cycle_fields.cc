@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -17,13 +18,19 @@ using base::OutputUnit;
 namespace {
 
 using Place = StressAt::Place;
+using Stress = std::array<double, 6>;
+
+/// Where a direction in the pin at one instant points at another.
+Place turned(const Place& direction, const CycleFields& from, const CycleFields& to) {
+  const double angle = -(to.pin_turn - from.pin_turn);
+  return {std::cos(angle) * direction[0] - std::sin(angle) * direction[1],
+          std::sin(angle) * direction[0] + std::cos(angle) * direction[1], direction[2]};
+}
 
 /// Where a material point of the pin at one instant is at another.
 Place moved(const Place& place, const CycleFields& from, const CycleFields& to) {
-  const double angle = -(to.pin_turn - from.pin_turn);
-  const double x = place[0] - from.pin_distance;
-  return {to.pin_distance + std::cos(angle) * x - std::sin(angle) * place[1],
-          std::sin(angle) * x + std::cos(angle) * place[1], place[2]};
+  const Place arm = turned({place[0] - from.pin_distance, place[1], place[2]}, from, to);
+  return {to.pin_distance + arm[0], arm[1], arm[2]};
 }
 
 /// Maximum shear (s1 - s3)/2.
@@ -44,6 +51,22 @@ void keep_greater(const double value, const double angle, const std::size_t node
   if (value <= values[node]) return;
   values[node] = value;
   angles[node] = angle;
+}
+
+/// Least stress along the direction in which the greatest tension of a node acts, at most 0.
+/// @param all stress by instant and node
+double least_tension(const std::vector<CycleFields>& instants,
+                     const std::vector<std::vector<Stress>>& all, const std::size_t node,
+                     const bool turns) {
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    if (first_principal(all[i][node]) > first_principal(all[at][node])) at = i;
+  const Place direction = direction_of_first_principal(all[at][node]);
+  double least = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    least = std::min(least, along(turns ? turned(direction, instants[at], instants[i]) : direction,
+                                  all[i][node]));
+  return least;
 }
 
 template <std::size_t n>
@@ -79,7 +102,8 @@ std::vector<VtuArray> envelope_arrays(const Envelope& greatest, const OutputUnit
           array_of("principal_stress_1", greatest.first_principal, stress.factor),
           array_of("principal_stress_1_driver_angle", greatest.first_principal_angle, angle.factor),
           array_of("max_shear", greatest.max_shear, stress.factor),
-          array_of("max_shear_driver_angle", greatest.max_shear_angle, angle.factor)};
+          array_of("max_shear_driver_angle", greatest.max_shear_angle, angle.factor),
+          array_of("principal_stress_1_least", greatest.tension_least, stress.factor)};
 }
 
 }  // namespace
@@ -93,15 +117,18 @@ Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at
     for (const std::size_t node : own.fields.cells[cell]) body[node] = own.fields.bodies[cell];
   const std::vector<double> least(n_nodes, std::numeric_limits<double>::lowest());
   const std::vector<double> zeros(n_nodes, 0.);
-  Envelope greatest{least, zeros, least, zeros, least, zeros};
+  Envelope greatest{least, zeros, least, zeros, least, zeros, zeros};
+  std::vector<std::vector<Stress>> all;  // by instant and node
   for (const CycleFields& instant : instants) {
     const StressAt stress_at(instant.fields);
+    std::vector<Stress>& here = all.emplace_back();
     for (std::size_t node = 0; node < n_nodes; ++node) {
       const Place& place = own.fields.places[node];
-      const auto stress =
+      const Stress stress =
           &instant == &own
               ? own.fields.stress[node]
               : stress_at(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
+      here.push_back(stress);
       const double angle = instant.driver_angle;
       keep_greater(von_mises_of(stress), angle, node, greatest.von_mises, greatest.von_mises_angle);
       keep_greater(first_principal(stress), angle, node, greatest.first_principal,
@@ -109,7 +136,27 @@ Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at
       keep_greater(max_shear(stress), angle, node, greatest.max_shear, greatest.max_shear_angle);
     }
   }
+  for (std::size_t node = 0; node < n_nodes; ++node)
+    greatest.tension_least[node] = least_tension(instants, all, node, turning[body[node]]);
   return greatest;
+}
+
+Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& instants,
+               const std::size_t at, const std::vector<bool>& turning) {
+  const bool turns = turning[tensile.body_index];
+  const CycleFields& own = instants[at];
+  const Place direction =
+      direction_of_first_principal(StressAt(own.fields)(tensile.place, tensile.body_index));
+  Swing swing{tensile.body, 0., std::nullopt};
+  for (const CycleFields& instant : instants) {
+    const Place place = turns ? moved(tensile.place, own, instant) : tensile.place;
+    const Place n = turns ? turned(direction, own, instant) : direction;
+    const double stress = along(n, StressAt(instant.fields)(place, tensile.body_index));
+    if (stress >= swing.least) continue;
+    swing.least = stress;
+    swing.driver_angle = instant.driver_angle;
+  }
+  return swing;
 }
 
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,

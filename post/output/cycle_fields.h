@@ -31,6 +31,8 @@ struct Envelope {
   std::vector<double> first_principal_angle;  ///< [rad]
   std::vector<double> max_shear;              ///< (s1 - s3)/2 [Pa]
   std::vector<double> max_shear_angle;        ///< [rad]
+  /// Least along the direction of the greatest first principal stress, and 0 between engagements.
+  std::vector<double> tension_least;
 };
 
 /// At the nodes of an instant, from the fields of all, interpolated at the same material points:
@@ -39,6 +41,12 @@ struct Envelope {
 /// @param turning bodies that move with the pin, by the index of the coarse mesh's bodies
 Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
                   const std::vector<bool>& turning);
+
+/// Over the instants and between engagements, along the direction of a tensile stress of one of
+/// them and at its material point, as envelope() follows it.
+/// @param at index of that instant
+Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& instants, std::size_t at,
+               const std::vector<bool>& turning);
 
 /// cycle.pvd, cycle.N.vtu for every instant, and envelope.vtu, as texts by their names.
 /// @param at, turning as envelope() takes them

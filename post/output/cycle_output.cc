@@ -42,11 +42,17 @@ std::string line_of(const CyclePoint& point, const UnitSystem units) {
 std::string ranges_text(const CycleReport& report, const UnitSystem units) {
   const OutputUnit stress = output_unit(units, Dimension::stress);
   std::string text;
-  for (const CycleStressRange& range : stress_ranges(report))
+  for (const CycleStressRange& range : stress_ranges(report)) {
     text += fmt::format(
         "greatest {} of the {}: {:.5g} {} +- {:.2g} % at {:.4f} deg, {}\n", range.greatest.name,
         range.greatest.body, range.greatest.value * stress.factor, stress.name,
         100. * range.greatest.error, range.driver_angle * degrees, range.greatest.where);
+    if (range.swing && range.swing->driver_angle)
+      text += fmt::format("  along it {:.5g} {} at {:.4f} deg: a range of {:.5g} {}\n",
+                          range.swing->least * stress.factor, stress.name,
+                          *range.swing->driver_angle * degrees, range.range() * stress.factor,
+                          stress.name);
+  }
   return text;
 }
 
@@ -72,15 +78,18 @@ std::vector<CycleStressRange> stress_ranges(const CycleReport& report) {
           });
       const double angle = point.instant.load.driver_angle;
       if (range == ranges.end()) {
-        ranges.push_back({stress, angle, stress.value});
+        ranges.push_back({stress, angle, std::nullopt});
         continue;
       }
-      range->least = std::min(range->least, stress.value);
       if (stress.value <= range->greatest.value) continue;
       range->greatest = stress;
       range->driver_angle = angle;
     }
   }
+  for (CycleStressRange& range : ranges)
+    for (const Swing& swing : report.swings)
+      if (range.greatest.name == "tensile stress" && swing.body == range.greatest.body)
+        range.swing = swing;
   return ranges;
 }
 

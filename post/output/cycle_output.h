@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -15,10 +16,12 @@ namespace geneva::post {
 /// A maximum stress of a body away from the contact.
 struct CycleStress {
   std::string body;
-  std::string name;   ///< "von Mises stress" or "tensile stress"
-  double value;       ///< [Pa]
-  double error;       ///< relative
-  std::string where;  ///< in words
+  std::string name;             ///< "von Mises stress" or "tensile stress"
+  double value;                 ///< [Pa]
+  double error;                 ///< relative
+  std::string where;            ///< in words
+  std::array<double, 3> place;  ///< in the frame of the engaged slot, whose axis is x [m]
+  unsigned int body_index;      ///< in the order of the coarse mesh's bodies
 };
 
 /// The contact as finite elements find it at one instant, SI units.
@@ -32,6 +35,21 @@ struct CycleContact {
   std::string hertz_objection;  ///< why Hertz's pressure is no reference here; may be empty
   std::string shortfall;        ///< what was reached instead of the accuracy, and why; may be empty
   double seconds;               ///< that it took
+};
+
+/// What a material point is under along one direction while the cycle goes round.
+struct Swing {
+  std::string body;
+  double least = 0.;                   ///< [Pa], <= 0: nothing acts between engagements
+  std::optional<double> driver_angle;  ///< of that [rad]; none: between engagements
+
+  template <class Archive>
+  void serialize(Archive& archive, const unsigned int /*version*/) {
+    bool is_at_instant = driver_angle.has_value();
+    double angle = driver_angle.value_or(0.);
+    archive& body& least& is_at_instant& angle;
+    driver_angle = is_at_instant ? std::optional(angle) : std::nullopt;
+  }
 };
 
 /// An instant of the cycle, SI units.
@@ -76,6 +94,7 @@ struct CycleReport {
   std::vector<double> wall_changes;  ///< driver angles [rad]
   std::size_t left_out;              ///< engagements like the first one
   CycleWork work;                    ///< of the first engagement
+  std::vector<Swing> swings;  ///< of each body that has a tensile stress, where it is greatest
   std::vector<LimitRow> limits;
   std::vector<std::string> notices;
   double seconds;
@@ -88,8 +107,11 @@ const CyclePoint* greatest_pressure(const CycleReport& report);
 /// A maximum stress over the cycle.
 struct CycleStressRange {
   CycleStress greatest;
-  double driver_angle;  ///< of that [rad]
-  double least;         ///< of the instants [Pa]
+  double driver_angle;         ///< of that [rad]
+  std::optional<Swing> swing;  ///< of a tensile stress: along its direction, at its material point
+
+  /// From the least to the greatest [Pa]; of a von Mises stress from 0.
+  [[nodiscard]] double range() const { return greatest.value - (swing ? swing->least : 0.); }
 };
 
 /// Of every body and stress that the instants have.

@@ -14,11 +14,16 @@ using nlohmann::json;
 namespace {
 
 json stress_json(const CycleStress& stress) {
-  return {{"body", stress.body},
-          {"quantity", stress.name},
-          {"value", quantity(stress.value, Dimension::stress)},
-          {"error", stress.error},
-          {"where", stress.where}};
+  return {
+      {"body", stress.body},
+      {"quantity", stress.name},
+      {"value", quantity(stress.value, Dimension::stress)},
+      {"error", stress.error},
+      {"where", stress.where},
+      {"place",
+       {quantity(stress.place[0], Dimension::length), quantity(stress.place[1], Dimension::length),
+        quantity(stress.place[2], Dimension::length)}},
+      {"body_index", stress.body_index}};
 }
 
 json contact_json(const CycleContact& contact) {
@@ -86,7 +91,13 @@ json ranges_json(const CycleReport& report) {
   for (const CycleStressRange& range : stress_ranges(report)) {
     json entry = stress_json(range.greatest);
     entry["driver_angle"] = quantity(range.driver_angle, Dimension::angle);
-    entry["least"] = quantity(range.least, Dimension::stress);
+    if (range.swing) {
+      entry["least"] = quantity(range.swing->least, Dimension::stress);
+      entry["least_driver_angle"] = range.swing->driver_angle
+                                        ? quantity(*range.swing->driver_angle, Dimension::angle)
+                                        : json();
+    }
+    entry["range"] = quantity(range.range(), Dimension::stress);
     list.push_back(std::move(entry));
   }
   return list;
@@ -113,10 +124,16 @@ void take_over(CyclePoint& point, const std::string& solved) {
   contact.half_width = number(found.at("half_width"));
   if (!found.at("bore_torque").is_null()) contact.bore_torque = number(found.at("bore_torque"));
   contact.expected_bore_torque = number(found.at("expected_bore_torque"));
-  for (const json& stress : found.at("stresses"))
-    contact.stresses.push_back({stress.at("body"), stress.at("quantity"),
-                                number(stress.at("value")), stress.at("error"),
-                                stress.at("where")});
+  for (const json& stress : found.at("stresses")) {
+    const json& place = stress.at("place");
+    contact.stresses.push_back({stress.at("body"),
+                                stress.at("quantity"),
+                                number(stress.at("value")),
+                                stress.at("error"),
+                                stress.at("where"),
+                                {number(place[0]), number(place[1]), number(place[2])},
+                                stress.at("body_index")});
+  }
   contact.hertz_objection = found.at("hertz_objection");
   contact.shortfall = found.at("shortfall");
   contact.seconds = found.at("seconds");

@@ -6,6 +6,18 @@
 
 namespace geneva::post {
 
+namespace {
+
+Eigen::Matrix3d matrix_of(const std::array<double, 6>& stress) {
+  Eigen::Matrix3d matrix;
+  matrix << stress[0], stress[3], stress[5],  //
+      stress[3], stress[1], stress[4],        //
+      stress[5], stress[4], stress[2];
+  return matrix;
+}
+
+}  // namespace
+
 NodalFields mirrored(NodalFields fields) {
   for (auto& place : fields.places) place[1] = -place[1];
   for (auto& displacement : fields.displacements) displacement[1] = -displacement[1];
@@ -22,14 +34,22 @@ NodalFields mirrored(NodalFields fields) {
 }
 
 double first_principal(const std::array<double, 6>& stress) {
-  Eigen::Matrix3d matrix;
-  matrix << stress[0], stress[3], stress[5],  //
-      stress[3], stress[1], stress[4],        //
-      stress[5], stress[4], stress[2];
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
-      .computeDirect(matrix, Eigen::EigenvaluesOnly)
+      .computeDirect(matrix_of(stress), Eigen::EigenvaluesOnly)
       .eigenvalues()
       .maxCoeff();
+}
+
+/// Eigenvalues ascend.
+std::array<double, 3> direction_of_first_principal(const std::array<double, 6>& stress) {
+  const Eigen::Vector3d n =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(matrix_of(stress)).eigenvectors().col(2);
+  return {n(0), n(1), n(2)};
+}
+
+double along(const std::array<double, 3>& n, const std::array<double, 6>& stress) {
+  const Eigen::Vector3d direction(n[0], n[1], n[2]);
+  return direction.dot(matrix_of(stress) * direction);
 }
 
 }  // namespace geneva::post

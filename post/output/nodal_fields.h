@@ -29,4 +29,10 @@ NodalFields mirrored(NodalFields fields);
 /// Maximum tensile stress at a node: the first principal stress [Pa].
 double first_principal(const std::array<double, 6>& stress);
 
+/// Unit vector along which the first principal stress acts.
+std::array<double, 3> direction_of_first_principal(const std::array<double, 6>& stress);
+
+/// Normal stress along a unit vector n: n.s.n [Pa].
+double along(const std::array<double, 3>& n, const std::array<double, 6>& stress);
+
 }  // namespace geneva::post

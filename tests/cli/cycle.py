@@ -84,6 +84,14 @@ class Cycle(CliTest):
         passing = 6894.757293168362 * max(values(case / "results" / "envelope.vtu", "contact_pressure"))
         self.assert_close(passing, max(value for value in cycle["curve"]["peak_pressure"] if value is not None), 0.002,
                           "contact pressure of the envelope")
+        for stress in cycle["stresses"]:
+            if stress["quantity"] != "tensile stress":
+                continue
+            self.assertLessEqual(stress["least"]["value"], 0)
+            self.assertEqual(stress["range"]["value"], stress["value"]["value"] - stress["least"]["value"])
+        least = values(case / "results" / "envelope.vtu", "principal_stress_1_least")
+        self.assertLessEqual(max(least), 0)
+        self.assertLess(min(least), -1000, "the walls are pressed where they were pulled")
         greatest_stress = max(values(case / "results" / "envelope.vtu", "von_mises"))
         for i in range(len(cycle["instants"])):
             self.assertLessEqual(max(values(case / "results" / f"cycle.{i}.vtu", "von_mises")), 1.02 * greatest_stress, i)
@@ -189,6 +197,17 @@ class Cycle(CliTest):
         self.assert_close(safety["factor"], factor, 1e-12, "factor of the cycle")
         self.assertIn("least safety factor</span>", page)
         self.check_playing(case / "results" / "report.html")
+
+    def test_fatigue_is_judged_by_the_range(self):
+        case = self.changed("six-station-cycle", {
+            "Accuracy": "2 %", "Mechanism/Instants": 7, "Mechanism/Wheel material/Fatigue strength": "300 MPa"
+        })
+        for ranks in (None, 2):
+            cycle = self.cycle(case, ranks=ranks)
+            (wheel,) = [one for one in cycle["stresses"] if (one["body"], one["quantity"]) == ("wheel", "tensile stress")]
+            self.assertLess(wheel["least"]["value"], 0, "the other wall bends the arm back")
+            limit, = [row for row in cycle["safety"] if "fatigue" in row["quantity"]]
+            self.assert_close(limit["factor"], 300e6 / (wheel["value"]["value"] - wheel["least"]["value"]), 1e-9, "factor")
 
     def check_playing(self, report):
         """One slider moves field, mechanism and cursor; the mechanism's own slider takes the field along."""

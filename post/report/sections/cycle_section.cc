@@ -154,14 +154,14 @@ std::string stresses_table(const json& cycle, const UnitSystem units) {
   HtmlTable table{"Maximum stresses away from the contact over the engagement",
                   {"body", "stress", labelled("greatest", Dimension::stress, units), "± error",
                    labelled("at", Dimension::angle, units), "where",
-                   labelled("least", Dimension::stress, units)},
+                   labelled("range", Dimension::stress, units)},
                   {}};
   for (const json& range : cycle.at("stresses"))
     table.rows.push_back(
         {escaped(range.at("body")), escaped(range.at("quantity")),
          shown(range.at("value"), Dimension::stress, units), shown_error(range.at("error")),
          shown(range.at("driver_angle"), Dimension::angle, units), escaped(range.at("where")),
-         shown(range.at("least"), Dimension::stress, units)});
+         shown(range.at("range"), Dimension::stress, units)});
   return table.html();
 }
 

@@ -147,8 +147,9 @@ std::optional<OverCycle> over_cycle(const std::string& quantity, const json& cyc
   for (const json& range : cycle.at("stresses")) {
     const std::string name = range.at("quantity").get<std::string>() + " away from the contact";
     const std::string body = ", " + range.at("body").get<std::string>();
-    if (quantity == name + body || quantity == name + " (fatigue)" + body)
-      return OverCycle{&range.at("value"), &range.at("driver_angle")};
+    if (quantity == name + body) return OverCycle{&range.at("value"), &range.at("driver_angle")};
+    if (quantity == name + " (fatigue)" + body)
+      return OverCycle{&range.at("range"), &range.at("driver_angle")};
   }
   return std::nullopt;
 }

@@ -72,6 +72,41 @@ TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
   }
 }
 
+/// As instant(), with a tension along the body's own x axis: a pin's turns with it.
+CycleFields pulled(const double angle, const double pin_turn, const double tension) {
+  CycleFields result = instant(angle, 2., pin_turn, 1.);
+  for (std::size_t node = 0; node < result.fields.stress.size(); ++node) {
+    const double turn = node < 4 ? 0. : -pin_turn;
+    const double c = std::cos(turn);
+    const double s = std::sin(turn);
+    result.fields.stress[node] = {tension * c * c, tension * s * s, 0., tension * c * s, 0., 0.};
+  }
+  return result;
+}
+
+TEST(Swing, FollowsTheDirectionOfTheTensionAsItsMaterialTurns) {
+  const std::vector<CycleFields> instants{pulled(-0.5, 0., -30.), pulled(0.1, 0.4, 100.),
+                                          pulled(0.6, 1.1, 50.)};
+  const std::vector<bool> turning{false, true};
+  for (const unsigned int body : {0U, 1U}) {
+    const CycleStress tensile{
+        "body", "tensile stress", 100., 0., "", {body == 0 ? 0.5 : 2.1, 0.1, 0.}, body};
+    const Swing swing = swing_of(tensile, instants, 1, turning);
+    EXPECT_NEAR(swing.least, -30., 1e-9) << body;
+    EXPECT_EQ(swing.driver_angle, -0.5);
+  }
+  const Envelope greatest = envelope(instants, 0, turning);
+  for (const double least : greatest.tension_least) EXPECT_NEAR(least, -30., 1e-9);
+}
+
+TEST(Swing, IsNothingBetweenEngagements) {
+  const std::vector<CycleFields> instants{pulled(-0.5, 0., 20.), pulled(0.1, 0.4, 100.)};
+  const CycleStress tensile{"wheel", "tensile stress", 100., 0., "", {0.5, 0., 0.}, 0};
+  const Swing swing = swing_of(tensile, instants, 1, {false, true});
+  EXPECT_EQ(swing.least, 0.);
+  EXPECT_FALSE(swing.driver_angle.has_value());
+}
+
 TEST(CycleSeries, NamesEveryInstantAtItsAngle) {
   const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5)};
   const auto texts = cycle_series(instants, 1, {false, true}, {}, base::UnitSystem::mm_newton);
