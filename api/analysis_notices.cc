@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "api/limits.h"
 #include "loads/pi.h"
 #include "model/input/parameters.h"
 #include "model/naming.h"
 #include "model/stop_message.h"
+#include "post/analysis/material_limits.h"
 #include "post/analysis/strength_rows.h"
 
 namespace geneva::api {
@@ -153,6 +155,18 @@ std::string doubtful(const post::PinLineReport& line) {
          "better accuracy";
 }
 
+template <int dim>
+bool has_yield_limits(const fem::Solution<dim>& solution, const post::Results<dim>& results,
+                      const model::Case& given) {
+  const std::size_t leading = post::leading_contact(solution);
+  const auto limits =
+      post::material_limits(solution, solution.contacts[leading], results.contacts[leading],
+                            given.allowed, given.mechanism->slot_friction);
+  return std::any_of(limits.begin(), limits.end(), [](const loads::MaterialLimit& limit) {
+    return limit.kind == loads::MaterialLimit::Kind::first_yield;
+  });
+}
+
 /// To two digits.
 double rounded_up(const double value) {
   const double unit = std::pow(10., std::floor(std::log10(value)) - 1.);
@@ -216,6 +230,9 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
   for (const std::string& notice : path_notices(solution)) notices.push_back(notice);
   if (!given.mechanism) return notices;
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
+  if (const std::string unjudged = unjudged_yield(given);
+      !unjudged.empty() && !has_yield_limits(solution, results, given))
+    notices.push_back("not judged: " + unjudged);
   for (const std::string& notice : length_notices(solution, results, given.units))
     notices.push_back(notice);
   return notices;

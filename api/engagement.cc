@@ -92,4 +92,14 @@ std::optional<LinePressures> line_pressures(const model::MechanismCase& mechanis
   return pressures;
 }
 
+std::optional<PlacedValue> limited_pressure(const model::MechanismCase& mechanism,
+                                            const loads::Characteristics& cycle) try {
+  if (!mechanism.space) return PlacedValue{cycle.pressure.value, cycle.pressure.driver_angle};
+  const auto line = line_pressures(mechanism, model::mechanism_state(mechanism), cycle);
+  if (!line) return std::nullopt;
+  return PlacedValue{line->of_cycle.value, line->of_cycle.driver_angle};
+} catch (const base::InputError&) {  // nothing presses at the analysed angle
+  return std::nullopt;
+}
+
 }  // namespace geneva::api

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "api/limits.h"
 #include "loads/motion/kinematics.h"
 #include "loads/pin/pin_line.h"
 #include "model/mechanism_state.h"
@@ -28,6 +29,12 @@ struct LinePressures {
 /// load, which bending, tilt and edges exceed, says nothing of what materials stand then
 std::optional<LinePressures> line_pressures(const model::MechanismCase& mechanism,
                                             const model::MechanismState& state,
+                                            const loads::Characteristics& cycle);
+
+/// The greatest pressure of the cycle that limits are for: Hertz's in the plane, that of line
+/// contacts in 3-D.
+/// @return nothing where line_pressures() has nothing, and where nothing presses
+std::optional<PlacedValue> limited_pressure(const model::MechanismCase& mechanism,
                                             const loads::Characteristics& cycle);
 
 }  // namespace geneva::api

@@ -71,8 +71,16 @@ void append_line(post::EstimateReport& report, const loads::PinLine& pin) {
   rows.push_back({"pin slope in the slot", Dimension::slope, line.slope, "beam"});
 }
 
-/// The greatest pressure over the engagements, by the best that is known of each angle.
+/// The greatest pressure over the engagements, by the best that is known of each angle; none in 3-D
+/// where line contacts know no peak at some of them: Hertz's even load is no answer to edges.
 void append_engagement(post::EstimateReport& report) {
+  const auto is_unknown = [](const post::EngagementPoint& point) { return !point.peak_pressure; };
+  if (report.line && std::any_of(report.engagement.begin(), report.engagement.end(), is_unknown)) {
+    report.left_out.emplace_back(
+        "the greatest pressure of the engagement, and limits of it: line contacts have no peak at "
+        "all of its driver angles");
+    return;
+  }
   const auto pressure = [](const post::EngagementPoint& point) {
     return point.peak_pressure.value_or(point.even_pressure);
   };
@@ -91,10 +99,9 @@ void append_engagement(post::EstimateReport& report) {
 std::vector<post::LimitRow> limits_of(const Case& given, const model::MechanismState& state,
                                       const loads::PinContact& contact) {
   const loads::Characteristics cycle = loads::characteristics(state.driven, state.train, contact);
-  const auto line = api::line_pressures(*given.mechanism, state, cycle);
-  if (given.mechanism->space && !line) return {};
-  const loads::PlacedPeak& pressure = line ? line->of_cycle : cycle.pressure;
-  return api::pressure_limits(given, contact, {pressure.value, pressure.driver_angle});
+  const auto pressure = api::limited_pressure(*given.mechanism, cycle);
+  if (!pressure) return {};
+  return api::pressure_limits(given, contact, *pressure);
 }
 
 void append_strength(post::EstimateReport& report, const loads::Allowables& allowed,
@@ -138,8 +145,15 @@ void leave_out_stud(post::EstimateReport& report) {
   if (kept == rows.end()) return;
   rows.erase(kept, rows.end());
   report.left_out.emplace_back(
-      "deflection and root stress of the roller's stud ('Dimension' = 2 gives its root stress by "
-      "beam theory)");
+      "deflection of the roller's stud, and what it does to the pressure at the wall's edges");
+}
+
+void append_stud(post::EstimateReport& report, const model::MechanismCase& mechanism,
+                 const model::MechanismState& state) {
+  if (const auto beam = model::pin_beam(mechanism, state.sizes))
+    report.rows.push_back({"bending stress at the stud's root", Dimension::stress,
+                           loads::beam_bending(*beam, std::abs(state.load.force)).root_stress,
+                           "beam"});
 }
 
 void append_left_out(post::EstimateReport& report, const model::MechanismCase& mechanism) {
@@ -191,6 +205,9 @@ post::EstimateReport estimate_report(const Case& given) {
   append_strength(report, given.allowed, known && loads::is_beam(known->pin),
                   mechanism.roller.has_value());
   append_left_out(report, mechanism);
+  if (mechanism.roller) append_stud(report, mechanism, state);
+  if (const std::string unjudged = api::unjudged_yield(given); !unjudged.empty())
+    report.left_out.push_back(unjudged);
   return report;
 }
 

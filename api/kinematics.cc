@@ -22,19 +22,6 @@ namespace geneva {
 
 namespace {
 
-/// The greatest pressure of the cycle that limits are for; none of a pin in 3-D of which line
-/// contacts know no peak.
-std::optional<api::PlacedValue> limited_pressure(const model::MechanismCase& mechanism,
-                                                 const loads::Characteristics& values) try {
-  if (!mechanism.space)
-    return api::PlacedValue{values.pressure.value, values.pressure.driver_angle};
-  const auto line = api::line_pressures(mechanism, model::mechanism_state(mechanism), values);
-  if (!line) return std::nullopt;
-  return api::PlacedValue{line->of_cycle.value, line->of_cycle.driver_angle};
-} catch (const base::InputError&) {  // nothing presses at the analysed angle
-  return std::nullopt;
-}
-
 post::KinematicsReport kinematics_report(const Case& given, const int steps) {
   if (!given.mechanism)
     model::refuse_model(given, "there is no Geneva mechanism", "geneva kinematics", "mechanism");
@@ -52,7 +39,7 @@ post::KinematicsReport kinematics_report(const Case& given, const int steps) {
           dynamics.driven.unbounded(),
           loads::kinematics_rows(dynamics.driven, dynamics.train, contact, steps),
           api::roller_choice(mechanism, values),
-          api::motion_limits(given, contact, values, limited_pressure(mechanism, values))};
+          api::motion_limits(given, contact, values, api::limited_pressure(mechanism, values))};
 }
 
 /// The table's pressure is that of an even load.
@@ -80,6 +67,8 @@ Kinematics kinematics(const Case& given, const int steps) {
     std::vector<std::string> notices = model::notices_of(*given.mechanism, given.units);
     for (const std::string& notice : notices_in_space(*given.mechanism, report))
       notices.push_back(notice);
+    if (const std::string unjudged = api::unjudged_yield(given); !unjudged.empty())
+      notices.push_back("not judged: " + unjudged);
     return Kinematics{given, std::move(report), std::move(notices)};
   });
 }

@@ -1,6 +1,9 @@
 #include "api/limits.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <string>
 
 #include "loads/material_limits.h"
 
@@ -39,7 +42,28 @@ PlacedValue greatest_force(const post::CycleReport& report) {
   return greatest;
 }
 
+/// Whether there are closed forms of them: in 3-D contacts are ellipses, of which those with
+/// friction or a hardened layer have none.
+bool has_yield_limits(const Case& given, const std::string& body) {
+  const model::MechanismCase& mechanism = *given.mechanism;
+  if (!mechanism.space) return true;
+  return mechanism.slot_friction == 0. && given.allowed.layers.count(body) == 0;
+}
+
 }  // namespace
+
+std::string unjudged_yield(const Case& given) {
+  std::vector<std::string> bodies;
+  for (const char* const body : {"pin", "wheel"})
+    if (given.allowed.yield_strengths.count(body) > 0 && !has_yield_limits(given, body))
+      bodies.emplace_back(body);
+  if (bodies.empty()) return "";
+  return fmt::format(
+      "first yield and shakedown of the contact of the {}: there is no closed form for a contact "
+      "in 3-D {}",
+      fmt::join(bodies, " and of the "),
+      given.mechanism->slot_friction > 0. ? "with friction" : "with a hardened layer");
+}
 
 std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact& contact,
                                       const PlacedValue& pressure) {
@@ -57,7 +81,9 @@ std::vector<LimitRow> pressure_limits(const Case& given, const loads::PinContact
   for (const loads::TouchingBody& body :
        {loads::TouchingBody{"pin", mechanism.pin.poissons_ratio},
         loads::TouchingBody{"wheel", mechanism.wheel.poissons_ratio}})
-    for (const loads::MaterialLimit& limit : loads::material_limits(body, line, given.allowed))
+    for (const loads::MaterialLimit& limit : loads::material_limits(
+             body, has_yield_limits(given, body.name) ? std::optional(line) : std::nullopt,
+             given.allowed))
       add("contact, " + limit.name, limit.pressure, limit.meaning);
   return rows;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "api/case.h"
@@ -21,6 +22,9 @@ struct PlacedValue {
 /// @param contact of pin and wheel
 std::vector<post::LimitRow> pressure_limits(const Case& given, const loads::PinContact& contact,
                                             const PlacedValue& pressure);
+
+/// Which limits of the contact's yielding are not judged, and why; empty if none is left out.
+std::string unjudged_yield(const Case& given);
 
 /// Pressure and pressure times slip speed over the cycle by the closed forms, beside their limits.
 /// @param pressure greatest of the cycle; none: no limit of a pressure is judged

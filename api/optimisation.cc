@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "api/engagement.h"
+#include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/optimum_search.h"
 #include "api/output_directory.h"
@@ -56,6 +58,16 @@ std::vector<post::OptimumFigure> report_figures(const model::OptimisationCase& w
   return rows;
 }
 
+/// What case and materials allow of the best case over the cycle.
+std::vector<post::LimitRow> limits_of(const Case& best) {
+  const model::MechanismCase& mechanism = *best.mechanism;
+  const model::MechanismDynamics dynamics = model::mechanism_dynamics(mechanism);
+  const loads::PinContact contact = api::pin_contact(mechanism, dynamics.sizes);
+  const loads::Characteristics cycle =
+      loads::characteristics(dynamics.driven, dynamics.train, contact);
+  return api::motion_limits(best, contact, cycle, api::limited_pressure(mechanism, cycle));
+}
+
 }  // namespace
 
 bool wants_slot_bottom(const Case& given) {
@@ -100,6 +112,7 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
   optimum.best = search.case_with(values);
   report.figures =
       report_figures(wanted, candidate_before(search, given), search.candidate(optimum.best));
+  report.limits = limits_of(optimum.best);
   report.trials = search.trials();
   return optimum;
 }

@@ -116,7 +116,7 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
   const Hold hold = mechanism.pin_holding.hold;
   if (hold == Hold::core) return std::nullopt;
   const PinLengths lengths = pin_lengths(mechanism, sizes);
-  const bool is_stud = !mechanism.space && mechanism.roller;
+  const bool is_stud = mechanism.roller.has_value();
   const CaseMaterial& material = is_stud ? mechanism.stud : mechanism.pin;
   return loads::PinBeam{is_stud ? mechanism.roller->stud() - mechanism.bore_clearance.value_or(0.)
                                 : sizes.pin_diameter,

@@ -198,20 +198,21 @@ std::vector<ComparisonRow> line_rows(const fem::Solution<dim>& solution,
                  line->contact.peak_pressure, solution.error_estimate)};
 }
 
-/// Of a pin of which only its section is modelled.
-std::vector<ComparisonRow> root_rows(const loads::BeamBending& beam) {
-  const auto row = [](const char* const quantity, const double value) {
+/// Of a pin of which only its section is modelled, or of a roller's stud.
+std::vector<ComparisonRow> root_rows(const loads::BeamBending& beam, const std::string& part) {
+  const auto row = [](const std::string& quantity, const double value) {
     return ComparisonRow{quantity, Dimension::stress, std::nullopt, std::nullopt, true,
                          value,    std::nullopt};
   };
-  return {row("bending stress, pin root", beam.root_stress),
-          row("shear stress, pin root", beam.root_shear)};
+  return {row("bending stress, " + part + " root", beam.root_stress),
+          row("shear stress, " + part + " root", beam.root_shear)};
 }
 
 std::vector<ComparisonRow> pin_rows(const MechanismReport& mechanism, const Figures& errors) {
   if (!mechanism.beam) return {};
   const loads::BeamBending& beam = *mechanism.beam;
-  if (!mechanism.pin) return root_rows(beam);
+  if (mechanism.roller) return root_rows(beam, "stud");  // a solid pin's in 3-D, if anything
+  if (!mechanism.pin) return root_rows(beam, "pin");
   const PinReport& pin = *mechanism.pin;
   const double deflection = pin.line ? pin.line->contact.deflection : beam.tip_deflection;
   const double slope = pin.line ? pin.line->contact.slope : beam.slope;

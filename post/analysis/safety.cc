@@ -48,13 +48,13 @@ CycleValue with_pressure(const double stress, const fem::Solution<dim>& solution
           mechanism.cycle_pressure.driver_angle};
 }
 
-/// Of a pin of which only its section is modelled: of the greatest stress at its root, by beam
-/// theory. Bending is greatest where shear is zero, and the other way round.
+/// Of a pin of which only its section is modelled, and of a stud: of the greatest stress at its
+/// root, by beam theory. Bending is greatest where shear is zero, and the other way round.
 std::optional<SafetyRow> root_row(const MechanismReport& mechanism,
                                   const loads::Allowables& allowed) {
   const auto yield = allowed.yield_strengths.find(mechanism.roller ? "stud" : "pin");
-  if (!mechanism.beam || mechanism.pin || yield == allowed.yield_strengths.end())
-    return std::nullopt;
+  const bool is_modelled = mechanism.pin && !mechanism.roller;
+  if (!mechanism.beam || is_modelled || yield == allowed.yield_strengths.end()) return std::nullopt;
   const loads::BeamBending& beam = *mechanism.beam;
   const double stress = std::max(beam.root_stress, std::sqrt(3.) * beam.root_shear);
   const std::string part = mechanism.roller ? "stud" : "pin";

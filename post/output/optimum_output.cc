@@ -62,6 +62,7 @@ json optimum_summary(const OptimumReport& report) {
           {"dimensions", dimensions},
           {"figures", figures},
           {"binds", binding(report)},
+          {"safety", limits_section(report.limits)},
           {"trials", report.trials}};
 }
 
@@ -108,7 +109,7 @@ std::string optimum_table(const OptimumReport& report, const UnitSystem units) {
   const std::vector<std::string> binds = binding(report);
   text += binds.empty() ? "\nnothing binds: it is a minimum within all bounds and limits\n"
                         : fmt::format("\nwhat binds: {}\n", fmt::join(binds, ", "));
-  return text;
+  return text + limit_lines(report.limits, units);
 }
 
 }  // namespace geneva::post

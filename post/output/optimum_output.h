@@ -7,6 +7,7 @@
 
 #include "base/json_values.h"
 #include "base/units.h"
+#include "post/output/limit_rows.h"
 
 namespace geneva::post {
 
@@ -43,7 +44,8 @@ struct OptimumReport {
   std::string basis;  ///< of the pressures: "Hertz, an even load" or "line contacts along the pin"
   std::vector<OptimumDimension> dimensions;
   std::vector<OptimumFigure> figures;
-  int trials;  ///< how many candidates were worked out
+  std::vector<LimitRow> limits;  ///< of the best case over the cycle, by case and materials
+  int trials;                    ///< how many candidates were worked out
 };
 
 /// What optimum.json says, SI units but for the dimensions' own.

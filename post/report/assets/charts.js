@@ -166,8 +166,11 @@
   };
 
   window.genevaCharts = {};
+  // Many curves make a legend of many lines, which must not take the place of the curves.
+  const extraLines = (chart) => Math.max(0, chart.series.length - 4);
   for (const chart of specifications) {
     const canvas = document.getElementById(chart.id);
+    if (extraLines(chart) > 0) canvas.parentElement.style.height = `${20 + 1.6 * extraLines(chart)}rem`;
     window.genevaCharts[chart.id] = new Chart(canvas, {
       type: "scatter",
       data: { datasets: datasets(chart.series) },
@@ -201,7 +204,8 @@
       chart.options.plugins.legend.labels.font = font;
       chart.update();
       // Paper scales the drawing to its columns: in a narrow window it would be taller than wide.
-      if (onPaper) chart.resize(isAlone ? 1120 : 552, 320);
+      const lines = Math.max(0, chart.data.datasets.length - 4);
+      if (onPaper) chart.resize(isAlone ? 1120 : 552, 320 + 26 * lines);
       else chart.resize();
     }
   }

@@ -90,7 +90,10 @@ ReportPart optimum_part(const ResultsDirectory& results) {
                     : "What binds: " + binds + ".");
   return {html_section("optimum", "Best dimensions",
                        answer_of_optimum(optimum, results.units()) + head +
-                           dimensions_table(optimum) + optimum_table(optimum, results.units())),
+                           dimensions_table(optimum) + optimum_table(optimum, results.units()) +
+                           limits_table(optimum.at("safety"),
+                                        "What the materials of the best case bear over the cycle",
+                                        results.units())),
           {}};
 }
 
