@@ -23,6 +23,7 @@
 #include "api/mechanism_picture.h"
 #include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
+#include "api/shared_counter.h"
 #include "api/version.h"
 #include "loads/pi.h"
 #include "model/case_header.h"
@@ -56,8 +57,11 @@ std::vector<post::CycleFields> solve_shared(
   const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
   const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   api::MesherOnRankZero own(MPI_COMM_SELF, mesher);
+  api::SharedCounter counter(communicator);
   std::vector<NumberedFields> solved;
-  for (std::size_t i = rank; i < points.size(); i += ranks) {
+  std::vector<unsigned int> solver(points.size(), 0);  // rank
+  for (std::size_t i = counter.next(); i < points.size(); i = counter.next()) {
+    solver[i] = rank;
     post::NodalFields fields =
         api::solve_instant(points[i], given, MPI_COMM_SELF, own.get(), i + ranks < points.size());
     const loads::PinLoad& load = points[i].instant.load;
@@ -67,10 +71,10 @@ std::vector<post::CycleFields> solve_shared(
                          driven.at_time(load.time).pin_turn.value, std::move(fields)}});
     if (tell) tell(points[i], i + 1, points.size());
   }
+  dealii::Utilities::MPI::max(solver, communicator, solver);
   for (std::size_t i = 0; i < points.size() && ranks > 1; ++i)
-    post::take_over(points[i],
-                    dealii::Utilities::MPI::broadcast(communicator, post::solved_text(points[i]),
-                                                      static_cast<unsigned int>(i % ranks)));
+    post::take_over(points[i], dealii::Utilities::MPI::broadcast(
+                                   communicator, post::solved_text(points[i]), solver[i]));
   std::vector<NumberedFields> all;
   for (std::vector<NumberedFields>& of_rank : dealii::Utilities::MPI::gather(communicator, solved))
     std::move(of_rank.begin(), of_rank.end(), std::back_inserter(all));

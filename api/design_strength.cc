@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
+#include <vector>
 
 #include "api/analysis.h"
 #include "api/analysis_state.h"
@@ -41,6 +43,7 @@ post::WheelStrength strength_of(const Analysis& analysis, const double diameter)
   post::WheelStrength result{};
   result.diameter = diameter;
   result.peak_pressure = analysis.contacts.front().peak_pressure;
+  result.peak_pressure_error = analysis.error;
   for (const post::NamedStress<2>& stress : post::named_stresses(solved.solution)) {
     if (stress.body != "wheel") continue;
     if (stress.name == "tensile stress") {
@@ -53,6 +56,17 @@ post::WheelStrength strength_of(const Analysis& analysis, const double diameter)
     }
   }
   return result;
+}
+
+/// Equal ratios on either side of the best wheel, and the best one as drawn; ascending.
+std::vector<double> diameters_around(const double best, const double best_drawn) {
+  constexpr double same = 1e-3;
+  std::vector<double> diameters;
+  for (int step = -steps_on_either_side; step <= steps_on_either_side; ++step)
+    diameters.push_back(best * std::pow(step_ratio, step));
+  if (std::abs(best_drawn / best - 1.) > same) diameters.push_back(best_drawn);
+  std::sort(diameters.begin(), diameters.end());
+  return diameters;
 }
 
 /// Adds the stresses of a wheel of that diameter, or a notice on why there is none.
@@ -75,11 +89,10 @@ void add_wheel(Design& design, const double diameter, const MPI_Comm communicato
 void add_strength(Design& design, const MPI_Comm communicator, mesh::Mesher* const mesher,
                   const std::function<void(int, int)>& tell) {
   const double best = design.report.johnson.value_or(design.report.drawn.wheel).diameter;
-  constexpr int wheels = 2 * steps_on_either_side + 1;
-  for (int wheel = 0; wheel < wheels; ++wheel) {
-    add_wheel(design, best * std::pow(step_ratio, wheel - steps_on_either_side), communicator,
-              mesher);
-    if (tell) tell(wheel + 1, wheels);
+  const std::vector<double> diameters = diameters_around(best, design.report.drawn.wheel.diameter);
+  for (std::size_t wheel = 0; wheel < diameters.size(); ++wheel) {
+    add_wheel(design, diameters[wheel], communicator, mesher);
+    if (tell) tell(static_cast<int>(wheel) + 1, static_cast<int>(diameters.size()));
   }
   if (!design.report.strength.empty()) return;
   analyse(resized_case(design.given, best), communicator);  // says why there is none

@@ -31,13 +31,16 @@ void start_task_scheduler() {
 }
 
 /// A process that no launcher has started is alone: it needs no daemon, no network, and starts in
-/// less than a fifth of the time. Whatever the user has set stays.
+/// less than a fifth of the time. It needs no directory for others to find it either, which it
+/// would share with other processes that are alone: one that ends takes it from one that starts.
+/// Whatever the user has set stays.
 void keep_to_this_process() {
   for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
     if (std::getenv(name) != nullptr) return;
   ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   ::setenv("OMPI_MCA_pml", "ob1", 0);
   ::setenv("OMPI_MCA_btl", "self", 0);
+  ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }
 
 bool is_started() {

@@ -90,6 +90,7 @@ json strength_section(const std::vector<WheelStrength>& strength) {
   for (const WheelStrength& wheel : strength)
     rows.push_back({{"diameter", quantity(wheel.diameter, "m")},
                     {"peak_pressure", quantity(wheel.peak_pressure, "Pa")},
+                    {"peak_pressure_error", wheel.peak_pressure_error},
                     {"von_mises", quantity(wheel.von_mises, "Pa")},
                     {"von_mises_error", wheel.von_mises_error},
                     {"tensile", quantity(wheel.tensile, "Pa")},
@@ -122,7 +123,7 @@ std::string strength_table(const DesignReport& report, const UnitSystem units) {
   const OutputUnit length = output_unit(units, Dimension::length);
   const OutputUnit stress = output_unit(units, Dimension::stress);
   std::string text =
-      fmt::format("{:>14}{:>24}{:>30}{:>30}\n", fmt::format("diameter [{}]", length.name),
+      fmt::format("{:>14}{:>30}{:>30}{:>30}\n", fmt::format("diameter [{}]", length.name),
                   fmt::format("contact pressure [{}]", stress.name),
                   fmt::format("von Mises stress [{}]", stress.name),
                   fmt::format("tensile stress [{}]", stress.name));
@@ -130,8 +131,8 @@ std::string strength_table(const DesignReport& report, const UnitSystem units) {
     return fmt::format("{:.5g} +- {:.2g} %", value * stress.factor, 100. * error);
   };
   for (const WheelStrength& wheel : report.strength)
-    text += fmt::format("{:>14.5g}{:>24.5g}{:>30}{:>30}\n", wheel.diameter * length.factor,
-                        wheel.peak_pressure * stress.factor,
+    text += fmt::format("{:>14.5g}{:>30}{:>30}{:>30}\n", wheel.diameter * length.factor,
+                        with_error(wheel.peak_pressure, wheel.peak_pressure_error),
                         with_error(wheel.von_mises, wheel.von_mises_error),
                         with_error(wheel.tensile, wheel.tensile_error));
   return text;

@@ -23,13 +23,14 @@ struct ShaftReport {
 
 /// The wheel of one diameter, solved by finite elements; SI units.
 struct WheelStrength {
-  double diameter;         ///< [m]
-  double peak_pressure;    ///< of the contact [Pa]
-  double von_mises;        ///< maximum of the wheel away from the contact [Pa]
-  double von_mises_error;  ///< relative
-  double tensile;          ///< maximum of the wheel away from the contact [Pa]
-  double tensile_error;    ///< relative
-  std::string where;       ///< the tensile stress, in words
+  double diameter;             ///< [m]
+  double peak_pressure;        ///< of the contact, by finite elements [Pa]
+  double peak_pressure_error;  ///< relative
+  double von_mises;            ///< maximum of the wheel away from the contact [Pa]
+  double von_mises_error;      ///< relative
+  double tensile;              ///< maximum of the wheel away from the contact [Pa]
+  double tensile_error;        ///< relative
+  std::string where;           ///< the tensile stress, in words
 };
 
 /// Johnson's design of wheel and shaft for one case, SI units.

@@ -96,12 +96,14 @@ double StressAt::distance_to(const std::size_t cell, const std::vector<double>& 
 }
 
 std::vector<double> StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
-  constexpr int steps = 8;
+  constexpr int most_steps = 8;
+  constexpr double settled = 1e-10;  // of the reference cell
   constexpr double difference = 1e-6;
   const std::size_t corners = fields_.cells[cell].size();
   const std::size_t dim = corners == 4 ? 2 : 3;
   Place reference{0.5, 0.5, dim == 2 ? 0. : 0.5};
-  for (int step = 0; step < steps; ++step) {
+  double largest = 1.;
+  for (int step = 0; step < most_steps && largest > settled; ++step) {
     const Place there = place_at(cell, weights_at(reference, corners));
     std::array<Place, 3> columns{};
     for (std::size_t axis = 0; axis < dim; ++axis) {
@@ -112,8 +114,11 @@ std::vector<double> StressAt::clamped_weights(const std::size_t cell, const Plac
     }
     const Place change =
         solved(columns, {place[0] - there[0], place[1] - there[1], place[2] - there[2]}, dim);
-    for (std::size_t axis = 0; axis < dim; ++axis)
+    largest = 0.;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
       reference[axis] = std::clamp(reference[axis] + change[axis], -1., 2.);
+      largest = std::max(largest, std::abs(change[axis]));
+    }
   }
   for (std::size_t axis = 0; axis < dim; ++axis)
     reference[axis] = std::clamp(reference[axis], 0., 1.);

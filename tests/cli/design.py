@@ -213,6 +213,7 @@ end
         self.assertGreaterEqual(len(rows), 7)
         for row in rows:
             self.assertLess(max(row["von_mises_error"], row["tensile_error"]), 0.05)
+            self.assertLess(row["peak_pressure_error"], 0.02)
         row = rows[len(rows) // 2]
         alone = self.write("alone", number(row["diameter"]) / 0.1)
         (alone / "case.prm").write_text("set Accuracy = 2 %\n" + (alone / "case.prm").read_text())
