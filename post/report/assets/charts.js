@@ -64,8 +64,7 @@
   }
 
   // An axis is no longer than the chart is high.
-  function inLines(label) {
-    const most = 38;
+  function inLines(label, most = 38) {
     const lines = [""];
     for (const word of label.split(" ")) {
       if (lines[lines.length - 1].length + word.length > most) lines.push("");
@@ -77,7 +76,7 @@
   function axis(specification, values) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
-      title: { display: true, text: inLines(specification.label), color: ink() },
+      title: { display: true, text: inLines(specification.label), label: specification.label, color: ink() },
       ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12, callback: (value) => genevaNumber(value, 6) },
       grid: { color: rule() },
     };
@@ -182,7 +181,7 @@
         interaction: { mode: "nearest", intersect: false },
         scales: { x: axis(chart.x, coordinates(chart, 0)), y: axis(chart.y, coordinates(chart, 1)) },
         plugins: {
-          legend: { labels: { color: ink(), usePointStyle: true, generateLabels: legendLabels } },
+          legend: { labels: { color: ink(), usePointStyle: true, pointStyleWidth: 32, generateLabels: legendLabels } },
           tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${genevaNumber(item.parsed.y, 5)} at ${genevaNumber(item.parsed.x, 5)}` } },
         },
       },
@@ -198,14 +197,15 @@
       for (const scale of Object.values(chart.options.scales)) {
         scale.title.color = scale.ticks.color = ink();
         scale.title.font = scale.ticks.font = font;
+        scale.title.text = inLines(scale.title.label, scale === chart.options.scales.y && onPaper && !isAlone ? 22 : 38);
         scale.grid.color = rule();
       }
       chart.options.plugins.legend.labels.color = ink();
-      chart.options.plugins.legend.labels.font = font;
+      chart.options.plugins.legend.labels.font = chart.data.datasets.length > 4 ? { size: Math.min(font.size, 16) } : font;
       chart.update();
       // Paper scales the drawing to its columns: in a narrow window it would be taller than wide.
-      const lines = Math.max(0, chart.data.datasets.length - 4);
-      if (onPaper) chart.resize(isAlone ? 1120 : 552, 320 + 26 * lines);
+      // The library keeps half of the height from the legend.
+      if (onPaper) chart.resize(isAlone ? 1120 : 552, Math.max(320, 54 * chart.data.datasets.length));
       else chart.resize();
     }
   }

@@ -568,7 +568,10 @@
   control("part").addEventListener("change", () => refresh(true));
   if (view.dimension === 3) control("cut").addEventListener("change", () => refresh(true));
   control("deformation").addEventListener("input", () => refresh(!isMoved));
-  controls.addEventListener("start", () => { isMoved = true; });
+  let isInHand = false; // a click alone leaves the view where it is
+  controls.addEventListener("start", () => { isInHand = true; });
+  controls.addEventListener("change", () => { isMoved = isMoved || isInHand; });
+  controls.addEventListener("end", () => { isInHand = false; });
   controls.addEventListener("change", draw);
   renderer.domElement.addEventListener("pointermove", point);
   renderer.domElement.addEventListener("pointerdown", press);
