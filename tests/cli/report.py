@@ -946,7 +946,7 @@ end
         self.assert_refused(results, "format 0", "make them again")
         (results / "summary.json").write_text("{ half")
         self.assert_refused(results, "summary.json", "damaged")
-        self.assertEqual(read_summary(kept)["versions"]["results"], 4)
+        self.assertEqual(read_summary(kept)["versions"]["results"], 5)
 
     def test_refuses_documents_that_lack_something(self):
         results = self.results_of()
