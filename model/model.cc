@@ -169,11 +169,9 @@ std::string greater_force(const MechanismState& state) {
 std::string solid_roller(const MechanismCase& mechanism) {
   if (!mechanism.roller || !mechanism.space || mechanism.pin_holding.hold == PinHolding::Hold::core)
     return "";
-  return "in 3-D the roller is one solid pin of its diameter, which bends less than the stud that "
-         "it "
-         "turns on: the pressure at the wall's edges is the lesser for it; the stress at the "
-         "stud's "
-         "root is by beam theory";
+  return "in 3-D the roller is one solid pin of its diameter, which bends less than the stud "
+         "it turns on: the pressure at the wall's edges is the lesser for it; the stress at the "
+         "stud's root is by beam theory";
 }
 
 /// That the analysed angle is one at which slot friction turns round, if it is.
