@@ -85,6 +85,11 @@ class Estimate(CliTest):
         self.assertAlmostEqual(self.value(summary, "safety factor of the pin's root"),
                                600e6 / self.value(summary, "bending stress at the root"), delta=1e-9)
 
+    def test_no_greatest_pressure_is_told_where_the_contact_reaches_the_edge(self):
+        run, summary = self.estimate(self.changed("crowned-pin", {"Mechanism/Pin/Crown radius": "1000 in"}))
+        self.assertNotIn("greatest pressure of the engagement", [row["quantity"] for row in summary["estimate"]])
+        self.assertIn("left out: the greatest pressure of the engagement", run.out)
+
     def test_a_short_pin_that_is_held_twice_is_no_beam_at_its_root(self):
         case = self.changed("crowned-pin", {"Mechanism/Pin/Held at": "both ends", "Mechanism/Pin/Overhang": None})
         run, _ = self.estimate(case)

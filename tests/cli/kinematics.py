@@ -485,6 +485,12 @@ class Limits(Kinematics):
             self.assertGreater(value, 800e6, "an even load would be 510 MPa")
         self.assertIn("line contacts along it", text)
 
+    def test_yield_of_a_crowned_pin_with_friction_is_judged_in_no_command(self):
+        for command in ("estimate", "kinematics"):
+            judged, text = self.judged(command, "crowned-pin", {"Mechanism/Slot friction": 0.1})
+            self.assertEqual(judged, {}, command)
+            self.assertIn("no closed form for a contact in 3-D with friction", text)
+
     def test_no_limit_is_judged_where_the_wall_has_sharp_edges(self):
         moved, text = self.judged("kinematics", "johnson-optimum-3d")
         self.assertEqual(moved, {})

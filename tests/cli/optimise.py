@@ -84,6 +84,13 @@ class Optimise(CliTest):
             self.assertIn("the limit of the least wall of the wheel", printed)
             self.assertIsNotNone(optimum["figures"][0]["confirmed"])
 
+    def test_the_best_case_is_judged_by_its_materials(self):
+        optimum, printed = self.optimum(self.case("thin", Free="Wheel thickness: 1 mm .. 40 mm", Minimise="mass of the wheel"))
+        pitting = next(row for row in optimum["safety"] if row["quantity"] == "contact, pitting, wheel")
+        self.assert_close(number(pitting["computed"]), self.figure(optimum, "peak contact pressure of the cycle"), 1e-9, "pressure")
+        self.assertLess(pitting["factor"], 1)
+        self.assertIn("EXCEEDED", printed)
+
     def test_the_slot_s_bottom_may_be_the_goal(self):
         case = self.case("bottom", Free="Pin diameter: 8 mm .. 24 mm", Minimise="stress at the slot bottom")
         change_case(case, {"Structural accuracy": "4 %"})
