@@ -238,10 +238,10 @@ Physical Surface("ring") = {1}; Physical Curve("below") = {1};
     def test_the_error_of_notches_and_fillets_holds_beside_a_finer_run(self):
         for name in ("shaft-fillet", "plate-with-hole"):
             case, fine = self.copy_case(name), self.copy_case(name, f"{name}-fine")
-            text = set_parameter((fine / "case.prm").read_text(), "Structural accuracy", "0.2 %")
+            text = set_parameter((fine / "case.prm").read_text(), "Structural accuracy", "0.3 %")
             (fine / "case.prm").write_text(text)
             truth = self.stress(self.run_case(fine))
-            self.assertLess(truth["error"], 0.002)
+            self.assertLess(truth["error"], 0.003)
             self.assert_within_its_error(self.run_case(case), number(truth["value"]), exact_to=truth["error"])
 
     def test_units_and_ranks_give_the_same(self):
