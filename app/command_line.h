@@ -22,6 +22,7 @@ struct Request {
     report,
     sweep,
     optimise,
+    export_drawings,
     init,
     materials,
     parameters,
@@ -44,6 +45,7 @@ struct Request {
   std::string units = "mm-N";           ///< of init
   std::vector<std::string> variations;  ///< of sweep: "Mechanism/Pin diameter = 8 mm; 10 mm"
   std::string method = "run";           ///< of sweep: the command for each combination
+  std::string angle;                    ///< of export: of the driver; may be empty
   unsigned int jobs = 0;                ///< of sweep: runs at a time; 0: as many as cores
 };
 

@@ -103,6 +103,16 @@ void Grammar::add_analyses() {
       ->add_option("--steps", request_.steps, "Steps of the curves over the cycle (default: 720)")
       ->type_name("NUMBER")
       ->check(whole_number(1, 10000000));
+  CLI::App* drawings =
+      add(Command::export_drawings, "export",
+          "Write wheel, driver with locking disc, pin and assembly for CAD systems (STEP and DXF)");
+  add_case(drawings, case_directory_);
+  add_output(drawings, output_, "Where the files go (default: CASE_DIR/cad)");
+  drawings
+      ->add_option("--angle", request_.angle,
+                   "Driver angle of the assembly, as '20 deg', 0 midway through the engagement "
+                   "(default: the one that the case is analysed at)")
+      ->type_name("ANGLE");
   CLI::App* estimate =
       add(Command::estimate, "estimate",
           "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");

@@ -64,13 +64,12 @@ void use_one_thread() {
   for (const char* const name : {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"}) ::setenv(name, "1", 1);
 }
 
-void become_solver(char** const argv) {
-  const std::string solver = base::installed_program("geneva-solver").string();
+void become(const std::string& name, char** const argv) {
+  const std::string program = base::installed_program(name).string();
   use_one_thread();
-  ::execv(solver.c_str(), argv);
-  throw base::InputError(
-      fmt::format("the solver {}, which belongs to geneva, cannot be started: {}", solver,
-                  std::strerror(errno)));
+  ::execv(program.c_str(), argv);
+  throw base::InputError(fmt::format("{}, which belongs to geneva, cannot be started: {}", program,
+                                     std::strerror(errno)));
 }
 
 std::string command_text(const int argc, char** const argv) {

@@ -24,9 +24,10 @@ void check_current_directory();
 /// wait for: programs that are started from now on have none.
 void use_one_thread();
 
-/// Replaces this process by geneva-solver, with the same command line.
+/// Replaces this process by another program of geneva, with the same command line.
+/// @param name "geneva-solver"
 /// @throws base::InputError if that cannot be started
-[[noreturn]] void become_solver(char** argv);
+[[noreturn]] void become(const std::string& name, char** argv);
 
 /// What is to be done, as the user wrote it.
 std::string command_text(int argc, char** argv);

@@ -58,7 +58,8 @@ int main(const int argc, char** const argv) try {
   if (request.command == Command::run || request.command == Command::cycle ||
       request.command == Command::optimise || request.command == Command::design_with_strength ||
       (request.command == Command::crown && request.is_confirmed))
-    become_solver(argv);
+    become("geneva-solver", argv);
+  if (request.command == Command::export_drawings) become("geneva-cad", argv);
   if (!is_launched_as_first_rank()) return 0;
   check_current_directory();
   const std::string task = command_text(argc, argv);

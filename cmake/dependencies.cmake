@@ -35,6 +35,19 @@ add_library(geneva_gmsh INTERFACE)
 target_include_directories(geneva_gmsh SYSTEM INTERFACE ${GENEVA_GMSH_INCLUDE})
 target_link_libraries(geneva_gmsh INTERFACE ${GENEVA_GMSH_LIBRARY})
 
+# The CAD kernel that Gmsh is built on. Its own configuration file needs all of its modules, also those for a screen.
+find_path(GENEVA_OPENCASCADE_INCLUDE TopoDS_Shape.hxx PATH_SUFFIXES opencascade REQUIRED)
+add_library(geneva_opencascade INTERFACE)
+target_include_directories(geneva_opencascade SYSTEM INTERFACE ${GENEVA_OPENCASCADE_INCLUDE})
+foreach(library IN ITEMS TKXDESTEP TKXCAF TKLCAF TKSTEP TKSTEPBase TKXSBase TKBO TKPrim TKShHealing TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKMath TKernel)
+  find_library(GENEVA_${library} ${library} REQUIRED)
+  target_link_libraries(geneva_opencascade INTERFACE ${GENEVA_${library}})
+endforeach()
+
+pkg_check_modules(GENEVA_DXFLIB REQUIRED IMPORTED_TARGET dxflib)
+add_library(geneva_dxflib INTERFACE)
+target_link_libraries(geneva_dxflib INTERFACE PkgConfig::GENEVA_DXFLIB)
+
 # Its header is where deal.II's are.
 find_library(GENEVA_CHOLMOD_LIBRARY cholmod REQUIRED)
 add_library(geneva_cholmod INTERFACE)

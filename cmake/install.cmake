@@ -57,7 +57,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/api/version.h DESTINATION ${CMAKE_
 
 # What geneva starts is found from where it lies itself, see base/installed_program.h.
 install(TARGETS geneva DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS geneva-solver geneva-mesher DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/geneva)
+install(TARGETS geneva-solver geneva-cad geneva-mesher DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/geneva)
 install(TARGETS geneva_core_library geneva_library EXPORT genevaTargets DESTINATION ${CMAKE_INSTALL_LIBDIR})
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/geneva)
 install(EXPORT genevaTargets NAMESPACE geneva:: DESTINATION ${package_folder})

@@ -65,6 +65,15 @@ void add_arc(Integrals& sum, const Segment& segment) {
                 4.;
 }
 
+void add_loop(Integrals& sum, const Loop& loop) {
+  for (const Segment& segment : loop) {
+    if (segment.is_arc)
+      add_arc(sum, segment);
+    else
+      add_line(sum, segment.start, segment.end);
+  }
+}
+
 /// Vertices of one pitch, from the rim's corner with the slot's lower wall to the end of the
 /// locking arc, counter-clockwise around the wheel.
 std::array<Point, 7> pitch_vertices(const GenevaDimensions& dimensions, double angle) {
@@ -114,19 +123,19 @@ Loop wheel_boundary(const GenevaDimensions& dimensions) {
 
 AreaMoments area_moments(const Outline& outline) {
   Integrals sum;
-  for (const Loop& loop : outline.loops)
-    for (const Segment& segment : loop) {
-      if (segment.is_arc)
-        add_arc(sum, segment);
-      else
-        add_line(sum, segment.start, segment.end);
-    }
+  for (const Loop& loop : outline.loops) add_loop(sum, loop);
   if (!(sum.one > 0.))
     throw base::InputError(
         fmt::format("area of outline '{}' is {:.6g} mm^2: it must be positive; run the outer loop "
                     "counter-clockwise and the holes clockwise",
                     outline.name, 1e6 * sum.one));
   return {sum.one, {sum.x / sum.one, sum.y / sum.one}, sum.square};
+}
+
+double signed_area(const Loop& loop) {
+  Integrals sum;
+  add_loop(sum, loop);
+  return sum.one;
 }
 
 double extent(const std::vector<Outline>& outlines) {

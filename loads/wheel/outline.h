@@ -44,6 +44,9 @@ struct AreaMoments {
 /// @throws base::InputError if the loops do not enclose a positive area
 AreaMoments area_moments(const Outline& outline);
 
+/// Area within a loop [m^2], negative if it runs clockwise: 1/2 oint (x dy - y dx).
+double signed_area(const Loop& loop);
+
 /// Maximum coordinate in size, of all ends of segments [m].
 double extent(const std::vector<Outline>& outlines);
 
