@@ -36,9 +36,8 @@ def parameter(sections, name, default, text):
     """Heading, help, what is allowed and the default of a parameter."""
     text = re.sub(r"^Listing of Parameters -+ ", "", text)
     explanation, _, allowed = text.rpartition("[")
-    lines = [f"### {name} {{#{anchor([*sections, name])}}}", "", escaped(explanation.strip()), ""]
-    lines += [f"Allowed: {escaped(allowed.rstrip(']'))}", ""]
-    return lines + [f"Default: `{default}`" if default else "Default: none", ""]
+    return [f"### {name} {{#{anchor([*sections, name])}}}", "", escaped(explanation.strip()), "",
+            f"Default: {f'`{default}`' if default else 'none'}. Allowed: {escaped(allowed.rstrip(']'))}", ""]
 
 
 def paragraph(lines):
