@@ -37,7 +37,8 @@ def parameter(sections, name, default, text):
     text = re.sub(r"^Listing of Parameters -+ ", "", text)
     explanation, _, allowed = text.rpartition("[")
     return [f"### {name} {{#{anchor([*sections, name])}}}", "", escaped(explanation.strip()), "",
-            f"Default: {f'`{default}`' if default else 'none'}. Allowed: {escaped(allowed.rstrip(']'))}", ""]
+            f"`{'/'.join([*sections, name])}`. Default: {f'`{default}`' if default else 'none'}. "
+            f"Allowed: {escaped(allowed.rstrip(']'))}", ""]
 
 
 def paragraph(lines):

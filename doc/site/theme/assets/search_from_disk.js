@@ -21,13 +21,17 @@ if (location.protocol === "file:") {
   };
   window.Worker = window.IFrameWorker;
 
-  // The theme looks here for an index before it asks for one.
+  // The theme looks here for an index before it asks for one. It is read when somebody searches, since the frame's
+  // work holds up the page.
   window.__search = {
     index: new Promise(resolve => {
-      const script = document.createElement("script");
-      script.src = assets + "../search/search_index.js";
-      script.onload = () => resolve(window.searchIndex);
-      document.head.append(script);
+      addEventListener("focusin", ({target}) => {
+        if (!target.matches(".md-search__input") || window.searchIndex) return;
+        const script = document.createElement("script");
+        script.src = assets + "../search/search_index.js";
+        script.onload = () => resolve(window.searchIndex);
+        document.head.append(script);
+      });
     })
   };
 }
