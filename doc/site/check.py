@@ -75,4 +75,5 @@ def main():
     print(f"site: {len(pages)} pages, {links} links, all of them valid: {site}/index.html")
 
 
-main()
+if __name__ == "__main__":
+    main()
