@@ -45,6 +45,8 @@ def on_files(files, config):
     for file in list(files):
         if file.src_uri.startswith("site/") or file.src_uri.endswith(".py"):
             files.remove(file)
+    for line in (ROOT / "README.md").read_text().splitlines():  # is no page, but its links must hold
+        LINK.sub(lambda link: site_link(link, "README.md", "index.md"), line)
     for page in {*PAGES.values()} - {"index.md"}:
         files.append(File(page, str(ROOT), config["site_dir"], use_directory_urls=False))
     return files
