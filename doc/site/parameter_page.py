@@ -1,5 +1,6 @@
 """The page of all parameters, from the text that 'geneva parameters' prints."""
 
+import html
 import re
 
 INTRODUCTION = """# Parameters
@@ -36,9 +37,12 @@ def parameter(sections, name, default, text):
     """Heading, help, what is allowed and the default of a parameter."""
     text = re.sub(r"^Listing of Parameters -+ ", "", text)
     explanation, _, allowed = text.rpartition("[")
+    if default:
+        facts = f"Default: `{default}`. "
+    else:  # the help may say more of it
+        facts = "" if re.search("Default:|Required", explanation) else "Default: none. "
     return [f"### {name} {{#{anchor([*sections, name])}}}", "", escaped(explanation.strip()), "",
-            f"`{'/'.join([*sections, name])}`. Default: {f'`{default}`' if default else 'none'}. "
-            f"Allowed: {escaped(allowed.rstrip(']'))}", ""]
+            f"`{'/'.join([*sections, name])}`. {facts}Allowed: {escaped(allowed.rstrip(']'))}", ""]
 
 
 def paragraph(lines):
@@ -50,4 +54,4 @@ def anchor(names):
 
 
 def escaped(text):
-    return re.sub(r"([\\`*_{}\[\]<>#|$])", r"\\\1", text)
+    return re.sub(r"([\\`*_{}\[\]#$])", r"\\\1", html.escape(text, quote=False))
