@@ -1,4 +1,4 @@
-"""Geometries of the user's: the examples of doc/case-file.md as they stand there, and nearly round meshes."""
+"""Geometries of the user's: the examples of doc/case-file.md and doc/how-to-geometry.md as they stand there, and nearly round meshes."""
 
 import random
 import re
@@ -46,6 +46,19 @@ class DocumentedExamples(CliTest):
                 peak, hertz = (number(summary[key]["peak_pressure"]) for key in ("contact", "hertz"))
                 self.assert_close(hertz, 560.8e6, 1e-3, "Hertz")
                 self.assert_close(peak, hertz, tolerance, "peak pressure")
+
+    def test_the_how_to_gives_the_figures_that_it_prints(self):
+        page = (self.source / "doc" / "how-to-geometry.md").read_text()
+        blocks = blocks_of(page)
+        case = self.directory / "notch"
+        case.mkdir()
+        (case / "geometry.geo").write_text(next(block for block in blocks if "Physical Surface" in block))
+        (case / "case.prm").write_text(next(block for block in blocks if block.startswith("set Title")))
+        summary = self.run_case(case)
+        for name, value, unit in (("peak contact pressure [MPa]", summary["contact"]["peak_pressure"], 1e6),
+                                  ("contact force [N]", summary["contact"]["force"], 1)):
+            printed = float(re.search(rf"{re.escape(name)} +([\d.]+) \+-", page).group(1))
+            self.assert_close(number(value), printed * unit, 5e-3, name)  # the default accuracy
 
     def test_touching_lines_of_unlike_division_are_refused_in_gmsh_s_words(self):
         case = self.write_examples()[1]
