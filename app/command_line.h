@@ -23,6 +23,7 @@ struct Request {
     sweep,
     optimise,
     export_drawings,
+    surfaces,
     init,
     materials,
     parameters,

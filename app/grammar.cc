@@ -113,6 +113,11 @@ void Grammar::add_analyses() {
                    "Driver angle of the assembly, as '20 deg', 0 midway through the engagement "
                    "(default: the one that the case is analysed at)")
       ->type_name("ANGLE");
+  CLI::App* surfaces =
+      add(Command::surfaces, "surfaces",
+          "List the bodies and surfaces of a case's geometry file that can be named, with their "
+          "places; of the case only what concerns the file needs to be there");
+  add_case(surfaces, case_directory_);
   CLI::App* estimate =
       add(Command::estimate, "estimate",
           "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");

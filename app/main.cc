@@ -56,7 +56,8 @@ int main(const int argc, char** const argv) try {
   if (const int* const code = std::get_if<int>(&asked)) return with_output_checked(*code);
   const Request& request = std::get<Request>(asked);
   if (request.command == Command::run || request.command == Command::cycle ||
-      request.command == Command::optimise || request.command == Command::design_with_strength ||
+      request.command == Command::optimise || request.command == Command::surfaces ||
+      request.command == Command::design_with_strength ||
       (request.command == Command::crown && request.is_confirmed))
     become("geneva-solver", argv);
   if (request.command == Command::export_drawings) become("geneva-cad", argv);

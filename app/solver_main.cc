@@ -14,6 +14,7 @@
 #include "app/optimise.h"
 #include "app/other_ranks.h"
 #include "app/run.h"
+#include "app/surfaces.h"
 #include "app/worker.h"
 #include "app/workers.h"
 
@@ -28,6 +29,7 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
     return confirmed_crown_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::cycle)
     return cycle_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
+  if (request.command == Command::surfaces) return surfaces_of_case(directory, mesher);
   if (request.command == Command::optimise)
     return confirmed_optimum(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::design_with_strength)

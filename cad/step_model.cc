@@ -3,6 +3,7 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <Standard_Failure.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
@@ -72,9 +73,7 @@ void add_label(const TDF_Label& label, const TopLoc_Location& place,
   }
 }
 
-}  // namespace
-
-std::vector<StepBody> read_step(const std::filesystem::path& file) {
+std::vector<StepBody> bodies_of(const std::filesystem::path& file) {
   Message::DefaultMessenger()->ChangePrinters().Clear();  // it writes to standard output
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
@@ -97,6 +96,17 @@ std::vector<StepBody> read_step(const std::filesystem::path& file) {
                            ": the file has no solid and no face: export the parts as solids, a "
                            "plane model as its plane faces");
   return bodies;
+}
+
+}  // namespace
+
+std::vector<StepBody> read_step(const std::filesystem::path& file) {
+  try {
+    return bodies_of(file);
+  } catch (const Standard_Failure& failure) {
+    throw base::InputError(file.string() +
+                           ": the CAD kernel cannot read this file: " + failure.GetMessageString());
+  }
 }
 
 }  // namespace geneva::cad

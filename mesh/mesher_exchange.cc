@@ -143,17 +143,32 @@ OutlineTask outline_task_of(const json& task) {
 }
 
 json json_of(const GeometryTask& task) {
+  json picks = json::array();
+  for (const Pick& pick : task.picks)
+    picks.push_back({{"name", pick.name}, {"is_body", pick.is_body}, {"place", pick.place}});
   return {{"dimension", task.dimension},
           {"directory", task.directory},
           {"file", task.file},
-          {"is_mesh", task.is_mesh},
-          {"circle_tolerance", task.circle_tolerance}};
+          {"kind", task.kind},
+          {"circle_tolerance", task.circle_tolerance},
+          {"bodies", task.bodies},
+          {"picks", picks},
+          {"cell_size", task.cell_size}};
 }
 
 GeometryTask geometry_task_of(const json& task) {
-  return {task.at("dimension").get<int>(), task.at("directory").get<std::string>(),
-          task.at("file").get<std::string>(), task.at("is_mesh").get<bool>(),
-          task.at("circle_tolerance").get<double>()};
+  GeometryTask result{task.at("dimension").get<int>(),
+                      task.at("directory").get<std::string>(),
+                      task.at("file").get<std::string>(),
+                      task.at("kind").get<FileKind>(),
+                      task.at("circle_tolerance").get<double>(),
+                      task.at("bodies").get<std::vector<std::string>>(),
+                      {},
+                      task.at("cell_size").get<double>()};
+  for (const json& pick : task.at("picks"))
+    result.picks.push_back({pick.at("name").get<std::string>(), pick.at("is_body").get<bool>(),
+                            pick.at("place").get<std::array<double, 3>>()});
+  return result;
 }
 
 template <int dim>

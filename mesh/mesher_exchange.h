@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "loads/wheel/outline.h"
+#include "mesh/file_kind.h"
 #include "mesh/mesh_data.h"
 #include "mesh/mesh_sizing.h"
+#include "mesh/pick.h"
 
 namespace geneva::mesh {
 
@@ -18,11 +20,14 @@ struct OutlineTask {
 
 /// A geometry to be meshed, or a mesh to be read.
 struct GeometryTask {
-  int dimension;            ///< 2 or 3
-  std::string directory;    ///< absolute, which holds the file and all that it includes
-  std::string file;         ///< its name in there
-  bool is_mesh;             ///< a .msh file
-  double circle_tolerance;  ///< see read_geometry
+  int dimension;          ///< 2 or 3
+  std::string directory;  ///< absolute, which holds the file and all that it includes
+  std::string file;       ///< its name in there
+  FileKind kind;
+  double circle_tolerance;               ///< see read_geometry
+  std::vector<std::string> bodies = {};  ///< of a STEP file those that are wanted; none: all
+  std::vector<Pick> picks = {};          ///< in a STEP file
+  double cell_size = 0.;  ///< of a STEP file's coarse cells [m]; 0: what suits each body
 };
 
 /// No coarse mesh of hundreds or thousands of cells takes longer [s].

@@ -41,6 +41,19 @@ std::string with_place(std::string error, const std::filesystem::path& real,
   return std::regex_replace(error, place, "$1:$2: ");
 }
 
+/// @throws base::InputError if a file does not begin and end as a STEP file does
+void check_step(const std::string& content, const std::filesystem::path& file) {
+  const std::size_t begin = content.find_first_not_of(" \t\r\n");
+  const std::string start = "ISO-10303-21;";
+  if (begin == content.npos || content.compare(begin, start.size(), start) != 0)
+    throw base::InputError(
+        fmt::format("{}: it does not begin with {}: this is no STEP file", file.string(), start));
+  if (content.find("END-ISO-10303-21;") == content.npos)
+    throw base::InputError(
+        fmt::format("{}: END-ISO-10303-21; is missing: the file was cut short; export it again",
+                    file.string()));
+}
+
 template <int dim>
 void scale(MeshData<dim>& mesh, const double length_unit) {
   for (auto& vertex : mesh.vertices)
@@ -51,14 +64,36 @@ void scale(MeshData<dim>& mesh, const double length_unit) {
   }
 }
 
+GeometryTask task_of(const UserGeometry& geometry, const int dimension,
+                     const std::filesystem::path& directory) {
+  const FileKind kind = kind_of(geometry.file);
+  GeometryTask task{dimension, directory.string(), geometry.file.filename().string(), kind,
+                    geometry.circle_tolerance};
+  if (kind != FileKind::step) return task;
+  task.bodies = geometry.bodies;
+  task.picks = geometry.picks;
+  task.cell_size = geometry.cell_size.value_or(0.);
+  return task;
+}
+
+/// What can be seen of a file without Gmsh.
+void check_file(const std::filesystem::path& file) {
+  switch (kind_of(file)) {
+    case FileKind::geometry:
+      return check_geometry_files(file);
+    case FileKind::mesh:
+      return check_msh(read_file(file), file);
+    case FileKind::step:
+      return check_step(read_file(file), file);
+  }
+}
+
 template <int dim>
-MeshData<dim> read(const std::filesystem::path& file, const double circle_tolerance, Mesher& mesher,
-                   const MesherLimits& limits) {
-  const bool is_mesh = file.extension() == ".msh";
-  is_mesh ? check_msh(read_file(file), file) : check_geometry_files(file);
+MeshData<dim> read(const UserGeometry& geometry, Mesher& mesher, const MesherLimits& limits) {
+  const std::filesystem::path& file = geometry.file;
+  check_file(file);
   const std::filesystem::path directory = std::filesystem::canonical(file).parent_path();
-  const GeometryTask task{dim, directory.string(), file.filename().string(), is_mesh,
-                          circle_tolerance};
+  const GeometryTask task = task_of(geometry, dim, directory);
   const MesherAnswer answer = mesher.answer(task, limits);
   if (answer.errors.empty()) return mesh_of<dim>(answer.mesh);
   Errors errors;
@@ -85,27 +120,21 @@ MeshData<dim> naming(const std::filesystem::path& file,
 }  // namespace
 
 template <int dim>
-MeshData<dim> read_geometry(const std::filesystem::path& file, const double length_unit,
-                            const double circle_tolerance, Mesher& mesher,
+MeshData<dim> read_geometry(const UserGeometry& geometry, Mesher& mesher,
                             const MesherLimits& limits) {
-  if (!(length_unit > 0.) || !std::isfinite(length_unit))
+  const double unit = geometry.length_unit;
+  if (!(unit > 0.) || !std::isfinite(unit))
     throw base::InputError(fmt::format("{}: its unit of length is {} m: it must be positive",
-                                       file.string(), length_unit));
-  const std::string extension = file.extension().string();
-  if (extension != ".geo" && extension != ".msh")
-    throw base::InputError(
-        fmt::format("{}: a geometry must be a .geo or a .msh file", file.string()));
-  return naming<dim>(file, [&] {
-    MeshData<dim> mesh = read<dim>(file, circle_tolerance, mesher, limits);
-    scale(mesh, length_unit);
+                                       geometry.file.string(), unit));
+  return naming<dim>(geometry.file, [&] {
+    MeshData<dim> mesh = read<dim>(geometry, mesher, limits);
+    scale(mesh, unit);
     check(mesh);
     return mesh;
   });
 }
 
-template MeshData<2> read_geometry(const std::filesystem::path&, double, double, Mesher&,
-                                   const MesherLimits&);
-template MeshData<3> read_geometry(const std::filesystem::path&, double, double, Mesher&,
-                                   const MesherLimits&);
+template MeshData<2> read_geometry(const UserGeometry&, Mesher&, const MesherLimits&);
+template MeshData<3> read_geometry(const UserGeometry&, Mesher&, const MesherLimits&);
 
 }  // namespace geneva::mesh

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "mesh/round_shapes.h"
-#include "mesher/model_reader.h"
+#include "mesher/element_blocks.h"
 
 namespace geneva::mesher {
 
@@ -23,6 +23,10 @@ std::vector<Place> as_places(const std::vector<double>& coordinates) {
   for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
     places.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
   return places;
+}
+
+Place difference(const Place& one, const Place& other) {
+  return {one[0] - other[0], one[1] - other[1], one[2] - other[2]};
 }
 
 /// Evenly spaced parameters of a curve or surface of a geometry, point by point.
@@ -52,18 +56,6 @@ std::vector<Place> sample_points(const int dimension, const int entity) {
   return as_places(places);
 }
 
-/// Places of all nodes, by tag.
-std::map<std::size_t, Place> places_of_nodes() {
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates;
-  std::vector<double> parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-  const std::vector<Place> places = as_places(coordinates);
-  std::map<std::size_t, Place> place_of;
-  for (std::size_t i = 0; i < tags.size(); ++i) place_of[tags[i]] = places[i];
-  return place_of;
-}
-
 /// Nodes of a curve of a mesh, its ends last.
 std::vector<Place> nodes_of_curve(const int curve) {
   std::vector<std::size_t> tags;
@@ -73,31 +65,37 @@ std::vector<Place> nodes_of_curve(const int curve) {
   return as_places(coordinates);
 }
 
-/// Nodes of the elements of a surface of a mesh; a file may not say which of them bound it.
+/// Nodes of the elements of a curve or surface; a file may not say which of them bound it.
+std::set<std::size_t> nodes_of_elements(const int dimension, const int entity) {
+  std::set<std::size_t> nodes;
+  for (const ElementBlock& block : element_blocks(dimension, entity))
+    nodes.insert(block.nodes.begin(), block.nodes.end());
+  return nodes;
+}
+
 std::vector<Place> nodes_of_surface(const int surface) {
-  const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
   const std::map<std::size_t, Place> place_of = places_of_nodes();
   std::vector<Place> places;
-  for (const std::size_t node : std::set<std::size_t>(nodes.begin(), nodes.end()))
-    places.push_back(place_of.at(node));
+  for (const std::size_t node : nodes_of_elements(2, surface)) places.push_back(place_of.at(node));
   return places;
 }
 
-/// Normals of a surface's quadrilaterals: the cross products of their diagonals.
+/// Normals of a surface's cells: the cross products of two edges of a triangle, of the diagonals of
+/// a quadrilateral.
 std::vector<Place> facet_normals(const int surface) {
   const std::map<std::size_t, Place> place_of = places_of_nodes();
-  const std::vector<std::size_t> nodes = element_nodes(2, surface, quad_type);
   std::vector<Place> normals;
-  for (std::size_t i = 0; i + 3 < nodes.size(); i += 4) {
-    const Place& p = place_of.at(nodes[i]);
-    const Place& q = place_of.at(nodes[i + 1]);
-    const Place& r = place_of.at(nodes[i + 2]);
-    const Place& t = place_of.at(nodes[i + 3]);
-    const Place u{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
-    const Place v{t[0] - q[0], t[1] - q[1], t[2] - q[2]};
-    normals.push_back(
-        {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
-  }
+  for (const ElementBlock& block : element_blocks(2, surface))
+    for (std::size_t i = 0; i < block.nodes.size(); i += block.nodes_of_one) {
+      const auto corner = [&](const std::size_t k) -> const Place& {
+        return place_of.at(block.nodes[i + k]);
+      };
+      const bool is_triangle = block.corners == 3;
+      const Place u = difference(corner(is_triangle ? 1 : 2), corner(0));
+      const Place v = difference(corner(is_triangle ? 2 : 3), corner(is_triangle ? 0 : 1));
+      normals.push_back(
+          {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+    }
   return normals;
 }
 
@@ -159,8 +157,7 @@ std::vector<RoundGroup> single_groups(const double tolerance) {
     const std::optional<Circle> shape =
         exact || tolerance == 0. ? exact : near_shape<dim>(points, tolerance);
     if (!shape) continue;
-    const auto nodes = element_nodes(dim - 1, entity, dim == 2 ? line_type : quad_type);
-    groups.push_back({{entity}, {nodes.begin(), nodes.end()}, points, *shape, !exact});
+    groups.push_back({{entity}, nodes_of_elements(dim - 1, entity), points, *shape, !exact});
   }
   return groups;
 }

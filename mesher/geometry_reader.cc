@@ -13,10 +13,14 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "mesh/mesh_quality.h"
 #include "mesh/onto_circles.h"
+#include "mesher/cell_division.h"
+#include "mesher/element_blocks.h"
 #include "mesher/entity_shape.h"
 #include "mesher/gmsh_session.h"
 #include "mesher/model_reader.h"
+#include "mesher/step_geometry.h"
 
 namespace geneva::mesher {
 
@@ -33,7 +37,6 @@ struct Kinds {
   static constexpr const char* boundary = dim == 2 ? "Physical Curve" : "Physical Surface";
   static constexpr const char* body_entity = dim == 2 ? "surface" : "volume";
   static constexpr const char* boundary_entity = dim == 2 ? "curve" : "surface";
-  static constexpr const char* cells = dim == 2 ? "quadrilaterals" : "hexahedra";
 };
 
 /// Name of every physical group of a dimension, by tag.
@@ -111,9 +114,12 @@ void label_bodies(ModelLabels& labels) {
   }
 }
 
+/// @param round the round ones of the boundary's entities
+/// @param all_fitted whether the nodes are only near to all of them
 /// @return indices of the circles that the nodes are only near to
 template <int dim>
-std::set<int> label_boundary(ModelLabels& labels, const double circle_tolerance) {
+std::set<int> label_boundary(ModelLabels& labels, const std::map<int, RoundEntity>& round,
+                             const bool all_fitted) {
   using Kind = Kinds<dim>;
   const std::map<int, std::string> names = group_names(dim - 1, Kind::boundary);
   if (names.empty())
@@ -124,7 +130,6 @@ std::set<int> label_boundary(ModelLabels& labels, const double circle_tolerance)
   for (const auto& [tag, name] : names) labels.surfaces.push_back(name);
   gmsh::vectorpair entities;
   gmsh::model::getEntities(entities, dim - 1);
-  const std::map<int, RoundEntity> round = round_entities<dim>(circle_tolerance);
   std::set<int> fitted;
   for (const auto& [dimension, entity] : entities) {
     const auto found = round.find(entity);
@@ -132,36 +137,9 @@ std::set<int> label_boundary(ModelLabels& labels, const double circle_tolerance)
         found == round.end() ? -1 : circle_index(labels.circles, found->second.circle);
     labels.boundary[entity] = {group_of(dim - 1, entity, Kind::boundary_entity, names).value_or(""),
                                circle};
-    if (found != round.end() && found->second.is_fitted) fitted.insert(circle);
+    if (found != round.end() && (all_fitted || found->second.is_fitted)) fitted.insert(circle);
   }
   return fitted;
-}
-
-/// How the user gets cells that can be used.
-template <int dim>
-std::string advice_on_cells(const bool is_mesh_file) {
-  if (dim == 3)
-    return "make them with Extrude {...} { Surface{...}; Layers{...}; Recombine; }, or with "
-           "Transfinite Surface, Recombine Surface and Transfinite Volume";
-  if (is_mesh_file)
-    return "write Recombine Surface {...}; in the .geo and mesh it again, or give the .geo file "
-           "itself";
-  return "let the program mesh (no 'Mesh 2;'), or divide the surfaces into four-sided ones with "
-         "Transfinite Surface";
-}
-
-template <int dim>
-void check_cells(const OtherCells& cells, const bool is_mesh_file) {
-  if (cells.of_higher_order > 0)
-    throw base::InputError(
-        fmt::format("{} cells are of order 2 or higher: linear {} only; set Mesh.ElementOrder = 1 "
-                    "(curved boundaries are followed while refining)",
-                    cells.of_higher_order, Kinds<dim>::cells));
-  if (cells.simplices + cells.others > 0)
-    throw base::InputError(
-        fmt::format("{} cells are {}: linear {} only; {}", cells.simplices + cells.others,
-                    dim == 2 ? "triangles or polygons" : "tetrahedra, prisms or pyramids",
-                    Kinds<dim>::cells, advice_on_cells<dim>(is_mesh_file)));
 }
 
 template <int dim>
@@ -178,25 +156,38 @@ void check_named_boundary(const MeshData<dim>& mesh) {
 
 /// The current Gmsh model with its names, after its mesh has been made or read.
 template <int dim>
-MeshData<dim> named_mesh(const bool is_mesh_file, const double circle_tolerance) {
+MeshData<dim> named_mesh(const double circle_tolerance) {
   ModelLabels labels;
   label_bodies<dim>(labels);
-  check_cells<dim>(count_other_cells<dim>(), is_mesh_file);
+  const std::map<int, RoundEntity> round = round_entities<dim>(circle_tolerance);
+  const bool is_divided = divide_cells<dim>();
   check_bodies(read_model<dim>(labels).mesh);  // before the boundary: shared parts have two names
-  const std::set<int> fitted = label_boundary<dim>(labels, circle_tolerance);
+  const std::set<int> fitted = label_boundary<dim>(labels, round, is_divided);
   MeshData<dim> mesh = read_model<dim>(labels).mesh;
   check_named_boundary(mesh);
   move_onto_circles(mesh, fitted);
   return mesh;
 }
 
-/// Meshes the current model; if triangles remain, twice as coarse with each cell divided into
-/// quadrilaterals.
+bool has_pyramids() {
+  const std::vector<ElementBlock> blocks = element_blocks(3);
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [](const ElementBlock& block) { return block.corners == 5; });
+}
+
+/// Meshes the current model. If triangles remain in the plane: twice as coarse with each cell
+/// divided into quadrilaterals. If quadrilaterals in 3-D bound what tetrahedra fill, which takes
+/// pyramids: with triangles.
 template <int dim>
 void mesh_current_model() {
   gmsh::option::setNumber("Mesh.RecombineAll", 1);
   gmsh::model::mesh::generate(dim);
-  if (dim == 3 || count_other_cells<2>().simplices == 0) return;
+  if (dim == 3 && has_pyramids()) {
+    gmsh::model::mesh::clear();
+    gmsh::option::setNumber("Mesh.RecombineAll", 0);
+    gmsh::model::mesh::generate(3);
+  }
+  if (dim == 3 || !has_triangles()) return;
   double factor = 1.;
   gmsh::option::getNumber("Mesh.MeshSizeFactor", factor);
   gmsh::model::mesh::clear();
@@ -205,23 +196,63 @@ void mesh_current_model() {
   gmsh::model::mesh::generate(2);
 }
 
+template <int dim>
+double least_quality(const MeshData<dim>& mesh) {
+  double least = 1.;
+  for (const mesh::Cell<dim>& cell : mesh.cells)
+    least = std::min(least, mesh::scaled_jacobian(mesh, cell));
+  return least;
+}
+
+/// The mesh of parts that stand in the current model, finer where the cells of a coarser one are
+/// pinched between curved faces.
+template <int dim>
+MeshData<dim> mesh_of_parts(const mesh::GeometryTask& task) {
+  constexpr double good = 0.1;
+  constexpr double millimetres = 1e3;  // of a metre
+  MeshData<dim> best;
+  double best_quality = -1.;
+  for (const double factor : {1., 0.8, 0.65, 0.5}) {
+    mesh_step_model<dim>(millimetres * task.cell_size, factor);
+    MeshData<dim> mesh = named_mesh<dim>(task.circle_tolerance);
+    const double quality = least_quality(mesh);
+    if (quality > best_quality) {
+      best = std::move(mesh);
+      best_quality = quality;
+    }
+    if (best_quality > good) break;
+  }
+  return best;
+}
+
+/// What Gmsh says of some actions, up to the first that goes wrong.
+std::vector<std::string> errors_of(GmshSession& session,
+                                   const std::vector<std::function<void()>>& actions) {
+  for (const auto& action : actions)
+    if (const auto errors = session.errors_of(action); !errors.empty()) return errors;
+  return {};
+}
+
 }  // namespace
 
 template <int dim>
 Reading<dim> read_geometry(const mesh::GeometryTask& task) {
   const std::filesystem::path file = std::filesystem::path(task.directory) / task.file;
   GmshSession session;
-  if (!task.is_mesh) set_quadrilateral_options();
   Reading<dim> reading;
-  const auto went_well = [&](const std::function<void()>& action) {
-    reading.errors = session.errors_of(action);
-    return reading.errors.empty();
-  };
-  const auto mesh_it = [&] {
-    if (!task.is_mesh && !has_cells(dim)) mesh_current_model<dim>();
-  };
-  const auto name_it = [&] { reading.mesh = named_mesh<dim>(task.is_mesh, task.circle_tolerance); };
-  (void)(went_well([&] { gmsh::open(file.string()); }) && went_well(mesh_it) && went_well(name_it));
+  if (task.kind == mesh::FileKind::step) {
+    reading.errors = errors_of(session, {[&] { read_step_model<dim>(task); },
+                                         [&] { reading.mesh = mesh_of_parts<dim>(task); }});
+    return reading;
+  }
+  const bool is_geometry = task.kind == mesh::FileKind::geometry;
+  if (is_geometry) set_quadrilateral_options();
+  reading.errors =
+      errors_of(session, {[&] { gmsh::open(file.string()); },
+                          [&] {
+                            if (is_geometry && !has_cells(dim)) mesh_current_model<dim>();
+                          },
+                          [&] { reading.mesh = named_mesh<dim>(task.circle_tolerance); }});
   return reading;
 }
 

@@ -215,32 +215,6 @@ int circle_index(std::vector<Circle>& circles, const Circle& circle) {
 }
 
 template <int dim>
-OtherCells count_other_cells() {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> elements;
-  std::vector<std::vector<std::size_t>> nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, dim);
-  OtherCells counts;
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    std::string name;
-    int dimension = 0;
-    int order = 0;
-    int vertices = 0;
-    int primary_vertices = 0;
-    std::vector<double> places;
-    gmsh::model::mesh::getElementProperties(types[i], name, dimension, order, vertices, places,
-                                            primary_vertices);
-    if (order > 1)
-      counts.of_higher_order += elements[i].size();
-    else if (types[i] == (dim == 2 ? triangle_type : tetrahedron_type))
-      counts.simplices += elements[i].size();
-    else if (types[i] != cell_type<dim>)
-      counts.others += elements[i].size();
-  }
-  return counts;
-}
-
-template <int dim>
 TaggedMesh<dim> read_model(const ModelLabels& labels) {
   TaggedMesh<dim> result;
   result.mesh.surfaces.emplace_back();
@@ -253,8 +227,6 @@ TaggedMesh<dim> read_model(const ModelLabels& labels) {
   return result;
 }
 
-template OtherCells count_other_cells<2>();
-template OtherCells count_other_cells<3>();
 template TaggedMesh<2> read_model(const ModelLabels&);
 template TaggedMesh<3> read_model(const ModelLabels&);
 

@@ -39,16 +39,6 @@ struct TaggedMesh {
   std::vector<std::size_t> tags;
 };
 
-/// Cells of the current Gmsh model's mesh that are not linear quadrilaterals, in 3-D not linear
-/// hexahedra.
-struct OtherCells {
-  std::size_t simplices = 0;  ///< triangles or tetrahedra
-  std::size_t of_higher_order = 0;
-  std::size_t others = 0;
-};
-template <int dim>
-OtherCells count_other_cells();
-
 /// The current Gmsh model's linear quadrilaterals or hexahedra, turned counter-clockwise, with all
 /// boundary faces. Bodies that have nodes in common, but no face, are separated there.
 /// @throws base::InputError in the plane if a vertex stands off z = 0; if two bodies have a
@@ -61,9 +51,7 @@ std::vector<std::size_t> element_nodes(int dimension, int entity, int type);
 
 /// Gmsh's numbers of the types of linear elements.
 inline constexpr int line_type = 1;
-inline constexpr int triangle_type = 2;
 inline constexpr int quad_type = 3;
-inline constexpr int tetrahedron_type = 4;
 inline constexpr int hexahedron_type = 5;
 
 }  // namespace geneva::mesher

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mesh/mesh_quality.h"
+#include "mesher/element_blocks.h"
 #include "mesher/gmsh_session.h"
 #include "mesher/outline_model.h"
 #include "mesher/size_field.h"
@@ -91,9 +92,8 @@ AttemptResult try_meshing(const std::vector<Outline>& outlines, const MeshSizing
       return attempt.factor * size({x, y});
     });
     gmsh::model::mesh::generate(2);
-    const OtherCells others = count_other_cells<2>();
-    result.failure = fmt::format("{} triangles are left", others.simplices + others.others);
-    if (others.simplices + others.others > 0) return;
+    result.failure = "triangles are left";
+    if (has_triangles()) return;
     TaggedMesh<2> read = read_model<2>(model.labels());
     model.place(read);
     result.mesh = std::move(read.mesh);

@@ -122,8 +122,12 @@ mesh::MeshData<dim> meshed_on_rank_zero(const MPI_Comm communicator,
 template <int dim>
 mesh::MeshData<dim> geometry_mesh(const GeometryCase& geometry, const fem::Problem<dim>& problem,
                                   mesh::Mesher& mesher, const mesh::MesherLimits& limits) {
-  mesh::MeshData<dim> mesh = mesh::read_geometry<dim>(geometry.file, geometry.length_unit,
-                                                      geometry.circle_tolerance, mesher, limits);
+  std::vector<std::string> bodies;
+  for (const fem::Body<dim>& body : problem.bodies) bodies.push_back(body.name);
+  mesh::MeshData<dim> mesh =
+      mesh::read_geometry<dim>({geometry.file, geometry.length_unit, geometry.circle_tolerance,
+                                bodies, geometry.picks, geometry.cell_size},
+                               mesher, limits);
   if constexpr (dim == 2) {
     std::vector<std::string> surfaces;
     for (const fem::ContactPair& pair : problem.pairs)

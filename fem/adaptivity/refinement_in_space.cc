@@ -34,28 +34,42 @@ std::vector<bool> coupled_nodes(const ContactInterface<3>& interface) {
   return coupled;
 }
 
-/// This rank's cells with a face of a boundary whose vertices include one of the nodes.
+/// First unknowns of all nodes of one side, and of those in its zone.
+struct SideNodes {
+  ZoneNodes all;
+  ZoneNodes zone;
+};
+
+SideNodes side_nodes(const Surface<3>& surface, const std::vector<bool>& active,
+                     const unsigned int steps) {
+  SideNodes nodes{{}, nodes_within(surface, active, steps)};
+  for (const SurfaceNode<3>& node : surface.nodes) nodes.all.insert(node.dofs[0]);
+  return nodes;
+}
+
+/// This rank's cells with an edge between two nodes of a surface, of which one at least is in the
+/// zone. A cell that has no face there, as tetrahedra leave them, would make hanging nodes of its
+/// edge's if it stayed coarse.
 std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells_along(
-    dealii::DoFHandler<3>& dof_handler, const unsigned int surface, const ZoneNodes& nodes) {
+    dealii::DoFHandler<3>& dof_handler, const SideNodes& nodes) {
   std::vector<dealii::DoFHandler<3>::active_cell_iterator> cells;
   for (const auto& cell : dof_handler.active_cell_iterators()) {
-    if (!cell->is_locally_owned() || !cell->at_boundary()) continue;
-    const auto is_in_zone = [&](const unsigned int face) {
-      if (!cell->face(face)->at_boundary() || cell->face(face)->boundary_id() != surface)
-        return false;
-      for (unsigned int vertex = 0; vertex < 4; ++vertex)
-        if (nodes.count(cell->face(face)->vertex_dof_index(vertex, 0)) > 0) return true;
-      return false;
+    if (!cell->is_locally_owned()) continue;
+    const auto is_in_zone = [&](const unsigned int line) {
+      const auto one = cell->line(line)->vertex_dof_index(0, 0);
+      const auto other = cell->line(line)->vertex_dof_index(1, 0);
+      return nodes.all.count(one) > 0 && nodes.all.count(other) > 0 &&
+             (nodes.zone.count(one) > 0 || nodes.zone.count(other) > 0);
     };
-    const auto faces = cell->face_indices();
-    if (std::any_of(faces.begin(), faces.end(), is_in_zone)) cells.push_back(cell);
+    const auto lines = cell->line_indices();
+    if (std::any_of(lines.begin(), lines.end(), is_in_zone)) cells.push_back(cell);
   }
   return cells;
 }
 
-unsigned int flag_side(dealii::DoFHandler<3>& dof_handler, const unsigned int surface,
-                       const ZoneNodes& nodes, const bool only_uneven) {
-  const auto cells = cells_along(dof_handler, surface, nodes);
+unsigned int flag_side(dealii::DoFHandler<3>& dof_handler, const SideNodes& nodes,
+                       const bool only_uneven) {
+  const auto cells = cells_along(dof_handler, nodes);
   int highest = 0;
   for (const auto& cell : cells) highest = std::max(highest, cell->level());
   highest = dealii::Utilities::MPI::max(highest, dof_handler.get_communicator());
@@ -72,7 +86,7 @@ unsigned int flag_side(dealii::DoFHandler<3>& dof_handler, const unsigned int su
 
 unsigned int flag_zone(dealii::DoFHandler<3>& dof_handler,
                        const std::vector<ContactInterface<3>>& interfaces,
-                       const SurfaceIds& surface_ids, const ZonePart part) {
+                       const SurfaceIds& /*surface_ids*/, const ZonePart part) {
   const bool only_uneven = part == ZonePart::uneven;
   unsigned int flagged = 0;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
@@ -80,12 +94,10 @@ unsigned int flag_zone(dealii::DoFHandler<3>& dof_handler,
     // A contact without an open node has no width: its zone is the whole surface in any case.
     const auto margin =
         1 + static_cast<unsigned int>(margin_of_width * std::min(nodes_across(interface), 400U));
-    flagged +=
-        flag_side(dof_handler, surface_ids[i].first,
-                  nodes_within(interface.source, active_nodes(interface), margin), only_uneven);
-    flagged +=
-        flag_side(dof_handler, surface_ids[i].second,
-                  nodes_within(interface.target, coupled_nodes(interface), margin), only_uneven);
+    flagged += flag_side(dof_handler, side_nodes(interface.source, active_nodes(interface), margin),
+                         only_uneven);
+    flagged += flag_side(
+        dof_handler, side_nodes(interface.target, coupled_nodes(interface), margin), only_uneven);
   }
   return flagged;
 }

@@ -311,7 +311,8 @@ std::string parameter_file() {
   std::vector<Parameter> all;
   for (const std::vector<Parameter>& some :
        {general_parameters(), settings_parameters(), mechanism_parameters(),
-        optimisation_parameters(), geometry_parameters({"NAME"}, {"NAME"}, ""),
+        optimisation_parameters(),
+        geometry_parameters({"NAME"}, {"NAME"}, {"Surface NAME", "Solid NAME"}, ""),
         synthesis_parameters(), published_parameters(), allowable_parameters()})
     all.insert(all.end(), some.begin(), some.end());
   return parameter_listing(

@@ -23,6 +23,7 @@
 #include "loads/synthesis/path_synthesis.h"
 #include "loads/synthesis/quick_return.h"
 #include "loads/wheel/geneva_dimensions.h"
+#include "mesh/pick.h"
 #include "model/input/materials.h"
 #include "model/input/optimisation_case.h"
 #include "model/mechanisms/mechanism_type.h"
@@ -119,11 +120,17 @@ struct MechanismCase {
   DesignCase design;
 };
 
+/// A file of the user's, and how it is to be read.
+struct GeometryFile {
+  std::filesystem::path file;       ///< .geo, .msh or .step file in the case directory
+  double length_unit;               ///< metres per unit of the file
+  double circle_tolerance;          ///< distance of nodes from their circle over its radius
+  std::vector<mesh::Pick> picks;    ///< names for places of a STEP file
+  std::optional<double> cell_size;  ///< of its coarse cells [m]
+};
+
 /// Model = geometry: the user's own geometry.
-struct GeometryCase {
-  std::filesystem::path file;  ///< .geo or .msh file in the case directory
-  double length_unit;          ///< metres per unit of the file
-  double circle_tolerance;     ///< distance of nodes from their circle over its radius
+struct GeometryCase : GeometryFile {
   std::variant<fem::Problem<2>, fem::Problem<3>> problem;  ///< by the dimension
 };
 

@@ -178,6 +178,15 @@ std::optional<double> CaseValues::value(const SectionPath& section, const std::s
   return all.empty() ? std::nullopt : std::optional<double>(all.front());
 }
 
+std::vector<std::string> CaseValues::names(const SectionPath& section,
+                                           const std::string& begin) const {
+  std::vector<std::string> found;
+  for (const Parameter& parameter : parameters_)
+    if (parameter.section == section && parameter.name.compare(0, begin.size(), begin) == 0)
+      found.push_back(parameter.name);
+  return found;
+}
+
 bool CaseValues::is_changed(const SectionPath& section, const std::string& name) const {
   return text(section, name) != parameter(section, name).default_value;
 }

@@ -30,6 +30,10 @@ class CaseValues {
   [[nodiscard]] std::vector<double> values(const SectionPath& section,
                                            const std::string& name) const;
 
+  /// Parameters of a subsection whose names begin so.
+  [[nodiscard]] std::vector<std::string> names(const SectionPath& section,
+                                               const std::string& begin) const;
+
   /// Whether the parameter has another value than its default.
   [[nodiscard]] bool is_changed(const SectionPath& section, const std::string& name) const;
 

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "model/input/case_models.h"
 #include "model/input/case_path.h"
+#include "model/input/geometry_file.h"
 #include "model/input/load_steps.h"
 
 namespace geneva::model {
@@ -35,39 +36,6 @@ std::vector<std::string> names_in(const ParameterText& text, const std::string& 
       refuse(text, *found, fmt::format("the name {} stands there twice", base::in_quotes(name)));
   }
   return parts;
-}
-
-/// Name of the geometry file that the directory has.
-std::string found_file(const ParameterText& text, const fs::path& directory) {
-  std::error_code error;
-  const bool has_geo = fs::exists(directory / "geometry.geo", error);
-  const bool has_msh = fs::exists(directory / "geometry.msh", error);
-  if (has_geo == has_msh)
-    throw base::InputError(fmt::format(
-        "{}: the case directory has {} 'geometry.geo' {} 'geometry.msh'; {} in the subsection "
-        "'Geometry' names the file",
-        text.file, has_geo ? "both" : "neither", has_geo ? "and" : "nor", "'set File = ...'"));
-  return has_geo ? "geometry.geo" : "geometry.msh";
-}
-
-fs::path read_file_name(const CaseSection& section, const fs::path& directory) {
-  const fs::path name = section.text("File");
-  if (name.extension() != ".geo" && name.extension() != ".msh")
-    section.refuse("File", "the name of a .geo or .msh file in the case directory is wanted");
-  return file_in_directory(section, "File", directory);
-}
-
-double read_length_unit(const CaseSection& section) {
-  const std::string unit = section.text("Length unit");
-  const bool has_number = unit.find_first_of("0123456789.+-") == 0;
-  QuantityRule rule;
-  rule.dimension = Dimension::length;
-  rule.range = greater_than_zero();
-  try {
-    return model::values(rule, has_number ? unit : "1 " + unit).front();
-  } catch (const std::invalid_argument&) {
-    section.refuse("Length unit", "a unit of length is wanted, for example 'mm', 'in' or '0.1 mm'");
-  }
 }
 
 fem::PlaneKind read_plane(const CaseSection& section) {
@@ -375,17 +343,14 @@ fem::Problem<dim> read_problem(const CaseValues& values, const fs::path& directo
 std::vector<Parameter> geometry_parameters_of(const ParameterText& text,
                                               const fs::path& directory) {
   const Assignment* file = text.find({names::geometry}, "File");
-  return geometry_parameters(names_in(text, "Bodies"), names_in(text, "Loads"),
-                             file == nullptr ? found_file(text, directory) : file->value);
+  return geometry_parameters(
+      names_in(text, "Bodies"), names_in(text, "Loads"), pick_names(text),
+      file == nullptr ? default_geometry_file(text, directory) : file->value);
 }
 
 GeometryCase read_geometry_case(const CaseValues& values, const fs::path& directory,
                                 const int dimension) {
-  const CaseSection section(values, {names::geometry});
-  GeometryCase result;
-  result.file = read_file_name(section, directory);
-  result.length_unit = read_length_unit(section);
-  result.circle_tolerance = section.value("Circle tolerance");
+  GeometryCase result{read_geometry_file(values, directory, dimension), {}};
   if (dimension == 3)
     result.problem = read_problem<3>(values, directory);
   else

@@ -43,28 +43,6 @@ std::vector<Parameter> load_parameters(const std::string& surface) {
        "has none."}};
 }
 
-std::vector<Parameter> geometry_file_parameters(const std::string& default_file) {
-  const SectionPath section{names::geometry};
-  return {
-      {section, "File", default_file,
-       TextRule{"the name of a .geo or .msh file in the case directory"},
-       "Geometry or mesh of Gmsh. Default: geometry.geo or geometry.msh, whichever there is."},
-      {section, "Length unit", "m",
-       TextRule{"a unit of length, for example 'mm', 'in' or '0.1 mm'"},
-       "Unit of the file's coordinates."},
-      {section, "Circle tolerance", "0",
-       quantity(Dimension::dimensionless, between(0., 0.01, "from 0 to 1 %")),
-       "By what share of the radius the points of a curve (in 3-D: surface) may be off the "
-       "circle, cylinder or sphere nearest to them; the nodes are then moved onto it. 0: what is "
-       "off by more than rounding stays a polygon."},
-      {section, "Plane", "plane strain",
-       ChoiceRule{{"plane strain", "plane stress", "axisymmetric"}},
-       "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution. Only "
-       "with Dimension = 2."},
-      {section, "Thickness", "", positive(Dimension::length, {""}),
-       "Thickness of a plane model; required, unless the model is axisymmetric: that has none."}};
-}
-
 QuantityRule one_for_each_pair() {
   QuantityRule rule = quantity(Dimension::dimensionless, zero_or_greater());
   rule.most = 100;
@@ -100,12 +78,54 @@ std::vector<Parameter> geometry_list_parameters() {
        "column act in full. The last step is analysed. Default: all loads at once."}};
 }
 
+Parameter pick_parameter(const std::string& name) {
+  return {{names::geometry},
+          name,
+          "",
+          TextRule{"'face nearest X, Y, Z', lengths with their units; of a body 'solid nearest', "
+                   "with Dimension = 2 'edge nearest X, Y' and of a body 'face nearest'"},
+          "Name for what is nearest to a place in a STEP file."};
+}
+
 }  // namespace
+
+std::vector<Parameter> geometry_file_parameters(const std::vector<std::string>& picks,
+                                                const std::string& default_file) {
+  const SectionPath section{names::geometry};
+  std::vector<Parameter> parameters{
+      {section, "File", default_file,
+       TextRule{"the name of a .geo, .msh, .step or .stp file in the case directory"},
+       "Geometry or mesh of Gmsh, or parts of a CAD system. Default: geometry.geo or geometry.msh, "
+       "whichever there is. In a STEP file bodies go by the names of products, surfaces by those "
+       "of "
+       "faces; 'set Surface NAME = nearest X, Y, Z' names the face (with Dimension = 2: edge) that "
+       "is nearest to a place, 'set Solid NAME = nearest X, Y, Z' a body."},
+      {section, "Length unit", "m",
+       TextRule{"a unit of length, for example 'mm', 'in' or '0.1 mm'"},
+       "Unit of the file's coordinates; a STEP file has its own."},
+      {section, "Cell size", "", positive(Dimension::length, {""}),
+       "Of the coarse cells of a STEP file, which are refined while solving. Default: a sixth of "
+       "the mean extent of each body, finer where it is curved."},
+      {section, "Circle tolerance", "0",
+       quantity(Dimension::dimensionless, between(0., 0.01, "from 0 to 1 %")),
+       "By what share of the radius the points of a curve (in 3-D: surface) may be off the "
+       "circle, cylinder or sphere nearest to them; the nodes are then moved onto it. 0: what is "
+       "off by more than rounding stays a polygon."},
+      {section, "Plane", "plane strain",
+       ChoiceRule{{"plane strain", "plane stress", "axisymmetric"}},
+       "What the plane stands for. 'axisymmetric': x is the radius, y the axis of revolution. Only "
+       "with Dimension = 2."},
+      {section, "Thickness", "", positive(Dimension::length, {""}),
+       "Thickness of a plane model; required, unless the model is axisymmetric: that has none."}};
+  for (const std::string& pick : picks) parameters.push_back(pick_parameter(pick));
+  return parameters;
+}
 
 std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
                                            const std::vector<std::string>& loads,
+                                           const std::vector<std::string>& picks,
                                            const std::string& default_file) {
-  std::vector<Parameter> parameters = geometry_file_parameters(default_file);
+  std::vector<Parameter> parameters = geometry_file_parameters(picks, default_file);
   append(parameters, geometry_list_parameters());
   for (const std::string& body : bodies) append(parameters, body_parameters(body));
   for (const std::string& load : loads) append(parameters, load_parameters(load));

@@ -91,10 +91,16 @@ std::vector<Parameter> allowable_parameters();
 /// What a case with Model = mechanism has besides.
 std::vector<Parameter> mechanism_parameters();
 
+/// What it says of its file.
+std::vector<Parameter> geometry_file_parameters(const std::vector<std::string>& picks,
+                                                const std::string& default_file);
+
 /// What a case with Model = geometry has besides.
+/// @param picks names of parameters that name places of a STEP file
 /// @param default_file name of the geometry's file if the case does not give it
 std::vector<Parameter> geometry_parameters(const std::vector<std::string>& bodies,
                                            const std::vector<std::string>& loads,
+                                           const std::vector<std::string>& picks,
                                            const std::string& default_file);
 
 /// Elastic constants, density and strengths of a material of the collection, and what it allows.

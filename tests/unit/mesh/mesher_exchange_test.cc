@@ -53,10 +53,16 @@ TEST(MesherExchange, GivesBackTasksToTheLastBit) {
   EXPECT_TRUE(segment.is_arc && segment.clockwise);
   EXPECT_EQ(segment.surface, "rim");
   EXPECT_EQ(got.sizing.general, 1. / 7.);
-  const GeometryTask task = geometry_task_of(sent(json_of(GeometryTask{3, "/d", "f", true, 0.1})));
+  const GeometryTask task = geometry_task_of(sent(json_of(GeometryTask{
+      3, "/d", "f", FileKind::step, 0.1, {"wheel"}, {{"wall", false, {0.1, 1. / 3., 2.}}}, 0.2})));
   EXPECT_EQ(task.dimension, 3);
-  EXPECT_TRUE(task.is_mesh);
+  EXPECT_EQ(task.kind, FileKind::step);
   EXPECT_EQ(task.circle_tolerance, 0.1);
+  EXPECT_EQ(task.bodies, std::vector<std::string>{"wheel"});
+  EXPECT_EQ(task.picks.at(0).name, "wall");
+  EXPECT_FALSE(task.picks.at(0).is_body);
+  EXPECT_EQ(task.picks.at(0).place[1], 1. / 3.);
+  EXPECT_EQ(task.cell_size, 0.2);
 }
 
 TEST(MesherExchange, RefusesWhatIsNoMesh) {

@@ -16,7 +16,7 @@ MesherAnswer answer_of(const std::string& commands) {
   const test::CaseDirectory directory;
   const auto program = directory.write("mesher", "#!/bin/sh\n" + commands + "\n");
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  const GeometryTask task{2, "/", "nothing.geo", false, 0.};
+  const GeometryTask task{2, "/", "nothing.geo", FileKind::geometry, 0.};
   return Mesher(program).answer(task, {1e9, 20.});
 }
 

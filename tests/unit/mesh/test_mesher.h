@@ -24,7 +24,7 @@ inline MeshData<2> mesh_outlines(const std::vector<loads::Outline>& outlines,
 template <int dim>
 MeshData<dim> read_geometry(const std::filesystem::path& file, const double length_unit,
                             const double circle_tolerance = 0.) {
-  return read_geometry<dim>(file, length_unit, circle_tolerance, test_mesher(), test_limits);
+  return read_geometry<dim>({file, length_unit, circle_tolerance}, test_mesher(), test_limits);
 }
 
 }  // namespace geneva::mesh

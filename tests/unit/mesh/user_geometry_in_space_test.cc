@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -129,14 +130,64 @@ TEST(GeometryInSpace, OfAMeshFileFindsCylindersAndSpheresInTheNodes) {
   }
 }
 
-TEST(GeometryInSpace, OfTetrahedraIsRefusedWithTheWayToHexahedra) {
-  const CaseDirectory directory;
-  const auto file = directory.write("geometry.geo", R"(
-SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 1, 1};
+/// Volume of hexahedra as six tetrahedra about a diagonal each.
+double volume_of(const MeshData<3>& mesh) {
+  double sum = 0.;
+  for (const Cell<3>& cell : mesh.cells) {
+    const auto place = [&](const std::size_t i) { return mesh.vertices[cell.vertices[i]]; };
+    for (const auto& [i, k] : {std::pair{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}) {
+      const auto a = place(static_cast<std::size_t>(i));
+      const auto b = place(static_cast<std::size_t>(k));
+      const auto o = place(0);
+      const auto d = place(6);
+      const auto minus = [&](const auto& p) {
+        return std::array<double, 3>{p[0] - o[0], p[1] - o[1], p[2] - o[2]};
+      };
+      const auto [u, v, w] = std::array{minus(a), minus(b), minus(d)};
+      sum += (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+              u[2] * (v[0] * w[1] - v[1] * w[0])) /
+             6.;
+    }
+  }
+  return sum;
+}
+
+TEST(GeometryInSpace, OfTetrahedraIsDividedIntoHexahedra) {
+  for (const int order : {1, 2}) {
+    const MeshData<3> mesh =
+        read_in_space("geometry.geo", fmt::format("Mesh.ElementOrder = {};", order) + R"(
+SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 1, 2, 3};
 Physical Volume("box") = {1}; Physical Surface("side") = {1};
 )");
-  expect_refused([&] { (void)read_geometry<3>(file, 1.); },
-                 {file.string(), "linear hexahedra only", "Transfinite Volume"});
+    EXPECT_EQ(mesh.cells.size() % 4, 0U);
+    EXPECT_NEAR(volume_of(mesh), 6., 1e-12);
+    EXPECT_TRUE(mesh.circles.empty());
+  }
+}
+
+TEST(GeometryInSpace, OfTetrahedraFollowsItsCylindersAndSpheres) {
+  const std::string ball = R"(
+SetFactory("OpenCASCADE"); Sphere(1) = {1, 0, 0, 6};
+Mesh.MeshSizeMax = 4; Mesh.RecombineAll = 0;
+Physical Volume("ball") = {1}; Physical Surface("outside") = {1};
+)";
+  for (const int order : {1, 2}) {
+    const std::string text = fmt::format("Mesh.ElementOrder = {};", order) + ball;
+    expect_sphere(circle_of(read_in_space("geometry.geo", text), "outside"), 6.);
+    expect_sphere(circle_of(read_in_space("mesh.msh", test::saved(text, 4.1, true, 3)), "outside"),
+                  6.);
+  }
+}
+
+TEST(GeometryInSpace, OfPrismsIsDividedIntoHexahedra) {
+  const MeshData<3> mesh = read_in_space("geometry.geo", R"(
+SetFactory("OpenCASCADE"); Mesh.MeshSizeMax = 1;
+Rectangle(1) = {0, 0, 0, 2, 1};
+box[] = Extrude {0, 0, 3} { Surface{1}; Layers{2}; Recombine; };
+Physical Volume("box") = {box[1]}; Physical Surface("top") = {box[0]};
+)");
+  EXPECT_EQ(mesh.cells.size() % 6, 0U);
+  EXPECT_NEAR(volume_of(mesh), 6., 1e-12);
 }
 
 TEST(GeometryInSpace, AndInThePlaneAreToldApart) {

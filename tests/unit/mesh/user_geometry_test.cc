@@ -328,14 +328,26 @@ TEST(GeoFile, OutOfThePlaneIsRefused) {
   expect_geo_refused(lifted, {"z = ", "plane z = 0"});
 }
 
-TEST(GeoFile, OfSecondOrderIsRefused) {
-  expect_geo_refused("Mesh.ElementOrder = 2;" + two_blocks,
-                     {"order 2", "linear quadrilaterals only"});
+TEST(GeoFile, OfSecondOrderLosesItsMiddleNodes) {
+  const MeshData<2> linear = read_geo(two_blocks);
+  const MeshData<2> second = read_geo("Mesh.ElementOrder = 2;" + two_blocks);
+  EXPECT_EQ(second.cells.size(), linear.cells.size());
+  EXPECT_EQ(second.vertices.size(), linear.vertices.size());
 }
 
-TEST(GeoFile, ThatMeshesTrianglesItselfIsRefused) {
-  expect_geo_refused("lc = 1; Mesh.RecombineAll = 0;" + disc + "Mesh 2;",
-                     {"triangles", "no 'Mesh 2;'"});
+TEST(GeoFile, OfThirdOrderIsRefused) {
+  expect_geo_refused("Mesh.ElementOrder = 3;" + two_blocks, {"order 3", "Mesh.ElementOrder = 1"});
+}
+
+TEST(GeoFile, ThatMeshesTrianglesItselfIsDividedAlongItsCircle) {
+  for (const int order : {1, 2}) {
+    const MeshData<2> mesh =
+        read_geo(fmt::format("lc = 1; Mesh.RecombineAll = 0; Mesh.ElementOrder = {};", order) +
+                 disc + "Mesh 2;");
+    EXPECT_EQ(mesh.cells.size() % 3, 0U);
+    EXPECT_EQ(mesh.circles.size(), 1U);
+    check(mesh);  // vertices of round faces lie on their circle
+  }
 }
 
 TEST(GeometryFile, ThatIsMissingIsNamed) {
@@ -346,8 +358,8 @@ TEST(GeometryFile, ThatIsMissingIsNamed) {
 }
 
 TEST(GeometryFile, OfAnotherKindIsRefused) {
-  expect_refused([] { (void)read_geometry<2>("/nowhere/wheel.step", 1.); },
-                 {"/nowhere/wheel.step", ".geo or a .msh"});
+  expect_refused([] { (void)read_geometry<2>("/nowhere/wheel.iges", 1.); },
+                 {"/nowhere/wheel.iges", ".geo, .msh, .step or .stp"});
 }
 
 TEST(GeometryFile, ThatIsADirectoryIsRefused) {
@@ -438,16 +450,19 @@ TEST(MshFile, OfAnUnknownFormatIsRefused) {
   expect_msh_refused(with("2.2 7 8"), {"'2.2 7 8'"});
 }
 
-TEST(MshFile, WithTrianglesIsRefusedWithWhatToDo) {
+TEST(MshFile, WithTrianglesIsDivided) {
   Msh msh;
   msh.elements =
       "5\n1 1 2 3 1 1 2\n2 1 2 4 2 8 5\n3 2 2 1 1 1 2 3\n4 2 2 1 1 1 3 4\n5 3 2 2 2 5 6 7 8\n";
-  expect_msh_refused(msh.text(), {"2 cells are triangles", "Recombine Surface", ".geo"});
+  const CaseDirectory directory;
+  const MeshData<2> mesh = read_geometry<2>(directory.write("mesh.msh", msh.text()), 1.);
+  EXPECT_EQ(mesh.cells.size(), 2U * 3U + 4U);
 }
 
-TEST(MshFile, OfSecondOrderIsRefused) {
+TEST(MshFile, OfSecondOrderLosesItsMiddleNodes) {
+  const CaseDirectory directory;
   const std::string second = test::saved("Mesh.ElementOrder = 2;" + two_blocks, 4.1, false);
-  expect_msh_refused(second, {"17 cells are of order 2", "linear quadrilaterals only"});
+  EXPECT_EQ(read_geometry<2>(directory.write("mesh.msh", second), 1.).cells.size(), 17U);
 }
 
 TEST(MshFile, WithoutNamesIsRefused) {

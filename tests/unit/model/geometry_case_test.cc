@@ -296,9 +296,10 @@ TEST(GeometryCase, AFileThatIsMissingOrOfAnotherKindIsRefused) {
             "DIR/case.prm, line 6: 'File' = 'roll.geo': there is no such file in the case "
             "directory");
   for (const std::string name : {"case.prm", "roll", "", "roll.geo.pro"})
-    EXPECT_EQ(refusal(geometry_text("set File = " + name + "\n")),
-              "DIR/case.prm, line 6: 'File' = '" + name +
-                  "': the name of a .geo or .msh file in the case directory is wanted");
+    EXPECT_EQ(
+        refusal(geometry_text("set File = " + name + "\n")),
+        "DIR/case.prm, line 6: 'File' = '" + name +
+            "': the name of a .geo, .msh, .step or .stp file in the case directory is wanted");
 }
 
 TEST(GeometryCase, ThicknessIsWantedJustInPlaneModels) {

@@ -22,9 +22,9 @@ std::string printed() {
 
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> all = general_parameters();
-  for (const auto& more :
-       {settings_parameters(), mechanism_parameters(), geometry_parameters({"a"}, {"b"}, ""),
-        synthesis_parameters(), published_parameters()})
+  for (const auto& more : {settings_parameters(), mechanism_parameters(),
+                           geometry_parameters({"a"}, {"b"}, {"Surface c"}, ""),
+                           synthesis_parameters(), published_parameters()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

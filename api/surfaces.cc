@@ -1,0 +1,80 @@
+#include "api/surfaces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "fem/problem/settings.h"
+#include "mesh/user_geometry.h"
+#include "model/input/geometry_file.h"
+#include "model/input/parameter_text.h"
+
+namespace geneva {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string value_of(const model::ParameterText& text, const std::string& name,
+                     const std::string& otherwise) {
+  const model::Assignment* const found = text.find({}, name);
+  return found == nullptr ? otherwise : found->value;
+}
+
+template <int dim>
+SurfaceList list_of(const model::GeometryFile& given, const base::UnitSystem units,
+                    mesh::Mesher& mesher) {
+  const fem::Settings settings;
+  const mesh::MeshData<dim> mesh = mesh::read_geometry<dim>(
+      {given.file, given.length_unit, given.circle_tolerance, {}, given.picks, given.cell_size},
+      mesher, {settings.max_memory, mesh::longest_meshing});
+  const base::OutputUnit length = base::output_unit(units, base::Dimension::length);
+  return {given.file, dim, units, mesh.bodies,
+          mesh::list_surfaces(mesh, length.name, 1. / length.factor)};
+}
+
+std::string place_of(const mesh::ListedSurface& surface, const int dimension,
+                     const base::OutputUnit& length) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
+    const double value = surface.place[i] * length.factor;
+    parts.push_back(fmt::format("{:.6g} {}", std::abs(value) < 1e-9 ? 0. : value, length.name));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+SurfaceList surfaces(const fs::path& case_directory, mesh::Mesher& mesher) {
+  const model::ParameterText text = model::read_parameter_text(case_directory / "case.prm");
+  const int dimension = value_of(text, "Dimension", "2") == "3" ? 3 : 2;
+  const base::UnitSystem units =
+      base::unit_system_named(value_of(text, "Output units", base::name_of(base::UnitSystem::si)));
+  const model::GeometryFile file = model::read_geometry_file(text, case_directory, dimension);
+  return dimension == 3 ? list_of<3>(file, units, mesher) : list_of<2>(file, units, mesher);
+}
+
+std::string table(const SurfaceList& list) {
+  const base::OutputUnit length = base::output_unit(list.units, base::Dimension::length);
+  const int power = list.dimension - 1;
+  const double factor = std::pow(length.factor, power);
+  std::size_t width = 0;
+  for (const mesh::ListedSurface& surface : list.surfaces)
+    width = std::max(width, surface.name.size());
+  std::string text;
+  for (const std::string& body : list.bodies) {
+    text += fmt::format("body {}\n", body);
+    for (const mesh::ListedSurface& surface : list.surfaces) {
+      if (surface.body != body) continue;
+      const std::string size =
+          fmt::format("{:.4g} {}{}", surface.size * factor, length.name, power == 2 ? "^2" : "");
+      text += fmt::format("  {:<{}}  {:<28}{:>14}  nearest {}\n", surface.name, width,
+                          surface.shape, size, place_of(surface, list.dimension, length));
+    }
+  }
+  return text;
+}
+
+}  // namespace geneva
