@@ -167,16 +167,14 @@ void refuse_texts(const std::vector<model::Variation>& variations) {
 
 }  // namespace
 
-std::vector<SweepCase> sweep_cases(const fs::path& directory,
+std::vector<SweepCase> sweep_cases(const Case& given,
                                    const std::vector<model::Variation>& variations) {
   refuse_texts(variations);
-  const Case whole = read_case(directory);
-  const model::ParameterText text = model::read_parameter_text(whole.directory / "case.prm");
   std::vector<SweepCase> cases;
   for (const std::vector<std::string>& values : model::combinations(variations)) {
     SweepCase point{values, std::nullopt, ""};
     try {
-      point.given = model::case_of(model::varied(text, variations, values), whole.directory);
+      point.given = model::case_of(model::varied(given.text, variations, values), given.directory);
     } catch (const base::InputError& error) {
       point.refusal = error.what();
     }

@@ -26,9 +26,9 @@ struct SweepCase {
 };
 
 /// The case with every combination of the variations' values.
-/// @throws InputError if the directory holds no case, or no combination is one (with what is said
-/// of the first)
-std::vector<SweepCase> sweep_cases(const std::filesystem::path& directory,
+/// @throws InputError if no combination is a case (with what is said of the first), or a variation
+/// is of a text that changes no figure
+std::vector<SweepCase> sweep_cases(const Case& given,
                                    const std::vector<model::Variation>& variations);
 
 /// Figures of a case by `geneva estimate`, `kinematics` or `design`.

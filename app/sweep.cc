@@ -254,8 +254,8 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
   std::vector<model::Variation> variations;
   for (const std::string& text : request.variations)
     variations.push_back(model::read_variation(text));
-  std::vector<SweepCase> cases = sweep_cases(case_directory, variations);
   Sweep sweep{read_case(case_directory), {}};
+  std::vector<SweepCase> cases = sweep_cases(sweep.given, variations);
   sweep.report = empty_report(sweep.given, variations, cases, request.command);
   const fs::path directory =
       request.output.empty() ? sweep.given.directory / "sweep" : request.output;

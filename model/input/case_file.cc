@@ -253,6 +253,7 @@ Case read_case(const fs::path& directory) {
 Case case_of(const ParameterText& text, const fs::path& directory) {
   Case result{};
   result.directory = directory;
+  result.text = text;
   const std::string model = model_of(text);
   check_sections(text, model);
   std::vector<Parameter> parameters = parameters_of(text, model, result.directory);

@@ -25,6 +25,7 @@
 #include "loads/wheel/geneva_dimensions.h"
 #include "model/input/materials.h"
 #include "model/input/optimisation_case.h"
+#include "model/input/parameter_text.h"
 #include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
@@ -146,6 +147,7 @@ enum class Checkpoints {
 /// Everything that a case directory asks for, SI units; it has exactly one of the three models.
 struct Case {
   std::filesystem::path directory;
+  ParameterText text;  ///< as it is written
   std::string title;
   std::string project;
   std::string author;
