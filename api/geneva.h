@@ -17,4 +17,5 @@
 #include "api/report.h"
 #include "api/session.h"
 #include "api/synthesis.h"
+#include "api/told_together.h"
 #include "api/version.h"
