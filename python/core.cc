@@ -126,7 +126,8 @@ void bind_case(py::module_& module) {
       .def_property_readonly("assignments",
                              [](const Case& given) { return assignments_of(given.text); })
       .def("changed", changed_case, py::arg("settings"))
-      .def(py::pickle(pickled, unpickled));
+      .def(py::pickle([](const Case& given) { return pickled(given); },
+                      [](const py::tuple& state) { return unpickled(state); }));
   module.def("read_case", read_case, py::arg("directory"));
   module.def("new_case", case_of_settings, py::arg("settings"), py::arg("name"),
              py::arg("directory"));
@@ -181,11 +182,13 @@ std::vector<PlainFigure> plain(const std::vector<post::SweepFigure>& found) {
 
 std::vector<PlainFigure> figures_of(const Kinematics& found) {
   std::vector<PlainFigure> figures;
+  std::string above;  // an indented row belongs to it
   for (const post::CharacteristicRow& row :
        post::characteristic_rows(found.report.values, found.report.reference_speed)) {
     const std::size_t begin = row.quantity.find_first_not_of(' ');
-    const std::string above = begin > 0 && !figures.empty() ? figures.back().name + ", " : "";
-    PlainFigure figure{above + row.quantity.substr(begin), row.dimension, row.value};
+    if (begin == 0) above = row.quantity;
+    const std::string name = begin == 0 ? above : above + ", " + row.quantity.substr(begin);
+    PlainFigure figure{name, row.dimension, row.value};
     figure.driver_angle = row.driver_angle;
     figure.note = row.meaning;
     figures.push_back(figure);
@@ -530,8 +533,8 @@ void bind_sweep(py::module_& module) {
 void bind_reports(py::module_& module) {
   module.def(
       "write_report",
-      [](const std::filesystem::path& results, const std::filesystem::path& file) {
-        return as_tuple(write_report(results, file));
+      [](const std::filesystem::path& results, const std::optional<std::filesystem::path>& file) {
+        return as_tuple(write_report(results, file.value_or(results / "report.html")));
       },
       py::arg("results"), py::arg("file"));
 }

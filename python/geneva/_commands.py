@@ -174,5 +174,5 @@ def write_report(results: Path, file: Optional[Path] = None) -> Written:
     :raises InputError: if there are no results, or the file cannot be written
     """
     directory = pathlib.Path(results)
-    removed, missing = _core.write_report(directory, pathlib.Path() if file is None else pathlib.Path(file))
+    removed, missing = _core.write_report(directory, None if file is None else pathlib.Path(file))
     return Written(directory, tuple(removed), tuple(missing))

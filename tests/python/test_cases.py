@@ -65,10 +65,14 @@ def test_every_dimension_of_a_number_is_read_in_every_system_of_units():
         assert case.parameters["Maximum memory"] == "2 GB"
 
 
-def test_lists_are_taken_where_the_parameter_takes_several():
-    case = wheel(**{"Driver angle": -20, "Pin angles": np.array([0.0, 180.0]), "Pins": 2})
-    assert case.parameters["Mechanism/Pin angles"] == "0 deg, 180 deg"
-    assert case.text == wheel(**{"Driver angle": "-20 deg", "Pin angles": ["0 deg", "180 deg"], "Pins": "2"}).text
+def test_lists_are_taken_where_the_parameter_takes_several(cases):
+    block = geneva.read_case(cases / "flat-patch").with_("Geometry/Body lower/Density", "7850 kg/m^3")
+    name = "Geometry/Body lower/Gravity"
+    assert block.with_(name, np.array([0.0, -9810.0])).parameters[name] == "0 mm/s^2, -9810 mm/s^2"
+    assert block.with_(name, ["0 m/s^2", "-9.81 m/s^2"]).parameters[name] == "0 m/s^2, -9.81 m/s^2"
+    for wrong in ([0.0, 0.0, 0.0, 1.0], [1.0]):
+        with pytest.raises(geneva.InputError, match="'Body lower/Gravity' = .*2 or 3 values separated by a comma"):
+            block.with_(name, wrong)
 
 
 def test_with_changes_one_parameter_and_leaves_the_case(cases):
