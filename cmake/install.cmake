@@ -62,8 +62,8 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/api/version.h DESTINATION ${CMAKE_
 install(TARGETS geneva DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS geneva-solver DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/geneva COMPONENT program)
 install(TARGETS geneva-mesher DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/geneva COMPONENT library)
-install(TARGETS geneva_core_library geneva_library EXPORT genevaTargets DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  COMPONENT library NAMELINK_COMPONENT development)
+install(TARGETS geneva_core_library geneva_library EXPORT genevaTargets
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/geneva)
 install(EXPORT genevaTargets NAMESPACE geneva:: DESTINATION ${package_folder} COMPONENT development)
 configure_package_config_file(cmake/genevaConfig.cmake.in ${PROJECT_BINARY_DIR}/generated/genevaConfig.cmake

@@ -40,16 +40,19 @@ geneva_package(program geneva "Contact stress analysis of Geneva mechanisms"
 geneva_package(library ${soname} "Contact stress analysis of Geneva mechanisms, shared libraries"
   "What programs against Geneva and its Python package need at run time: the\nlibraries, and the mesher that they start."
   SECTION libs DEPENDS ${solving} RECOMMENDS libjs-chart.js libjs-three)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
 geneva_package(development libgeneva-dev "Contact stress analysis of Geneva mechanisms, headers"
   "What programs against Geneva need to be built: find_package(geneva)."
   SECTION libdevel DEPENDS "${soname} (= ${PROJECT_VERSION})" libopenmpi-dev nlohmann-json3-dev)
-geneva_package(python python3-geneva "Contact stress analysis of Geneva mechanisms, from Python"
-  "Cases, runs, closed forms and sweeps as a module of Python, with arrays of numpy."
-  SECTION python
-  DEPENDS "${soname} (= ${PROJECT_VERSION})" "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
-          "python3 (<< ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}.99)" python3-numpy
-  RECOMMENDS python3-mpi4py)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
-  ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+if(GENEVA_BUILD_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  geneva_package(python python3-geneva "Contact stress analysis of Geneva mechanisms, from Python"
+    "Cases, runs, closed forms and sweeps as a module of Python, with arrays of numpy."
+    SECTION python
+    DEPENDS "${soname} (= ${PROJECT_VERSION})" "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})"
+            "python3 (<< ${Python_VERSION_MAJOR}.${next_minor})" python3-numpy
+    RECOMMENDS python3-mpi4py)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+    ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+endif()
 include(CPack)
