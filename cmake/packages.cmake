@@ -1,6 +1,8 @@
 # Debian packages, made by `cpack -G DEB` in the build directory: geneva, what programs and Python share
 # (libgeneva0.2, with the mesher that it starts), its headers, and the Python package.
 set(CPACK_GENERATOR DEB)
+# each package has its own
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_PACKAGE_CONTACT "${PROJECT_NAME} maintainers")
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_STRIP_FILES ON)

@@ -47,7 +47,7 @@ class Packages(unittest.TestCase):
     def test_there_are_four_packages_that_say_what_they_are(self):
         self.assertEqual(sorted(self.files), sorted(PACKAGES))
         for package in PACKAGES:
-            self.assertIn("Geneva mechanisms", self.field(package, "Description").splitlines()[0])
+            self.assertRegex(self.field(package, "Description").splitlines()[0], "^Contact stress analysis of Geneva mechanisms")
             self.assertGreater(len(self.field(package, "Description").splitlines()), 1)
             self.assertIn("GNU GENERAL PUBLIC LICENSE", (self.root / "usr/share/doc" / package / "copyright").read_text())
 
