@@ -11,11 +11,12 @@ import numpy as np
 
 import geneva
 
+comm = None
 try:
     from mpi4py import MPI
     comm = MPI.COMM_WORLD
 except ImportError:
-    comm = None
+    pass
 
 case = geneva.read_case(sys.argv[1] if len(sys.argv) > 1 else "cases/johnson-optimum-wheel")
 result = geneva.run(case, comm=comm)

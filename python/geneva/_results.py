@@ -62,9 +62,9 @@ def _on_first_rank(comm: Optional[Communicator], task: Callable[[], Anything]) -
             outcome = (task(), None)
         except Exception as error:  # which is raised again on all ranks
             outcome = (None, error)
-    result, error = comm.bcast(outcome)
-    if error is not None:
-        raise error
+    result, raised = comm.bcast(outcome)
+    if raised is not None:
+        raise raised
     return result  # type: ignore[no-any-return]
 
 
@@ -99,7 +99,11 @@ class Result:
         :raises InputError: if the directory cannot be written; it is then as it was
         """
         directory = pathlib.Path(directory)
-        removed, missing = _on_first_rank(self._comm, lambda: self._handle.write(directory))
+
+        def write() -> Tuple[List[str], List[str]]:
+            return self._handle.write(directory)  # type: ignore[no-any-return]
+
+        removed, missing = _on_first_rank(self._comm, write)
         return Written(directory, tuple(removed), tuple(missing))
 
     def __repr__(self) -> str:
@@ -165,7 +169,7 @@ class Mesh:
 
 
 def mesh_of(row: Mapping[str, Any]) -> Mesh:
-    return Mesh(**{**row, "linear_iterations": tuple(row["linear_iterations"])})
+    return dataclasses.replace(Mesh(**row), linear_iterations=tuple(row["linear_iterations"]))
 
 
 @dataclasses.dataclass(frozen=True)

@@ -177,6 +177,25 @@ def test_a_sweep_of_runs_has_their_figures(case, result):
     assert found.points[1].figures["peak contact pressure"].error < 0.005
 
 
+def test_processes_of_a_pool_solve_a_case_each(case, tmp_path, command):
+    script = tmp_path / "pool.py"
+    script.write_text("""
+import multiprocessing
+import sys
+import geneva
+
+def pressure(case):
+    return geneva.run(case).contacts[0].peak_pressure
+
+if __name__ == "__main__":
+    case = geneva.read_case(sys.argv[1]).with_("Accuracy", "5 %")
+    cases = [case.with_("Mechanism/Wheel diameter", diameter) for diameter in (4.5, 5.0)]
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        print(pool.map(pressure, cases) == [pressure(one) for one in cases])
+""")
+    assert command(sys.executable, "-B", script, case.directory) == "True\n"
+
+
 def test_a_mesher_that_is_missing_is_told_with_the_places_looked_at(tmp_path, case, command):
     """By a copy of the package whose libraries lie where there is no mesher."""
     import geneva._core

@@ -59,6 +59,14 @@ def test_the_package_says_that_it_has_type_hints():
     assert (PACKAGE / "py.typed").exists()
 
 
+def test_the_type_hints_agree_with_each_other_and_the_scripts(tmp_path):
+    scripts = sorted((pathlib.Path(os.environ["GENEVA_SOURCE"]) / "doc" / "python").glob("*.py"))
+    for what in (["--strict", "-p", "geneva"], [str(script) for script in scripts]):
+        done = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path), *what], capture_output=True,
+                              text=True, check=False, cwd=PACKAGE.parent, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)})
+        assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_everything_public_is_exported_and_explained():
     for name in geneva.__all__:
         value = getattr(geneva, name)
