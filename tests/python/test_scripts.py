@@ -12,6 +12,8 @@ SCRIPTS = SOURCE / "doc" / "python"
 
 def test_the_pressure_falls_with_the_pin_diameter(command):
     printed = command(sys.executable, "-B", SCRIPTS / "pin_diameter.py", cwd=SOURCE)
+    page = (SOURCE / "doc" / "how-to-python.md").read_text()
+    assert all(f"    {row}\n" in page for row in printed.splitlines()[:4])
     pressures = [float(row.split()[1]) for row in printed.splitlines()[1:-1]]
     assert len(pressures) == 11 and pressures == sorted(pressures, reverse=True)
 
