@@ -48,7 +48,7 @@ assert comm.allreduce(len(result.fields().cells)) == result.meshes[-1].cells
 
 def test_ranks_share_the_instants_of_a_cycle(on_ranks, tmp_path):
     script = """
-case = case.with_({"Mechanism/Instants": 4, "Accuracy": "5 %"})
+case = case.with_({"Mechanism/Instants": 4, "Accuracy": "10 %"})
 found = geneva.cycle(case, comm=comm)
 print(found.instants["peak pressure"].tolist(), found.is_converged)
 found.write(sys.argv[3])
@@ -58,32 +58,33 @@ found.write(sys.argv[3])
     assert (tmp_path / "two" / "cycle.json").exists()
 
 
-@pytest.mark.parametrize("computation", [
-    "geneva.run(case, comm=comm, progress=stop)",
-    "geneva.run(case, comm=comm, on_step=stop)",
-    "geneva.cycle(case.with_({'Mechanism/Instants': 4, 'Accuracy': '5 %'}), comm=comm, progress=stop)",
-])
-def test_what_a_callback_raises_on_one_rank_ends_all(on_ranks, computation):
-    script = f"""
+def test_what_a_callback_raises_on_one_rank_ends_all_and_leaves_nothing_behind(on_ranks):
+    script = """
+case = case.with_({"Mechanism/Instants": 4, "Accuracy": "10 %"})
+
 def stop(told):
     if comm.rank == 1:
         raise KeyError("enough")
-try:
-    {computation}
-except KeyError as error:
-    print("raised", error)
-except geneva.EndedByOtherRank as error:
-    print("ended:", str(error).splitlines()[0])
-print(geneva.run(case.with_("Accuracy", "10 %"), comm=comm).is_converged)
+
+for computation in (lambda: geneva.run(case, comm=comm, progress=stop),
+                    lambda: geneva.run(case, comm=comm, on_step=stop),
+                    lambda: geneva.cycle(case, comm=comm, progress=stop)):
+    try:
+        computation()
+    except KeyError as error:
+        print("raised", error)
+    except geneva.EndedByOtherRank as error:
+        print("ended:", str(error).splitlines()[0])
+print(geneva.run(case, comm=comm).is_converged)
 """
-    assert on_ranks(script, 2) == ["ended: KeyError: 'enough'\nTrue\n", "raised 'enough'\nTrue\n"]
+    assert on_ranks(script, 2) == [3 * "ended: KeyError: 'enough'\n" + "True\n", 3 * "raised 'enough'\n" + "True\n"]
 
 
 def test_without_a_communicator_each_rank_is_alone(on_ranks):
     script = """
-given = case.with_({"Mechanism/Wheel diameter": 4.5 + comm.rank, "Accuracy": "2 %"})
+given = case.with_({"Mechanism/Wheel diameter": 4.5 + comm.rank, "Accuracy": "10 %"})
 pressure = geneva.run(given).contacts[0].peak_pressure
-print(abs(pressure / geneva.estimate(given).figure("peak contact pressure").value - 1) < 0.02, pressure)
+print(abs(pressure / geneva.estimate(given).figure("peak contact pressure").value - 1) < 0.1, pressure)
 """
     first, second = (text.split() for text in on_ranks(script, 2))
     assert first[0] == second[0] == "True" and abs(float(first[1]) / float(second[1]) - 1) > 0.04
@@ -92,7 +93,7 @@ print(abs(pressure / geneva.estimate(given).figure("peak contact pressure").valu
 def test_mpi4py_may_be_imported_after_the_first_run(on_ranks):
     script = """
 import geneva
-case = geneva.read_case(sys.argv[1]).with_("Accuracy", "5 %")
+case = geneva.read_case(sys.argv[1]).with_("Accuracy", "10 %")
 geneva.run(case)
 from mpi4py import MPI
 print(geneva.run(case, comm=MPI.COMM_WORLD).is_converged)
