@@ -72,7 +72,7 @@ def design(case: Case, *, strength: bool = False, comm: Optional[Communicator] =
            progress: Optional[Callable[[int, int], object]] = None) -> Design:
     """Johnson's wheel of minimum contact stress and the shaft, as `geneva design` does.
 
-    :param strength: also solves wheels of nine diameters by finite elements
+    :param strength: also solves wheels of several diameters by finite elements
     :param comm: communicator of mpi4py for these; None: this process alone
     :param progress: called after every one of these with how many are done, and of how many
     :raises InputError: if the case is no mechanism or has no best wheel

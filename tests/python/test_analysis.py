@@ -177,6 +177,16 @@ def test_a_sweep_of_runs_has_their_figures(case, result):
     assert found.points[1].figures["peak contact pressure"].error < 0.005
 
 
+def test_an_optimum_and_a_design_are_confirmed_by_finite_elements(case):
+    free = case.with_({"Optimisation/Free": "Wheel diameter: 4 in .. 6 in", "Accuracy": "5 %"})
+    pressure = geneva.optimise(free, confirm=True).figure("peak contact pressure")
+    assert abs(pressure.value / pressure.closed_form - 1) < 0.05 and pressure.error < 0.05
+    told = []
+    strength = geneva.design(case, strength=True, progress=lambda *done: told.append(done)).strength
+    assert told[-1] == (len(told), len(told)) and len(strength["diameter"]) == len(told)
+    assert np.all(np.diff(strength["diameter"]) > 0) and np.all(strength["tensile stress"] > 0)
+
+
 def test_processes_of_a_pool_solve_a_case_each(case, tmp_path, command):
     script = tmp_path / "pool.py"
     script.write_text("""
