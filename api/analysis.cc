@@ -13,6 +13,7 @@
 #include "api/checkpoint_file.h"
 #include "api/mechanism_results.h"
 #include "api/mesher_on_rank_zero.h"
+#include "api/told_together.h"
 #include "api/version.h"
 #include "base/allocation.h"
 #include "fem/adaptivity/resource_limits.h"
@@ -68,8 +69,8 @@ Solved<dim> solve(const MPI_Comm communicator, const Case& given, const model::M
     figures = std::move(earlier->figures);
   }
   fem::Progress<dim> watch;
-  watch.step = options.progress.step;
-  watch.level = options.progress.mesh;
+  watch.step = told_together(communicator, options.progress.step);
+  watch.level = told_together(communicator, options.progress.mesh);
   watch.solution = [&](const fem::Solution<dim>& on_mesh) {
     figures.push_back(api::run_figures(model, given, on_mesh));
   };
@@ -169,8 +170,10 @@ Analysis analyse_in(const Case& given, const MPI_Comm communicator,
   const double mesh_seconds = timer.wall_time();
   auto earlier = earlier_run(options.checkpoints.start, model);
   if (options.progress.start)
-    options.progress.start({api::heading(given, model), model.notices,
-                            earlier ? earlier->state.history : std::vector<fem::LevelRecord>{}});
+    end_together(communicator, [&] {
+      options.progress.start({api::heading(given, model), model.notices,
+                              earlier ? earlier->state.history : std::vector<fem::LevelRecord>{}});
+    });
 
   timer.restart();
   auto [solution, figures] = solve(communicator, given, model, std::move(earlier), options);

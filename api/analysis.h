@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -59,7 +60,8 @@ struct AnalysisStart {
   std::vector<fem::LevelRecord> earlier;
 };
 
-/// Told of how far an analysis is, on every rank; each may be empty.
+/// Told of how far an analysis is, on every rank; each may be empty, on all ranks alike. What one
+/// throws ends the analysis, see end_together().
 struct Progress {
   std::function<void(const AnalysisStart&)> start;
   std::function<void(const fem::StepReport&)> step;   ///< of the active set
@@ -106,6 +108,9 @@ Analysis analyse(const Case& given, MPI_Comm communicator, const AnalysisOptions
 
 /// The fields of an analysis on this rank's cells.
 Fields fields(const Analysis& analysis);
+
+/// What summary.json of `geneva run` says, without the time that writing takes.
+nlohmann::json summary(const Analysis& analysis);
 
 /// Writes the fields (VTU, HDF5), summary.json, contact.csv and the report, as `geneva run` does.
 /// All ranks call it.

@@ -103,3 +103,15 @@ Written AnalysisOutput::write(const Analysis& analysis, const AnalysedModel<dim>
 }
 
 }  // namespace geneva::api
+
+namespace geneva {
+
+nlohmann::json summary(const Analysis& analysis) {
+  return std::visit(
+      [&](const auto& analysed) {
+        return post::summary(analysed.solution, analysed.results, analysis.state->report);
+      },
+      analysis.state->analysed);
+}
+
+}  // namespace geneva

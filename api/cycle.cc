@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,7 @@
 #include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
 #include "api/shared_counter.h"
+#include "api/told_together.h"
 #include "api/version.h"
 #include "loads/pi.h"
 #include "model/case_header.h"
@@ -60,6 +62,7 @@ std::vector<post::CycleFields> solve_shared(
   api::SharedCounter counter(communicator);
   std::vector<NumberedFields> solved;
   std::vector<unsigned int> solver(points.size(), 0);  // rank
+  std::exception_ptr thrown;
   for (std::size_t i = counter.next(); i < points.size(); i = counter.next()) {
     solver[i] = rank;
     post::NodalFields fields =
@@ -69,8 +72,16 @@ std::vector<post::CycleFields> solve_shared(
       solved.push_back({i,
                         {load.driver_angle, load.pin_distance,
                          driven.at_time(load.time).pin_turn.value, std::move(fields)}});
-    if (tell) tell(points[i], i + 1, points.size());
+    try {
+      if (tell) tell(points[i], i + 1, points.size());
+    } catch (...) {
+      thrown = std::current_exception();
+      while (counter.next() < points.size()) continue;  // nothing is left for the other ranks
+    }
   }
+  end_together(communicator, [&] {
+    if (thrown) std::rethrow_exception(thrown);
+  });
   dealii::Utilities::MPI::max(solver, communicator, solver);
   for (std::size_t i = 0; i < points.size() && ranks > 1; ++i)
     post::take_over(points[i], dealii::Utilities::MPI::broadcast(
@@ -203,6 +214,8 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
     return result;
   });
 }
+
+std::string table(const Cycle& cycle) { return post::cycle_table(cycle.report, cycle.given.units); }
 
 Written write(const Cycle& cycle, const std::filesystem::path& directory) {
   const auto& [given, is_converged, report, fields] = cycle;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "api/case.h"
@@ -29,11 +30,15 @@ struct Cycle {
 /// Solves the contact at the instants that stand for the engagements, on whichever wall carries;
 /// the ranks share the instants.
 /// @param mesher already started, on rank 0; may be null
-/// @param tell after an instant, on the rank that solved it; may be empty
+/// @param tell after an instant, on the rank that solved it; may be empty. What it throws ends the
+/// cycle, see end_together(); other ranks end the instants that they are at
 /// @throws InputError if the case is no mechanism, or nothing ever presses
 Cycle cycle(
     const Case& given, MPI_Comm communicator, mesh::Mesher* mesher,
     const std::function<void(const post::CyclePoint&, std::size_t done, std::size_t of)>& tell);
+
+/// The instants and what is greatest, as `geneva cycle` prints them, in the case's units.
+std::string table(const Cycle& cycle);
 
 /// Writes cycle.json, cycle.csv, the fields of the instants (cycle.pvd), their envelope and the
 /// report.

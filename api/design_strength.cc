@@ -9,6 +9,7 @@
 
 #include "api/analysis.h"
 #include "api/analysis_state.h"
+#include "api/told_together.h"
 #include "base/errors.h"
 #include "post/analysis/strength_rows.h"
 
@@ -92,7 +93,9 @@ void add_strength(Design& design, const MPI_Comm communicator, mesh::Mesher* con
   const std::vector<double> diameters = diameters_around(best, design.report.drawn.wheel.diameter);
   for (std::size_t wheel = 0; wheel < diameters.size(); ++wheel) {
     add_wheel(design, diameters[wheel], communicator, mesher);
-    if (tell) tell(static_cast<int>(wheel) + 1, static_cast<int>(diameters.size()));
+    if (tell)
+      end_together(communicator,
+                   [&] { tell(static_cast<int>(wheel) + 1, static_cast<int>(diameters.size())); });
   }
   if (!design.report.strength.empty()) return;
   analyse(resized_case(design.given, best), communicator);  // says why there is none

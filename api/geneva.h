@@ -18,4 +18,5 @@
 #include "api/session.h"
 #include "api/surfaces.h"
 #include "api/synthesis.h"
+#include "api/told_together.h"
 #include "api/version.h"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesh/mesher.h"
+#include "model/together.h"
 
 namespace geneva::api {
 
@@ -12,10 +13,12 @@ namespace geneva::api {
 class MesherOnRankZero {
  public:
   /// @param given on rank 0; may be nothing
-  /// @throws base::InputError if one is to be started and cannot be
+  /// @throws base::InputError on all ranks if one is to be started and cannot be
   MesherOnRankZero(const MPI_Comm communicator, mesh::Mesher* const given) : given_(given) {
     const bool is_first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    if (is_first && given == nullptr) own_.emplace(mesh::installed_mesher());
+    model::together(communicator, [&] {
+      if (is_first && given == nullptr) own_.emplace(mesh::installed_mesher());
+    });
   }
 
   /// Nothing on other ranks.

@@ -87,7 +87,6 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
   OptimumSearch search(given, wants_slot_bottom(given) ? slot_bottom : nullptr, tell);
   const OptimumSearch::Place best = search.best();
   Optimum optimum{given, given, {}};
-  const model::ParameterText text = model::read_parameter_text(given.directory / "case.prm");
   post::OptimumReport& report = optimum.report;
   report.about = model::header_of(given);
   report.geneva_version = version;
@@ -98,7 +97,7 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
   std::vector<std::string> values;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const model::FreeDimension& free = wanted.free[i];
-    const model::Assignment* const own = text.find(free.section, free.name);
+    const model::Assignment* const own = given.text.find(free.section, free.name);
     const bool has_effect = search.has_effect(best, i);
     const bool stays = !has_effect && own != nullptr;
     values.push_back(stays ? own->value : search.text_at(best, i));

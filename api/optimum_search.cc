@@ -62,7 +62,7 @@ OptimumSearch::OptimumSearch(const Case& given, std::function<double(const Case&
                              std::function<void(int)> tell)
     : wanted_(*given.optimisation),
       directory_(given.directory),
-      text_(model::read_parameter_text(given.directory / "case.prm")),
+      text_(given.text),
       slot_bottom_(std::move(slot_bottom)),
       tell_(std::move(tell)),
       basis_(pressure_basis(given)) {

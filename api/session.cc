@@ -9,6 +9,7 @@
 
 #include <cstdlib>
 #include <functional>
+#include <vector>
 
 namespace geneva {
 
@@ -33,15 +34,33 @@ void start_task_scheduler() {
 /// A process that no launcher has started is alone: it needs no daemon, no network, and starts in
 /// less than a fifth of the time. It needs no directory for others to find it either, which it
 /// would share with other processes that are alone: one that ends takes it from one that starts.
-/// Whatever the user has set stays.
-void keep_to_this_process() {
-  for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+/// Whatever the user has set stays. For the start of MPI alone, and not for what this process
+/// starts later, an mpirun among it.
+class KeptToThisProcess {
+ public:
+  KeptToThisProcess() {
+    for (const char* const name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(name) != nullptr) return;
+    set("OMPI_MCA_ess_singleton_isolated", "1");
+    set("OMPI_MCA_pml", "ob1");
+    set("OMPI_MCA_btl", "self");
+    set("OMPI_MCA_orte_create_session_dirs", "0");
+  }
+  ~KeptToThisProcess() {
+    for (const char* const name : set_) ::unsetenv(name);
+  }
+  KeptToThisProcess(const KeptToThisProcess&) = delete;
+  KeptToThisProcess& operator=(const KeptToThisProcess&) = delete;
+
+ private:
+  void set(const char* const name, const char* const value) {
     if (std::getenv(name) != nullptr) return;
-  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  ::setenv("OMPI_MCA_pml", "ob1", 0);
-  ::setenv("OMPI_MCA_btl", "self", 0);
-  ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-}
+    ::setenv(name, value, 0);
+    set_.push_back(name);
+  }
+
+  std::vector<const char*> set_;
+};
 
 bool is_started() {
   int flag = 0;
@@ -63,7 +82,7 @@ Session::Session(int& argc, char**& argv) {
     sc_init(MPI_COMM_WORLD, 0, 0, nullptr, SC_LP_SILENT);
     p4est_init(nullptr, SC_LP_SILENT);
   } else {
-    keep_to_this_process();
+    const KeptToThisProcess kept;
     libraries_ = std::make_unique<Libraries>(argc, argv);
   }
   start_task_scheduler();

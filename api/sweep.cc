@@ -13,7 +13,9 @@
 #include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/output_directory.h"
+#include "api/version.h"
 #include "base/errors.h"
+#include "model/case_header.h"
 #include "model/mechanism_state.h"
 
 namespace geneva {
@@ -121,8 +123,13 @@ std::vector<SweepFigure> figures_of_motion(const Case& given) {
   return figures;
 }
 
+/// Exit code of a command that refuses a case.
+constexpr int refused = 1;
+
+}  // namespace
+
 /// The figures of the closing table, then the least safety factor and all of them.
-std::vector<SweepFigure> figures_in(const json& summary) {
+std::vector<SweepFigure> figures_of_summary(const json& summary) {
   std::vector<SweepFigure> figures;
   for (const json& row : summary.at("comparison")) {
     const bool is_closed_form = row.at("bounded").get<bool>() && row.at("computed").is_null();
@@ -150,8 +157,6 @@ std::vector<SweepFigure> figures_in(const json& summary) {
   return figures;
 }
 
-}  // namespace
-
 namespace {
 
 /// @throws base::InputError for what changes no figure
@@ -167,16 +172,14 @@ void refuse_texts(const std::vector<model::Variation>& variations) {
 
 }  // namespace
 
-std::vector<SweepCase> sweep_cases(const fs::path& directory,
+std::vector<SweepCase> sweep_cases(const Case& given,
                                    const std::vector<model::Variation>& variations) {
   refuse_texts(variations);
-  const Case whole = read_case(directory);
-  const model::ParameterText text = model::read_parameter_text(whole.directory / "case.prm");
   std::vector<SweepCase> cases;
   for (const std::vector<std::string>& values : model::combinations(variations)) {
     SweepCase point{values, std::nullopt, ""};
     try {
-      point.given = model::case_of(model::varied(text, variations, values), whole.directory);
+      point.given = model::case_of(model::varied(given.text, variations, values), given.directory);
     } catch (const base::InputError& error) {
       point.refusal = error.what();
     }
@@ -188,6 +191,44 @@ std::vector<SweepCase> sweep_cases(const fs::path& directory,
   return cases;
 }
 
+Sweep begun_sweep(const Case& given, const std::vector<model::Variation>& variations,
+                  const std::vector<SweepCase>& cases, const std::string& command) {
+  Sweep sweep{given, {model::header_of(given), version, command, {}, {}}};
+  for (const model::Variation& variation : variations) {
+    model::SectionPath path = variation.section;
+    path.push_back(variation.name);
+    sweep.report.parameters.push_back(fmt::format("{}", fmt::join(path, "/")));
+  }
+  for (const SweepCase& point : cases)
+    sweep.report.points.push_back({point.values, "", point.given ? 0 : refused, point.refusal, {}});
+  return sweep;
+}
+
+void refuse_point(post::SweepPoint& point, const std::string& message) {
+  point.exit_code = refused;
+  point.message = message;
+}
+
+void work_out(Sweep& sweep, const std::vector<SweepCase>& cases) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!cases[i].given) continue;
+    try {
+      sweep.report.points[i].figures = figures_of(*cases[i].given, sweep.report.command);
+    } catch (const base::InputError& error) {
+      refuse_point(sweep.report.points[i], error.what());
+    }
+  }
+}
+
+void require_figures(const Sweep& sweep) {
+  const auto& points = sweep.report.points;
+  if (std::all_of(points.begin(), points.end(),
+                  [](const post::SweepPoint& point) { return point.figures.empty(); }))
+    throw base::InputError(points.front().message);
+}
+
+std::string table(const Sweep& sweep) { return post::sweep_table(sweep.report, sweep.given.units); }
+
 std::vector<SweepFigure> figures_of(const Case& given, const std::string& command) {
   if (command == "design") return figures_of_design(given);
   return command == "estimate" ? figures_of_estimate(given) : figures_of_motion(given);
@@ -195,7 +236,7 @@ std::vector<SweepFigure> figures_of(const Case& given, const std::string& comman
 
 std::vector<SweepFigure> figures_of_run(const fs::path& results) try {
   std::ifstream stream(results / "summary.json");
-  return figures_in(json::parse(stream));
+  return figures_of_summary(json::parse(stream));
 } catch (const json::exception&) {
   throw base::InputError((results / "summary.json").string() + " is missing or damaged");
 }

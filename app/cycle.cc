@@ -25,7 +25,7 @@ int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case
   };
   const Cycle found = cycle(command.given(), communicator, mesher, tell);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);
-  progress.line("\n" + post::cycle_table(found.report, command.given().units));
+  progress.line("\n" + table(found));
   command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
                 "cycle.json, cycle.csv and report.html");
   return command.end(found.is_converged);

@@ -21,7 +21,6 @@
 #include "base/directory_replacement.h"
 #include "base/errors.h"
 #include "base/output_file.h"
-#include "model/case_header.h"
 
 namespace geneva::app {
 
@@ -145,8 +144,7 @@ class Runs {
   void try_to_start(const std::size_t point, const Case& given) try {
     start(point, given);
   } catch (const base::InputError& error) {
-    report_.points[point].exit_code = wrong_input;
-    report_.points[point].message = error.what();
+    refuse_point(report_.points[point], error.what());
     ++done_;
     tell(report_.points[point]);
   }
@@ -222,41 +220,15 @@ class Runs {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-void do_at_once(std::vector<SweepCase>& cases, post::SweepReport& report) {
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!cases[i].given) continue;
-    try {
-      report.points[i].figures = figures_of(*cases[i].given, report.command);
-    } catch (const base::InputError& error) {
-      report.points[i].exit_code = wrong_input;
-      report.points[i].message = error.what();
-    }
-  }
-}
-
-post::SweepReport empty_report(const Case& given, const std::vector<model::Variation>& variations,
-                               const std::vector<SweepCase>& cases, const std::string& command) {
-  post::SweepReport report{model::header_of(given), version, command, {}, {}};
-  for (const model::Variation& variation : variations) {
-    model::SectionPath path = variation.section;
-    path.push_back(variation.name);
-    report.parameters.push_back(fmt::format("{}", fmt::join(path, "/")));
-  }
-  for (const SweepCase& point : cases)
-    report.points.push_back(
-        {point.values, "", point.given ? 0 : int{wrong_input}, point.refusal, {}});
-  return report;
-}
-
 }  // namespace
 
 int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
   std::vector<model::Variation> variations;
   for (const std::string& text : request.variations)
     variations.push_back(model::read_variation(text));
-  std::vector<SweepCase> cases = sweep_cases(case_directory, variations);
-  Sweep sweep{read_case(case_directory), {}};
-  sweep.report = empty_report(sweep.given, variations, cases, request.command);
+  const Case given = read_case(case_directory);
+  std::vector<SweepCase> cases = sweep_cases(given, variations);
+  Sweep sweep = begun_sweep(given, variations, cases, request.command);
   const fs::path directory =
       request.output.empty() ? sweep.given.directory / "sweep" : request.output;
   base::check_replaceable(directory);
@@ -268,16 +240,14 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
     const unsigned int cores = std::max(1U, std::thread::hardware_concurrency());
     Runs(directory, request.jobs > 0 ? request.jobs : cores, sweep.report).make(cases);
   } else {
-    do_at_once(cases, sweep.report);
+    work_out(sweep, cases);
   }
   const auto& points = sweep.report.points;
   const auto failed =
       std::count_if(points.begin(), points.end(),
                     [](const post::SweepPoint& point) { return point.exit_code != 0; });
-  if (std::all_of(points.begin(), points.end(),
-                  [](const post::SweepPoint& point) { return point.figures.empty(); }))
-    throw base::InputError(points.front().message);
-  std::cout << '\n' << post::sweep_table(sweep.report, sweep.given.units);
+  require_figures(sweep);
+  std::cout << '\n' << table(sweep);
   tell_written(write(sweep, directory), "sweep.json, sweep.csv and report.html", directory,
                [](const std::string& line) { std::cout << line << '\n'; });
   if (failed == 0) return 0;

@@ -2,12 +2,15 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace geneva::base {
 
-/// A program that belongs to this one: beside it, or installed in libexec/geneva of the same
-/// prefix; used as a shared library, of the prefix where that lies.
-/// @return a path, beside this program where there is none
+/// Where a program that belongs to this one is looked for: beside it and beside the shared library
+/// that holds this code, and in libexec/geneva of the prefix of either.
+std::vector<std::filesystem::path> places_of_installed_program(const std::string& name);
+
+/// The first of those places that exists; the first of all if none does.
 std::filesystem::path installed_program(const std::string& name);
 
 }  // namespace geneva::base

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <system_error>
 #include <utility>
 
 #include "base/errors.h"
@@ -83,7 +84,17 @@ MesherAnswer answer_of(json said, const ProcessEnd& end, const MesherLimits& lim
 
 }  // namespace
 
-std::filesystem::path installed_mesher() { return base::installed_program("geneva-mesher"); }
+std::filesystem::path installed_mesher() {
+  const std::filesystem::path program = base::installed_program("geneva-mesher");
+  if (std::error_code ignored; std::filesystem::exists(program, ignored)) return program;
+  std::string places;
+  for (const auto& place : base::places_of_installed_program("geneva-mesher"))
+    places += (places.empty() ? "" : ", ") + place.string();
+  throw base::InputError(
+      fmt::format("the mesher, without which nothing can be solved, is missing: there is no {}; "
+                  "build or install geneva as a whole",
+                  places));
+}
 
 Mesher::Mesher(std::filesystem::path program)
     : program_(std::move(program)), waiting_(std::in_place, program_) {}

@@ -11,6 +11,7 @@
 namespace geneva::mesh {
 
 /// Where the mesher lies, see base::installed_program().
+/// @throws base::InputError if it lies nowhere, with the places that were looked at
 std::filesystem::path installed_mesher();
 
 /// Gmsh in a process of its own: it runs what a stranger may have written, and may crash, run on or

@@ -16,7 +16,7 @@ template <typename Task>
 auto naming(const Case& given, const Task& task) {
   const auto named = [&](const std::string& text) {
     const bool names_a_file = text.find(given.directory.string()) != std::string::npos;
-    return names_a_file ? text : (given.directory / "case.prm").string() + ": " + text;
+    return names_a_file ? text : given.text.file + ": " + text;
   };
   try {
     return task();

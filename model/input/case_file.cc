@@ -62,15 +62,16 @@ void check_sections(const ParameterText& text, const std::string& model) {
     if (known == models.end()) continue;
     const auto& allowed = known->second;
     if (std::find(allowed.begin(), allowed.end(), model) == allowed.end())
-      throw base::InputError(fmt::format(
-          "{}, line {}: the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
-          text.file, section.line, known->first, fmt::join(allowed, " or "), model,
-          text.find({}, "Model") == nullptr ? " (default)" : ""));
+      refuse(
+          text, section.line,
+          fmt::format("the subsection '{}' belongs to Model = {}, but this case has Model = {}{}",
+                      known->first, fmt::join(allowed, " or "), model,
+                      text.find({}, "Model") == nullptr ? " (default)" : ""));
   }
 }
 
-std::vector<Parameter> parameters_of(const ParameterText& text, const std::string& model,
-                                     const fs::path& directory) {
+std::vector<Parameter> parameters_of_model(const ParameterText& text, const std::string& model,
+                                           const fs::path& directory) {
   std::vector<Parameter> parameters = general_parameters();
   const auto append = [&](const std::vector<Parameter>& more) {
     parameters.insert(parameters.end(), more.begin(), more.end());
@@ -253,9 +254,10 @@ Case read_case(const fs::path& directory) {
 Case case_of(const ParameterText& text, const fs::path& directory) {
   Case result{};
   result.directory = directory;
+  result.text = text;
   const std::string model = model_of(text);
   check_sections(text, model);
-  std::vector<Parameter> parameters = parameters_of(text, model, result.directory);
+  std::vector<Parameter> parameters = parameters_of_model(text, model, result.directory);
   const std::map<SectionPath, KnownMaterial> materials =
       take_materials(parameters, text, result.directory);
   const CaseValues values(parameters, text);
@@ -290,6 +292,10 @@ Case case_of(const ParameterText& text, const fs::path& directory) {
   result.inputs.insert(result.inputs.end(), others.begin(), others.end());
   result.content = content_of(result.completed, model, others);
   return result;
+}
+
+std::vector<Parameter> parameters_of(const ParameterText& text, const fs::path& directory) {
+  return parameters_of_model(text, model_of(text), directory);
 }
 
 std::string name_of(const Case& given) {

@@ -26,6 +26,8 @@
 #include "mesh/pick.h"
 #include "model/input/materials.h"
 #include "model/input/optimisation_case.h"
+#include "model/input/parameter_text.h"
+#include "model/input/parameters.h"
 #include "model/mechanisms/mechanism_type.h"
 
 namespace geneva::model {
@@ -153,6 +155,7 @@ enum class Checkpoints {
 /// Everything that a case directory asks for, SI units; it has exactly one of the three models.
 struct Case {
   std::filesystem::path directory;
+  ParameterText text;  ///< as it is written
   std::string title;
   std::string project;
   std::string author;
@@ -180,6 +183,11 @@ Case read_case(const std::filesystem::path& directory);
 /// The case of that text, whose other files are in the directory.
 /// @throws base::InputError as above
 Case case_of(const ParameterText& text, const std::filesystem::path& directory);
+
+/// The parameters that a case of that text may set.
+/// @throws base::InputError for a model that is none, and a geometry whose names or file are wrong
+std::vector<Parameter> parameters_of(const ParameterText& text,
+                                     const std::filesystem::path& directory);
 
 /// Name of the case: that of its directory, also where the user says ".".
 std::string name_of(const Case& given);

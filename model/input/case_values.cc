@@ -46,12 +46,6 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
   return names;
 }
 
-[[noreturn]] void refuse_line(const ParameterText& text, int line, const std::string& reason) {
-  if (line == 0)
-    throw base::InputError(fmt::format("{} and {}: {}", text.file, text.varied_by, reason));
-  throw base::InputError(fmt::format("{}, line {}: {}", text.file, line, reason));
-}
-
 [[noreturn]] void refuse_unknown_section(const std::vector<Parameter>& parameters,
                                          const ParameterText& text, const OpenedSection& opened) {
   const SectionPath parent(opened.path.begin(), opened.path.end() - 1);
@@ -61,14 +55,14 @@ std::vector<std::string> sections_in(const std::vector<Parameter>& parameters,
                                    parent.empty() ? "" : " in " + base::in_quotes(parent.back()));
   for (const Parameter& parameter : parameters)
     if (parameter.section.size() == 2 && parent.empty() && parameter.section.back() == name)
-      refuse_line(text, opened.line,
-                  fmt::format("the subsection {} belongs into the subsection {}",
-                              base::in_quotes(name), base::in_quotes(parameter.section.front())));
+      refuse(text, opened.line,
+             fmt::format("the subsection {} belongs into the subsection {}", base::in_quotes(name),
+                         base::in_quotes(parameter.section.front())));
   if (const auto nearest = nearest_word(name, known))
     reason += "; did you mean " + base::in_quotes(*nearest) + "?";
   else if (!known.empty())
     reason += "; there are " + listed(known);
-  refuse_line(text, opened.line, reason);
+  refuse(text, opened.line, reason);
 }
 
 std::string section_phrase(const SectionPath& section) {
@@ -95,18 +89,17 @@ std::string material_hint(const std::vector<Parameter>& parameters, const Assign
   for (const Parameter& parameter : parameters)
     if (parameter.section == found.section) here.push_back(parameter.name);
   if (const auto nearest = nearest_word(found.name, here))
-    refuse_line(text, found.line, reason + "; did you mean " + base::in_quotes(*nearest) + "?");
+    refuse(text, found.line, reason + "; did you mean " + base::in_quotes(*nearest) + "?");
   const std::vector<std::string> sections = sections_in(parameters, found.section);
   if (std::find(sections.begin(), sections.end(), found.name) != sections.end())
-    refuse_line(
-        text, found.line,
-        fmt::format("{} is a subsection: write 'subsection {}', below it 'set NAME = VALUE' "
-                    "lines{}, and 'end'",
-                    base::in_quotes(found.name), found.name, material_hint(parameters, found)));
+    refuse(text, found.line,
+           fmt::format("{} is a subsection: write 'subsection {}', below it 'set NAME = VALUE' "
+                       "lines{}, and 'end'",
+                       base::in_quotes(found.name), found.name, material_hint(parameters, found)));
   for (const Parameter& parameter : parameters)
     if (parameter.name == found.name)
-      refuse_line(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));
-  refuse_line(text, found.line, reason + (here.empty() ? "" : "; there are " + listed(here)));
+      refuse(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));
+  refuse(text, found.line, reason + (here.empty() ? "" : "; there are " + listed(here)));
 }
 
 using ParameterKey = std::pair<SectionPath, std::string>;
@@ -126,17 +119,24 @@ void check_names(const std::vector<Parameter>& parameters, const ParameterText& 
     if (parameter == known.end()) refuse_unknown_name(parameters, text, found);
     if (parameter->second->required && found.value.empty()) continue;
     if (const auto reason = refusal(parameter->second->rule, found.value))
-      refuse_line(text, found.line,
-                  fmt::format("{} = {}", shown_name(found.section, found.name), *reason));
+      refuse(text, found.line,
+             fmt::format("{} = {}", shown_name(found.section, found.name), *reason));
   }
 }
 
 }  // namespace
 
+void refuse(const ParameterText& text, const int line, const std::string& reason) {
+  const std::string place = line > 0                 ? fmt::format(", line {}", line)
+                            : text.varied_by.empty() ? ""
+                                                     : " and " + text.varied_by;
+  throw base::InputError(fmt::format("{}{}: {}", text.file, place, reason));
+}
+
 void refuse(const ParameterText& text, const Assignment& found, const std::string& reason) {
-  refuse_line(text, found.line,
-              fmt::format("{} = {}: {}", shown_name(found.section, found.name),
-                          base::in_quotes(found.value), reason));
+  refuse(text, found.line,
+         fmt::format("{} = {}: {}", shown_name(found.section, found.name),
+                     base::in_quotes(found.value), reason));
 }
 
 CaseValues::CaseValues(const std::vector<Parameter>& parameters, const ParameterText& text)

@@ -11,6 +11,10 @@
 
 namespace geneva::model {
 
+/// Throws a message about a place of a file: file, line, reason.
+/// @param line 0: of what has been set beside the file
+[[noreturn]] void refuse(const ParameterText& text, int line, const std::string& reason);
+
 /// Throws the message about a parameter of a file: file, line, name, value found, reason.
 [[noreturn]] void refuse(const ParameterText& text, const Assignment& found,
                          const std::string& reason);

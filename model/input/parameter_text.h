@@ -29,7 +29,8 @@ struct ParameterText {
   std::string file;  ///< for messages
   std::vector<Assignment> assignments;
   std::vector<OpenedSection> sections;
-  std::string varied_by = "--set";  ///< what sets the varied ones, for messages
+  /// What sets the varied ones, for messages; empty: they are all that there is.
+  std::string varied_by = "--set";
 
   /// The assignment of that name; nothing if there is none.
   [[nodiscard]] const Assignment* find(const SectionPath& section, const std::string& name) const;

@@ -16,6 +16,8 @@ import unittest
 BUILD = pathlib.Path()
 SOURCE = pathlib.Path()
 TIME_LIMIT = 300
+# Of Debian, for which the package is built.
+PYTHON = os.environ.get("GENEVA_PYTHON", "/usr/bin/python3")
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
 
@@ -92,6 +94,19 @@ class Install(unittest.TestCase):
                               env=ENVIRONMENT, timeout=TIME_LIMIT, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, "line 1: there is no parameter 'Modell'.*did you mean 'Model'")
+
+    def test_the_python_package_is_found_and_finds_the_mesher_where_the_prefix_was_moved(self):
+        package = self.prefix / "lib/python3/dist-packages"
+        if not package.exists():
+            self.skipTest("built without the Python package")
+        script = ("import sys, geneva; result = geneva.run(geneva.read_case(sys.argv[1])); "
+                  "print(geneva.__file__, repr(result.contacts[0].peak_pressure))")
+        done = subprocess.run([PYTHON, "-B", "-c", script, str(self.case)], capture_output=True, text=True,
+                              env={**ENVIRONMENT, "PYTHONPATH": str(package)}, timeout=TIME_LIMIT, check=True)
+        place, pressure = done.stdout.split()
+        self.assertEqual(place, str(package / "geneva/__init__.py"))
+        ((expected, *_),), _ = self.pressures(self.case, ranks=1)
+        self.assertEqual(float(pressure), expected)
 
     def test_motion_needs_no_finite_elements(self):
         text = run(self.room / "build/motion", self.case)

@@ -1,0 +1,178 @@
+"""What can be computed: a function for each command of the command line."""
+
+from __future__ import annotations
+
+import pathlib
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from geneva import _core
+from geneva._case import Case, Path, path_of, text_or_numbers
+from geneva._results import (Analysis, Communicator, Crown, Cycle, Design, Estimate, Instant, Kinematics, Mesh, Optimum,
+                             Step, Sweep, Synthesis, Written, mesh_of)
+
+Swept = Union[str, Sequence[Union[str, float]], "np.ndarray[Any, Any]"]
+
+
+def _solver() -> Any:
+    """The half with finite elements, which takes longer to load than all the rest."""
+    from geneva import _solver as loaded
+    return loaded
+
+
+def run(case: Case, *, comm: Optional[Communicator] = None, progress: Optional[Callable[[Mesh], object]] = None,
+        on_step: Optional[Callable[[Step], object]] = None) -> Analysis:
+    """Solves the contact problem of a case by finite elements, as `geneva run` does, and writes nothing.
+
+    The interpreter's other threads go on meanwhile. What a callback raises, and Ctrl-C at the end of a step, ends the
+    computation and is raised unchanged; with several ranks on the others as `EndedByOtherRank`.
+
+    :param comm: communicator of mpi4py, all of whose ranks call this and get the same; None: this process alone
+    :param progress: called with every mesh that has been solved, on every rank
+    :param on_step: called with every step of the active set, on every rank
+    :raises InputError: if the case cannot be solved
+    :raises LimitReached: if a limit was reached before there was any result
+    """
+    meshes = None if progress is None else lambda row: progress(mesh_of(row))
+    steps = None if on_step is None else lambda row: on_step(Step(**row))
+    return Analysis(_solver().run(case._given, comm, meshes, steps), comm)
+
+
+def cycle(case: Case, *, comm: Optional[Communicator] = None,
+          progress: Optional[Callable[[Instant], object]] = None) -> Cycle:
+    """Solves the contact at the instants that stand for the engagements, as `geneva cycle` does.
+
+    :param comm: communicator of mpi4py, whose ranks share the instants; None: this process alone
+    :param progress: called after every instant, on the rank that solved it
+    :raises InputError: if the case is no mechanism, or nothing ever presses
+    """
+    tell = None if progress is None else lambda *told: progress(Instant(*told))
+    return Cycle(_solver().cycle(case._given, comm, tell), comm)
+
+
+def estimate(case: Case) -> Estimate:
+    """Pin force, Hertz's contact and, in 3-D, line contacts along the pin, as `geneva estimate` does.
+
+    :raises InputError: if the case has no mechanism, or none whose pin presses on the driving wall
+    """
+    return Estimate(_core.estimate(case._given))
+
+
+def kinematics(case: Case, steps: int = 720) -> Kinematics:
+    """Motion and pin force of a mechanism over its cycle, as `geneva kinematics` does.
+
+    :param steps: of the curves, 1 or more
+    :raises InputError: if the case has no mechanism, or one that cannot move
+    """
+    return Kinematics(_core.kinematics(case._given, steps))
+
+
+def design(case: Case, *, strength: bool = False, comm: Optional[Communicator] = None,
+           progress: Optional[Callable[[int, int], object]] = None) -> Design:
+    """Johnson's wheel of minimum contact stress and the shaft, as `geneva design` does.
+
+    :param strength: also solves wheels of several diameters by finite elements
+    :param comm: communicator of mpi4py for these; None: this process alone
+    :param progress: called after every one of these with how many are done, and of how many
+    :raises InputError: if the case is no mechanism or has no best wheel
+    """
+    found = _core.design(case._given)
+    if strength:
+        _solver().add_strength(found, comm, progress)
+    return Design(found, comm)
+
+
+def crown(case: Case, *, confirm: bool = False, comm: Optional[Communicator] = None) -> Crown:
+    """The pin by which the line load of a case in 3-D is most even, as `geneva design --crown` does.
+
+    :param confirm: solves it by finite elements, too
+    :param comm: communicator of mpi4py for that; None: this process alone
+    :raises InputError: if the case is wrong, or line contacts along the pin know no answer
+    """
+    found = _core.design_crown(case._given)
+    return Crown(found, comm, _solver().confirm_crown(found, comm) if confirm else None)
+
+
+def synthesize(case: Case) -> Synthesis:
+    """Dimensions of the linkage that a case asks for, as `geneva synthesize` does.
+
+    :raises InputError: if the case has another model, or there is no such linkage
+    """
+    return Synthesis(_core.synthesize(case._given))
+
+
+def optimise(case: Case, *, confirm: bool = False, comm: Optional[Communicator] = None,
+             progress: Optional[Callable[[int], object]] = None) -> Optimum:
+    """The free dimensions of a case with which its goal is least under its limits, as `geneva optimise` does.
+
+    :param confirm: solves the best case by finite elements, too
+    :param comm: communicator of mpi4py for finite elements; None: this process alone
+    :param progress: called now and then with the number of candidates
+    :raises InputError: if the case leaves nothing free, or no candidate keeps the limits
+    """
+    if _core.wants_slot_bottom(case._given):
+        found = _solver().optimise(case._given, comm, progress)
+    else:
+        found = _core.optimise(case._given, progress)
+    return Optimum(found, comm, _solver().confirm_optimum(found, comm) if confirm else None)
+
+
+def _swept(name: str, values: Swept) -> Any:
+    if isinstance(values, str):
+        return values
+    texts = [text_or_numbers(name, value) for value in values]
+    if texts and all(isinstance(text, list) for text in texts):
+        return [number for text in texts for number in text]
+    if not texts or not all(isinstance(text, str) for text in texts):
+        raise _core.InputError(f"'{name}': texts alone or numbers alone are wanted, one or more")
+    return texts
+
+
+def sweep(case: Case, parameters: Mapping[str, Swept], with_: str = "estimate", *,
+          comm: Optional[Communicator] = None, progress: Optional[Callable[[int, int], object]] = None) -> Sweep:
+    """A case over some of its parameters, every combination of their values, as `geneva sweep` does.
+
+    :param parameters: by the path of the parameter its values: "8 mm .. 14 mm, 7" as of `geneva sweep --set`, or a list
+        of texts, or numbers (of numpy) in the case's own unit
+    :param with_: 'estimate', 'kinematics', 'design', or 'run', one after the other in this process
+    :param comm: communicator of mpi4py for 'run'; None: this process alone
+    :param progress: called after every run with how many points are done, and of how many
+    :raises InputError: if no combination is a case, or none has any figures
+    """
+    commands = ("estimate", "kinematics", "design", "run")
+    if with_ not in commands:
+        raise _core.InputError(f"with_ = {with_!r}: one of {', '.join(map(repr, commands))} is wanted")
+    found = _core.sweep(case._given, [(*path_of(name), _swept(name, values)) for name, values in parameters.items()],
+                        with_)
+    if with_ != "run":
+        found.work_out()
+    else:
+        points = found.points()
+        for place, (_, given, *_) in enumerate(points):
+            if given is not None:
+                _take_run(found, place, Case(given), comm)
+            if progress is not None:
+                progress(place + 1, len(points))
+    found.require_figures()
+    return Sweep(found, comm)
+
+
+def _take_run(found: _core.Sweep, place: int, case: Case, comm: Optional[Communicator]) -> None:
+    try:
+        analysis = _solver().run(case._given, comm, None, None)
+    except (_core.InputError, _core.LimitReached) as error:
+        found.refuse(place, str(error))
+    else:
+        found.take(place, analysis.document(), analysis.shortfall)
+
+
+def write_report(results: Path, file: Optional[Path] = None) -> Written:
+    """Writes the report of a results directory anew, as `geneva report` does.
+
+    :param file: where it goes; None: report.html in the directory
+    :raises InputError: if there are no results, or the file cannot be written
+    """
+    directory = pathlib.Path(results)
+    removed, missing = _core.write_report(directory, None if file is None else pathlib.Path(file))
+    return Written(directory, tuple(removed), tuple(missing))
