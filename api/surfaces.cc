@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/errors.h"
+#include "api/surface_picture.h"
+#include "base/output_file.h"
 #include "fem/problem/settings.h"
 #include "mesh/user_geometry.h"
 #include "model/input/geometry_file.h"
@@ -56,10 +57,15 @@ SurfaceList surfaces(const fs::path& case_directory, mesh::Mesher& mesher) {
   return dimension == 3 ? list_of<3>(file, units, mesher) : list_of<2>(file, units, mesher);
 }
 
-std::string table(const SurfaceList& list) {
+SurfaceRow row_of(const SurfaceList& list, const mesh::ListedSurface& surface) {
   const base::OutputUnit length = base::output_unit(list.units, base::Dimension::length);
-  const int power = list.dimension - 1;
-  const double factor = std::pow(length.factor, power);
+  const bool is_area = list.dimension == 3;
+  const double factor = is_area ? length.factor * length.factor : length.factor;
+  return {fmt::format("{:.4g} {}{}", surface.size * factor, length.name, is_area ? "^2" : ""),
+          place_of(surface, list.dimension, length)};
+}
+
+std::string table(const SurfaceList& list) {
   std::size_t width = 0;
   for (const mesh::ListedSurface& surface : list.surfaces)
     width = std::max(width, surface.name.size());
@@ -68,13 +74,16 @@ std::string table(const SurfaceList& list) {
     text += fmt::format("body {}\n", body);
     for (const mesh::ListedSurface& surface : list.surfaces) {
       if (surface.body != body) continue;
-      const std::string size =
-          fmt::format("{:.4g} {}{}", surface.size * factor, length.name, power == 2 ? "^2" : "");
+      const SurfaceRow row = row_of(list, surface);
       text += fmt::format("  {:<{}}  {:<28}{:>14}  nearest {}\n", surface.name, width,
-                          surface.shape, size, place_of(surface, list.dimension, length));
+                          surface.shape, row.size, row.place);
     }
   }
   return text;
+}
+
+void write_picture(const SurfaceList& list, const fs::path& file) {
+  base::replace_file(file, api::surface_page(list));
 }
 
 }  // namespace geneva

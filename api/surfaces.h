@@ -27,7 +27,18 @@ struct SurfaceList {
 /// @throws base::InputError if there is no file, or it cannot be read or meshed
 SurfaceList surfaces(const std::filesystem::path& case_directory, mesh::Mesher& mesher);
 
+/// Size and place of a surface in words, in the units of the list.
+struct SurfaceRow {
+  std::string size;   ///< "12.5 mm^2"
+  std::string place;  ///< "1 mm, 2 mm, 3 mm"
+};
+SurfaceRow row_of(const SurfaceList& list, const mesh::ListedSurface& surface);
+
 /// As `geneva surfaces` prints them.
 std::string table(const SurfaceList& list);
+
+/// Draws them: a page with pictures and the table.
+/// @throws base::InputError if the file cannot be written; it is then as it was
+void write_picture(const SurfaceList& list, const std::filesystem::path& file);
 
 }  // namespace geneva

@@ -115,9 +115,11 @@ void Grammar::add_analyses() {
       ->type_name("ANGLE");
   CLI::App* surfaces =
       add(Command::surfaces, "surfaces",
-          "List the bodies and surfaces of a case's geometry file that can be named, with their "
-          "places; of the case only what concerns the file needs to be there");
+          "List and draw the bodies and surfaces of a case's geometry file that can be named, with "
+          "their places; of the case only what concerns the file needs to be there");
   add_case(surfaces, case_directory_);
+  add_output(surfaces, output_,
+             "The HTML file with the pictures (default: surfaces.html in CASE_DIR)", "FILE");
   CLI::App* estimate =
       add(Command::estimate, "estimate",
           "The contact without finite elements: pin force, Hertz, and along the pin in 3-D");

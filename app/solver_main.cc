@@ -29,7 +29,8 @@ int obey(const Request& request, geneva::mesh::Mesher* const mesher) {
     return confirmed_crown_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::cycle)
     return cycle_of_case(MPI_COMM_WORLD, directory, request.output, mesher);
-  if (request.command == Command::surfaces) return surfaces_of_case(directory, mesher);
+  if (request.command == Command::surfaces)
+    return surfaces_of_case(directory, request.output, mesher);
   if (request.command == Command::optimise)
     return confirmed_optimum(MPI_COMM_WORLD, directory, request.output, mesher);
   if (request.command == Command::design_with_strength)

@@ -7,10 +7,16 @@
 
 namespace geneva::app {
 
-int surfaces_of_case(const std::filesystem::path& case_directory, mesh::Mesher* const mesher) {
+namespace fs = std::filesystem;
+
+int surfaces_of_case(const fs::path& case_directory, const fs::path& output,
+                     mesh::Mesher* const mesher) {
   if (mesher == nullptr) return 0;
   const SurfaceList list = surfaces(case_directory, *mesher);
   std::cout << shown_path(list.file) << '\n' << table(list);
+  const fs::path file = output.empty() ? case_directory / "surfaces.html" : output;
+  write_picture(list, file);
+  std::cout << "picture in " << shown_path(file) << '\n';
   return 0;
 }
 

@@ -101,6 +101,7 @@ ListedSurface listed(const MeshData<dim>& mesh, const std::vector<const Face<dim
     const Place at = middle(mesh, *face);
     for (std::size_t i = 0; i < 3; ++i) centre[i] += size * at[i];
     result.size += size;
+    result.faces.push_back(corners(mesh, *face));
   }
   for (double& coordinate : centre) coordinate /= result.size;
   double nearest = std::numeric_limits<double>::infinity();

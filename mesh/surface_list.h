@@ -15,6 +15,7 @@ struct ListedSurface {
   std::string shape;            ///< "plane", "cylinder of radius 12 mm", "curved"; of several faces
   double size;                  ///< area [m^2], in the plane length [m], of the coarse faces
   std::array<double, 3> place;  ///< middle of the face that is nearest to the surface's middle [m]
+  std::vector<std::vector<std::array<double, 3>>> faces;  ///< corners of the coarse faces [m]
 };
 
 /// The named surfaces of a mesh in the order of their bodies.

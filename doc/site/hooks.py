@@ -43,7 +43,7 @@ def on_config(config):
 
 def on_files(files, config):
     for file in list(files):
-        if file.src_uri.startswith("site/") or file.src_uri.endswith(".py"):
+        if file.src_uri.startswith("site/"):
             files.remove(file)
     for line in (ROOT / "README.md").read_text().splitlines():  # is no page, but its links must hold
         LINK.sub(lambda link: site_link(link, "README.md", "index.md"), line)

@@ -49,6 +49,16 @@ class StepParts(CliTest):
         self.assertEqual(out.count("sphere of radius 5 mm"), 1)
         self.assertEqual(out.count("plane"), 9)
 
+    def test_the_picture_shows_every_surface(self):
+        case = self.minimal("new", self.parts())
+        out = self.surfaces(case)
+        page = (case / "surfaces.html").read_text()
+        for name in re.findall(r"(?m)^  (\S.*?\d)\s{2,}", out):
+            self.assertIn(f"<title>{name}</title>", page)
+            self.assertIn(f"<td>{name}</td>", page)
+        self.assertEqual(page.count("<svg "), 2)
+        self.assertNotIn("nan", page)
+
     def test_places_that_are_listed_pick_their_faces(self):
         case = self.minimal("new", self.parts())
         listed = dict(re.findall(r"^  (\S.*?\d)\s{2,}.*nearest (.*)$", self.surfaces(case), re.M))
