@@ -32,8 +32,7 @@
   // Inputs
 
   function groupOf(key) {
-    if (key.startsWith("pin_material") || key.startsWith("pin_youngs") || key.startsWith("pin_poisson")) return "pin-material";
-    if (key.startsWith("wheel_material") || /^wheel_(youngs|poissons|density)/.test(key)) return "wheel-material";
+    if (/material|modulus|ratio|density/.test(key)) return "material";
     if (["pins", "slot_clearance", "slot_friction"].includes(key)) return "more";
     if (["driver_speed", "load_inertia", "friction_moment", "wheel_inertia"].includes(key)) return "load";
     return "mechanism";
@@ -47,7 +46,7 @@
   const choiceField = (input) => `<div class="field" data-field="${input.key}"><label for="input-${input.key}">${input.label}</label>
 <select id="input-${input.key}" data-choice="${input.key}">${input.options.map((option) => `<option>${escaped(option)}</option>`).join("")}</select></div>`;
 
-  const order = ["type", "stations", "centre_distance", "sphere_radius", "shaft_angle", "crank_radius", "sprocket_spacing", "sprocket_line"];
+  const order = ["type", "stations", "centre_distance", "sphere_radius", "shaft_angle", "crank_radius", "sprocket_spacing", "sprocket_line", "pin_material", "pin_youngs_modulus", "pin_poissons_ratio", "wheel_material"];
   function buildFields() {
     const all = [...inputs.choices.map((input) => ({ input, html: choiceField(input) })), ...inputs.numbers.map((input) => ({ input, html: numberField(input) }))];
     const rank = ({ input }) => (order.includes(input.key) ? order.indexOf(input.key) : order.length);
@@ -113,6 +112,7 @@
         schedule();
       });
     window.addEventListener("hashchange", () => readLink());
+    window.addEventListener("resize", () => answer && showDrawing(positionShown()));
     place("copy-case").addEventListener("click", () => copy(place("case-text").value, "copy-case"));
     place("copy-link").addEventListener("click", () => copy(location.href.split("#")[0] + inputs.fragment(state), "copy-link"));
     place("reset").addEventListener("click", () => {
@@ -223,8 +223,9 @@
   }
   function showDrawing(position) {
     const mechanism = answer.drawing;
-    mechanism.projection = window.genevaDrawing.projection(mechanism);
-    place("drawing").innerHTML = window.genevaDrawing.svg(mechanism, answer.lengths, escaped(answer.mechanism), (length) => withUnit(length, "length"));
+    const drawing = window.genevaDrawing(place("drawing").clientWidth);
+    mechanism.projection = drawing.projection(mechanism);
+    place("drawing").innerHTML = drawing.svg(mechanism, answer.lengths, escaped(answer.mechanism), (length) => withUnit(length, "length"));
     for (const output of document.querySelectorAll("#mechanism-readings output")) {
       const dimension = output.dataset.dimension;
       output.dataset.factor = factorOf(dimension);
@@ -279,7 +280,7 @@
   function refuse(sentences) {
     place("refused").innerHTML = sentences.map((sentence) => `<p>${escaped(sentence)}</p>`).join("");
     place("refused").hidden = sentences.length === 0;
-    place("results").classList.toggle("stale", sentences.length > 0);
+    place("workplace").classList.toggle("stale", sentences.length > 0);
     place("stale-told").hidden = sentences.length === 0 || !answer;
   }
   // What the program says to the inputs, or why they are no inputs.

@@ -1,11 +1,12 @@
-// Draws a mechanism as SVG, from its lines in metres, with the classes and names of the reports' drawings.
-window.genevaDrawing = (function () {
+// Draws a mechanism as SVG, from its lines in metres, with the classes and names of the reports' drawings; in a narrow
+// place with fewer pixels, so that its letters stay legible.
+window.genevaDrawing = function (placeWidth) {
   "use strict";
-  const width = 640;
-  const height = 490;
+  const width = Math.min(640, Math.max(320, placeWidth));
+  const height = (490 / 640) * width;
   const sideMargin = 16;
   const bottomMargin = 46; // for the centre distance
-  const arrow = 80; // of the greatest force
+  const arrow = width / 8; // of the greatest force
 
   function turned([x, y, z], angle) {
     return [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), z];
@@ -123,4 +124,4 @@ window.genevaDrawing = (function () {
   }
 
   return { projection, svg };
-})();
+};
