@@ -111,7 +111,7 @@
         state.system = button.value;
         schedule();
       });
-    window.addEventListener("hashchange", () => readLink());
+    window.addEventListener("hashchange", (event) => readLink(new URL(event.newURL).hash));
     window.addEventListener("resize", () => answer && showDrawing(positionShown()));
     place("copy-case").addEventListener("click", () => copy(place("case-text").value, "copy-case"));
     place("copy-link").addEventListener("click", () => copy(location.href.split("#")[0] + inputs.fragment(state), "copy-link"));
@@ -277,11 +277,13 @@
 
   // The round trip of an input
 
-  function refuse(sentences) {
+  // Why there are no figures; what a link said that could not be taken does not make figures stale.
+  function tell(refused, byLink) {
+    const sentences = [...byLink, ...refused];
     place("refused").innerHTML = sentences.map((sentence) => `<p>${escaped(sentence)}</p>`).join("");
     place("refused").hidden = sentences.length === 0;
-    place("workplace").classList.toggle("stale", sentences.length > 0);
-    place("stale-told").hidden = sentences.length === 0 || !answer;
+    place("workplace").classList.toggle("stale", refused.length > 0);
+    place("stale-told").hidden = refused.length === 0 || !answer;
   }
   // What the program says to the inputs, or why they are no inputs.
   function answered() {
@@ -300,7 +302,7 @@
     const found = answered();
     const position = positionShown();
     if (!found.refused) answer = found;
-    refuse([...toldByLink, ...(found.refused || [])]);
+    tell(found.refused || [], toldByLink);
     toldByLink = [];
     showInputs();
     place("case-text").value = inputs.complaints(state).length ? "" : inputs.caseText(state);
@@ -326,17 +328,12 @@
       });
   }
   let waiting = 0;
-  let kept = "";
   function keepLink() {
     clearTimeout(waiting);
-    waiting = setTimeout(() => {
-      kept = inputs.fragment(state);
-      history.replaceState(null, "", kept);
-    }, 200);
+    waiting = setTimeout(() => history.replaceState(null, "", inputs.fragment(state)), 200);
   }
-  function readLink() {
-    if (location.hash === kept) return;
-    const { state: read, wrong } = inputs.read(location.hash);
+  function readLink(link) {
+    const { state: read, wrong } = inputs.read(link);
     state = read;
     toldByLink = wrong;
     update();
@@ -346,6 +343,5 @@
   buildFields();
   listen();
   for (const event of ["input", "click"]) place("mechanism-controls").addEventListener(event, () => (isMoved = true));
-  readLink();
-  if (!answer) update();
+  readLink(location.hash);
 })();

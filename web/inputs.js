@@ -35,7 +35,7 @@ window.genevaInputs = function (tables) {
     { key: "pin_material", label: "Pin material", parameter: "Material", options: ["own values", ...tables.materials.map((one) => one.name)] },
     { key: "wheel_material", label: "Wheel material", parameter: "Material", options: ["own values", ...tables.materials.map((one) => one.name)] },
   ];
-  const systems = Object.keys(tables.units);
+  const systems = ["mm-N", "in-lbf"];
 
   const unitOf = (input, system) => (input.dimension ? tables.units[system][input.dimension].unit : "");
   const unitsOf = (input) => [...new Set(systems.map((system) => unitOf(input, system)))];
