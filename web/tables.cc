@@ -19,18 +19,13 @@ using geneva::base::UnitSystem;
 using nlohmann::json;
 
 /// Dimensions of the page's inputs and figures.
-constexpr std::array<Dimension, 12> dimensions{Dimension::length,
-                                               Dimension::angle,
-                                               Dimension::angular_speed,
-                                               Dimension::angular_acceleration,
-                                               Dimension::stress,
-                                               Dimension::density,
-                                               Dimension::force,
-                                               Dimension::moment,
-                                               Dimension::inertia,
-                                               Dimension::time,
-                                               Dimension::speed,
-                                               Dimension::pressure_times_speed};
+constexpr std::array<Dimension, 12> dimensions{
+    Dimension::length,        Dimension::angle,
+    Dimension::angular_speed, Dimension::angular_acceleration,
+    Dimension::stress,        Dimension::density,
+    Dimension::force,         Dimension::moment,
+    Dimension::inertia,       Dimension::time,
+    Dimension::speed,         Dimension::pressure_times_speed};
 
 /// The unit, what it is in SI units, and what an SI value is multiplied with to be shown in it.
 json unit_section(const UnitSystem system, const Dimension dimension) {
@@ -65,11 +60,11 @@ std::pair<std::string, std::string> assignment(const std::string& line) {
 
 json material(const std::string& name, const std::map<std::string, std::string>& values) {
   using geneva::base::parse_quantity;
-  return {{"name", name},
-          {"youngs_modulus", parse_quantity(values.at("Young's modulus"), Dimension::stress)},
-          {"poissons_ratio",
-           parse_quantity(values.at("Poisson's ratio"), Dimension::dimensionless)},
-          {"density", parse_quantity(values.at("Density"), Dimension::density)}};
+  return {
+      {"name", name},
+      {"youngs_modulus", parse_quantity(values.at("Young's modulus"), Dimension::stress)},
+      {"poissons_ratio", parse_quantity(values.at("Poisson's ratio"), Dimension::dimensionless)},
+      {"density", parse_quantity(values.at("Density"), Dimension::density)}};
 }
 
 json materials(const char* file) {
