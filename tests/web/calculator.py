@@ -183,7 +183,7 @@ class Figures(PageTest):
         if "refused" in answer["design"]:
             run = self.geneva("design", case)
             self.assertEqual(run.code, 1, run.describe())
-            self.assertIn(answer["design"]["refused"].split(" with one pin")[0], one_line(run.err))
+            self.assertIn(answer["design"]["refused"].split("equations are ")[-1], one_line(run.err))
         else:
             self.check_design(answer["design"], self.document("design", case)[0])
         return 1

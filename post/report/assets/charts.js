@@ -82,11 +82,12 @@
     };
     const [least, maximum] = [Math.min(...values), Math.max(...values)];
     if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
-    else if (specification.step > 0 && least < maximum) step(result, least, maximum, specification.step);
+    else if (specification.step > 0 && least < maximum && maximum - least < mostSteps * specification.step) step(result, least, maximum, specification.step);
     else if (least < maximum) round(result, least, maximum);
     return result;
   }
 
+  const mostSteps = 100;
   const positive = (values) => values.filter((value) => value > 0);
 
   function setMarks(axis, marks) {
