@@ -178,7 +178,7 @@ class Figures(PageTest):
         kinematics, results = self.document("kinematics", case)
         self.check_kinematics(answer["kinematics"], kinematics)
         self.check_drawing(answer["drawing"], json.loads((results / "mechanism.json").read_text()))
-        self.check_greatest(answer, read_csv(results / "kinematics.csv"), read_units(case))
+        self.check_greatest(answer, self.fine_table(case), read_units(case))
         self.check_hertz(answer, self.document("estimate", case)[0])
         if "refused" in answer["design"]:
             run = self.geneva("design", case)
@@ -221,6 +221,13 @@ class Figures(PageTest):
                 self.assert_same(mine[key], its[key], key, SAME, size)
                 self.assertEqual(mine["engaged_pin"], its["engaged_pin"])
 
+    def fine_table(self, case):
+        """The program's curves in steps so small that the greatest value of a table is within 1 % of that between."""
+        results = self.directory / "fine"
+        run = self.geneva("kinematics", case, "-o", results, "--steps", 7200)
+        self.assertEqual(run.code, 0, run.describe())
+        return read_csv(results / "kinematics.csv")
+
     def check_greatest(self, answer, table, units):
         """What only the curves of the program have: sliding speed, jerk, and pressure at every step."""
         found = answer["kinematics"]
@@ -229,8 +236,7 @@ class Figures(PageTest):
             inside = [abs(value) for value, wall in zip(table[heading], table["wall"]) if wall != "none"]
             shown = found[key] * factor
             self.assertGreaterEqual(shown * (1 + 2 * TWELVE_DIGITS), max(inside), key)
-            # Between two of the program's 720 steps over the cycle they rise by this much at most.
-            self.assertLessEqual(shown, max(inside) * 1.05, key)
+            self.assertLessEqual(shown, max(inside) * 1.01, key)
 
     def check_hertz(self, answer, estimate):
         hertz = answer["hertz"]
@@ -278,7 +284,7 @@ class Figures(PageTest):
         hertz = self.answer()["hertz"]
         force = self.answer()["kinematics"]["peak_force"]
         summary = self.run_case(self.case())
-        self.assert_same(number(summary["mechanism"]["pin_force"]), force, "pin force")
+        self.assert_same(number(summary["load"]["force"]), force, "pin force")
         self.assertGreater(hertz["force"], 0)
 
 
