@@ -141,9 +141,34 @@ void add_peak(json& section, const std::string& name, const loads::PlacedPeak& p
   section[name + "_angle"] = peak.value > 0. ? json(peak.driver_angle) : json();
 }
 
+/// Driver angles [rad] from the middle of the engagement at which the pin goes from one wall to the
+/// other, and its slip jumps: where the moment is 0, by bisection of the first engagement.
+std::vector<double> wall_changes(const Loaded& mechanism) {
+  const loads::TimedEngagement& first = mechanism.driven.engagements().front();
+  const auto drives = [&](const double time) {
+    return loads::pin_load(mechanism.driven.at_time(time), mechanism.train).moment > 0.;
+  };
+  constexpr int intervals = 256;
+  std::vector<double> angles;
+  for (int i = 0; i < intervals; ++i) {
+    double from = first.begin + (first.end - first.begin) * i / intervals;
+    double to = first.begin + (first.end - first.begin) * (i + 1) / intervals;
+    to = std::min(to, first.end);
+    if (drives(from) == drives(to)) continue;
+    for (int halving = 0; halving < 50; ++halving) {
+      const double middle = (from + to) / 2.;
+      (drives(middle) == drives(from) ? from : to) = middle;
+    }
+    angles.push_back(mechanism.driven.drive().driver_angle(from).value - first.engagement.middle);
+  }
+  return angles;
+}
+
 /// The maximum size over the engagements.
 template <typename Quantity>
 loads::PlacedPeak greatest(const Loaded& mechanism, const Quantity& quantity) {
+  std::vector<double> breaks = loads::slip_breaks(mechanism.driven, mechanism.train);
+  for (const double angle : wall_changes(mechanism)) breaks.push_back(angle);
   const loads::Peak peak = loads::maximum(
       mechanism.driven, [&](const loads::MotionState& state) { return std::abs(quantity(state)); },
       loads::slip_breaks(mechanism.driven, mechanism.train));
