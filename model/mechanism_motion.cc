@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "loads/design/johnson.h"
-
 namespace geneva::model {
 
 namespace {
@@ -50,11 +48,8 @@ loads::DrivenMechanism driven_mechanism(const MechanismCase& given) {
 }
 
 MechanismSizes sizes_of(const MechanismCase& given) {
-  const loads::Mechanism mechanism = mechanism_of(given);
-  const loads::JohnsonRow row = loads::johnson_row(mechanism.stations);
-  const double diameter = 2. * mechanism.motion(mechanism.entry).pin_distance.value;
-  return {diameter, given.dimensions.pin_diameter.value_or(row.k2 * diameter),
-          given.dimensions.thickness.value_or(row.k3 * diameter)};
+  return loads::mechanism_sizes(mechanism_of(given), given.dimensions.pin_diameter,
+                                given.dimensions.thickness);
 }
 
 double stud_core_radius(const MechanismCase& mechanism) {

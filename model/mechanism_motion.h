@@ -3,18 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "loads/design/johnson.h"
 #include "loads/motion/driven_mechanism.h"
 #include "loads/motion/pin_load.h"
 #include "model/input/case_file.h"
 
 namespace geneva::model {
 
-/// What a mechanism case says of lengths that follow from each other, whatever its type.
-struct MechanismSizes {
-  double wheel_diameter;  ///< D [m]: twice the pin's distance from the wheel's axis at entry
-  double pin_diameter;    ///< [m]
-  double thickness;       ///< [m]
-};
+using loads::MechanismSizes;
 
 /// The mechanism of a case.
 /// @throws base::InputError where the loads room does

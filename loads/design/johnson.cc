@@ -106,6 +106,15 @@ JohnsonRow johnson_row(int stations) {
           suggested.k5.has_value()};
 }
 
+MechanismSizes mechanism_sizes(const Mechanism& mechanism,
+                               const std::optional<double>& pin_diameter,
+                               const std::optional<double>& thickness) {
+  const JohnsonRow row = johnson_row(mechanism.stations);
+  const double diameter = 2. * mechanism.motion(mechanism.entry).pin_distance.value;
+  return {diameter, pin_diameter.value_or(row.k2 * diameter),
+          thickness.value_or(row.k3 * diameter)};
+}
+
 double johnson_k5(const JohnsonRow& row) {
   if (row.k5) return *row.k5;
   throw base::InputError(fmt::format(

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "loads/hertz.h"
+#include "loads/motion/mechanism.h"
 #include "loads/motion/pin_load.h"
 #include "loads/wheel/geneva_dimensions.h"
 #include "loads/wheel/internal_dimensions.h"
@@ -26,6 +27,20 @@ struct JohnsonRow {
 /// @param stations n, 3..24
 /// @throws base::InputError outside that range
 JohnsonRow johnson_row(int stations);
+
+/// Lengths of a mechanism that follow from each other, whatever its type.
+struct MechanismSizes {
+  double wheel_diameter;  ///< D [m]: twice the pin's distance from the wheel's axis at entry
+  double pin_diameter;    ///< [m]
+  double thickness;       ///< of the wheel [m]
+};
+
+/// Pin diameter k2 D and thickness k3 D where they are not given; Johnson gives k2 and k3 for
+/// external wheels.
+/// @param pin_diameter, thickness [m]
+MechanismSizes mechanism_sizes(const Mechanism& mechanism,
+                               const std::optional<double>& pin_diameter,
+                               const std::optional<double>& thickness);
 
 /// k5 of a row. @throws base::InputError if it has none, beyond 10 stations
 double johnson_k5(const JohnsonRow& row);

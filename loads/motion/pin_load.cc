@@ -29,6 +29,12 @@ Wall wall_of(const double moment) {
   return moment > 0. ? Wall::driving : moment < 0. ? Wall::braking : Wall::none;
 }
 
+/// At the ends of an engagement the wheel's speed is 0 but for roundings.
+bool turns_backwards(const MotionState& state) {
+  constexpr double rounding = 1e-12;
+  return state.wheel_angle.first < -rounding * std::abs(state.driver_angle.first);
+}
+
 /// Where the slope of a function changes from rising to falling, if it does between two places.
 ///
 /// The slope is the central difference of sixth order: the place of a flat maximum is known only to
@@ -134,7 +140,7 @@ PinLoad pin_load(const MotionState& state, const WheelTrain& train) {
     throw base::InputError(
         fmt::format("driver angle is {:.6g} deg: no pin is in a slot there, and the wheel rests",
                     state.driver_angle.value * 180. / pi));
-  const double forwards = state.wheel_angle.first < 0. ? -1. : 1.;
+  const double forwards = turns_backwards(state) ? -1. : 1.;
   const double moment = (train.wheel_inertia + train.load.load_inertia) * state.wheel_angle.second +
                         train.load.friction_moment * forwards + train.external_torque;
   const Wall wall = wall_of(moment);

@@ -82,11 +82,12 @@
     };
     const [least, maximum] = [Math.min(...values), Math.max(...values)];
     if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
-    else if (specification.step > 0 && least < maximum) step(result, least, maximum, specification.step);
+    else if (specification.step > 0 && least < maximum && maximum - least < mostSteps * specification.step) step(result, least, maximum, specification.step);
     else if (least < maximum) round(result, least, maximum);
     return result;
   }
 
+  const mostSteps = 100;
   const positive = (values) => values.filter((value) => value > 0);
 
   function setMarks(axis, marks) {
@@ -167,10 +168,8 @@
   window.genevaCharts = {};
   // Many curves make a legend of many lines, which must not take the place of the curves.
   const extraLines = (chart) => Math.max(0, chart.series.length - 4);
-  for (const chart of specifications) {
-    const canvas = document.getElementById(chart.id);
-    if (extraLines(chart) > 0) canvas.parentElement.style.height = `${20 + 1.6 * extraLines(chart)}rem`;
-    window.genevaCharts[chart.id] = new Chart(canvas, {
+  function configuration(chart) {
+    return {
       type: "scatter",
       data: { datasets: datasets(chart.series) },
       plugins: [cursorLine],
@@ -185,8 +184,24 @@
           tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${genevaNumber(item.parsed.y, 5)} at ${genevaNumber(item.parsed.x, 5)}` } },
         },
       },
-    });
+    };
   }
+  // Those that are there already are drawn anew.
+  window.genevaDrawCharts = (charts) => {
+    for (const chart of charts) {
+      const canvas = document.getElementById(chart.id);
+      if (extraLines(chart) > 0) canvas.parentElement.style.height = `${20 + 1.6 * extraLines(chart)}rem`;
+      const drawn = window.genevaCharts[chart.id];
+      if (drawn) {
+        const { data, options } = configuration(chart);
+        Object.assign(drawn, { data, options });
+        drawn.update();
+      } else {
+        window.genevaCharts[chart.id] = new Chart(canvas, configuration(chart));
+      }
+    }
+  };
+  window.genevaDrawCharts(specifications);
   // Paper is white, whatever the screen is.
   function recolour(onPaper) {
     document.documentElement.classList.toggle("paper", onPaper);

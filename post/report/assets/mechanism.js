@@ -1,11 +1,8 @@
-// Turns the drawing of the mechanism with the slider.
-(function () {
+// Turns the drawing of a mechanism: what shows a step of it, beside what it shows at first.
+window.genevaTurning = function (mechanism) {
   "use strict";
-  const mechanism = JSON.parse(document.getElementById("mechanism-data").textContent);
   const { rows, offset, arrow } = mechanism.projection;
   const drawing = document.getElementById("mechanism-drawing");
-  const slider = document.querySelector('#mechanism-controls [name="step"]');
-  const button = document.querySelector('#mechanism-controls [name="run"]');
   const scale = Math.hypot(...rows[0]);
   const greatestForce = Math.max(...mechanism.steps.map((step) => Math.abs(step.pin_force)));
 
@@ -119,30 +116,49 @@
   function tellPosition(step) {
     const angle = step.driver_angle * Number(document.querySelector('#mechanism-readings [data-key="driver_angle"]').dataset.factor);
     document.getElementById("mechanism-angle").textContent = genevaNumber(angle, 5);
+    document.querySelector('#mechanism-controls [name="step"]').setAttribute("aria-valuetext", `driver angle ${genevaNumber(angle, 4)}`);
     const isAnalysed = mechanism.analysed && Math.abs(mechanism.analysed.driver_angle - step.driver_angle) < 1e-9;
     document.getElementById("mechanism-analysed").textContent = isAnalysed ? ", which is analysed" : "";
     if (window.genevaCursor) window.genevaCursor(angle);
   }
 
-  const start = mechanism.analysed || mechanism.steps[Number(slider.value)];
-  labelPin(pixel(start.pins[0]));
-  giveWay();
-  tellPosition(start);
+  return {
+    show,
+    begin(step) {
+      labelPin(pixel(step.pins[0]));
+      giveWay();
+      tellPosition(step);
+    },
+  };
+};
+// The slider and the button that move it.
+(function () {
+  "use strict";
+  const slider = document.querySelector('#mechanism-controls [name="step"]');
+  const button = document.querySelector('#mechanism-controls [name="run"]');
+  let steps = [];
+  let turning = null;
+  const showStep = () => turning.show(steps[Number(slider.value)]);
   function goTo() {
-    const step = mechanism.steps[Number(slider.value)];
-    show(step);
-    if (window.genevaCycle) window.genevaCycle.follow(step.driver_angle);
+    showStep();
+    if (window.genevaCycle) window.genevaCycle.follow(steps[Number(slider.value)].driver_angle);
   }
   window.genevaMechanism = {
+    // Another mechanism, of which there is a drawing already.
+    takeUp(mechanism) {
+      steps = mechanism.steps;
+      turning = window.genevaTurning(mechanism);
+    },
+    begin: (step) => turning.begin(step),
     goTo(driverAngle) {
       const distance = (step) => Math.abs(step.driver_angle - driverAngle);
-      slider.value = mechanism.steps.reduce((best, step, i) => (distance(step) < distance(mechanism.steps[best]) ? i : best), 0);
-      show(mechanism.steps[Number(slider.value)]);
+      slider.value = steps.reduce((best, step, i) => (distance(step) < distance(steps[best]) ? i : best), 0);
+      showStep();
     },
   };
   let running = 0;
   function advance() {
-    slider.value = (Number(slider.value) + 1) % mechanism.steps.length;
+    slider.value = (Number(slider.value) + 1) % steps.length;
     goTo();
     running = requestAnimationFrame(advance);
   }
@@ -153,4 +169,9 @@
     button.textContent = running ? "Stop" : "Play";
     button.setAttribute("aria-pressed", String(running !== 0));
   });
+  const data = document.getElementById("mechanism-data");
+  if (!data) return;
+  const mechanism = JSON.parse(data.textContent);
+  window.genevaMechanism.takeUp(mechanism);
+  window.genevaMechanism.begin(mechanism.analysed || steps[Number(slider.value)]);
 })();

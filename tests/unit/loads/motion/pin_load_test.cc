@@ -431,6 +431,24 @@ TEST(Energy, WorkOfThePinIsKineticEnergyAndFriction) {
   }
 }
 
+TEST(PinLoad, HasTheFrictionOfMotionForwardsAtTheEndsOfAnEngagement) {
+  // The wheel's speed is 0 there but for roundings of either sign.
+  constexpr double friction = 5.;
+  constexpr WheelTrain with_friction{2e-3, {1e-3, friction}};
+  constexpr double inside = 1e-7;
+  for (int i = 0; i < 200; ++i) {
+    const Mechanism mechanism = spherical_geneva(3 + i % 10, 0.3 + 0.0125 * i, 0.1);
+    const auto pins = engagements(mechanism, {0.});
+    const DrivenMechanism moving(mechanism, pins, constant_speed(mechanism, pins, 40.));
+    for (const double end : {mechanism.entry, mechanism.exit}) {
+      // The other sign would change the moment by twice the friction.
+      EXPECT_NEAR(load_at(moving, with_friction, end).moment,
+                  load_at(moving, with_friction, (1. - inside) * end).moment, 1e-4 * friction)
+          << i << " at " << end;
+    }
+  }
+}
+
 TEST(PinLoad, RefusesAnglesBeyondTheEngagement) {
   expect_refused([] { force(6, -61. * degree); },
                  {"driver angle is -61 deg", "6 stations", "from -60 deg to 60 deg", "choose"});
