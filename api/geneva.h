@@ -16,7 +16,6 @@
 #include "api/kinematics.h"
 #include "api/report.h"
 #include "api/session.h"
-#include "api/surfaces.h"
 #include "api/synthesis.h"
 #include "api/told_together.h"
 #include "api/version.h"

@@ -1,9 +1,10 @@
 """Parts of a CAD system: what `geneva surfaces` lists of a STEP file, and what is refused of it."""
 
+import math
 import re
 
 import geneva_cli
-from geneva_cli import CliTest, change_case
+from geneva_cli import CliTest, change_case, number
 
 SPHERE = "hertz-sphere-step"
 MINIMAL = """set Model        = geometry
@@ -12,6 +13,27 @@ set Output units = mm-N
 subsection Geometry
   set File = parts.step
 {lines}end
+"""
+
+# Half a disc of radius 10 mm on half a block, both steel, as plane faces.
+PLANE = """  set Thickness     = 1 mm
+  set Bodies        = disc, block
+  set Solid disc    = face nearest 3 mm, 6 mm
+  set Solid block   = face nearest 3 mm, -6 mm
+  set Surface arc   = edge nearest 7 mm, 3 mm
+  set Surface cut   = edge nearest 5 mm, 10 mm
+  set Surface top   = edge nearest 7 mm, 0
+  set Surface back  = edge nearest 7 mm, -15 mm
+  set Surface axis  = edge nearest 0, 5 mm
+  set Surface plane = edge nearest 0, -5 mm
+  set Supports      = back: fixed, axis: x, plane: x
+  set Loads         = cut
+  set Contact pairs = arc -> top
+  subsection Load cut
+    set Type      = force
+    set Value     = 100 N
+    set Direction = 0, -1
+  end
 """
 
 
@@ -83,6 +105,16 @@ class StepParts(CliTest):
             self.assertIn(f"body {body}\n", out)
         for name in ("wheel top", "driver top", "pin top"):
             self.assertRegex(out, rf"(?m)^  {name} ")
+
+    def test_plane_faces_have_hertz_s_pressure_within_their_error(self):
+        file = self.source / "tests" / "cli" / "parts" / "half_disc_on_block.step"
+        case = self.minimal("plane", file, PLANE, dimension=2)
+        self.assertIn("arc", self.surfaces(case))
+        summary = self.run_case(case)
+        modulus = 207e9 / (2 * (1 - 0.3**2))  # steel, the default
+        hertz = math.sqrt(200 / 1e-3 * modulus / (math.pi * 10e-3))
+        self.assert_close(number(summary["contact"]["peak_pressure"]), hertz,
+                          summary["contact"]["peak_pressure_error"] + 5e-4, "peak pressure")  # 5e-4: the disc's finite size
 
     def test_what_is_no_step_file_is_refused(self):
         whole = self.parts().read_bytes()
