@@ -142,7 +142,8 @@ void add_peak(json& section, const std::string& name, const loads::PlacedPeak& p
 }
 
 /// Driver angles [rad] from the middle of the engagement at which the pin goes from one wall to the
-/// other, and its slip jumps: where the moment is 0, by bisection of the first engagement.
+/// other, and its slip jumps: where the moment is 0, by bisection of the first engagement, as which
+/// all are.
 std::vector<double> wall_changes(const Loaded& mechanism) {
   const loads::TimedEngagement& first = mechanism.driven.engagements().front();
   const auto drives = [&](const double time) {
@@ -171,7 +172,7 @@ loads::PlacedPeak greatest(const Loaded& mechanism, const Quantity& quantity) {
   for (const double angle : wall_changes(mechanism)) breaks.push_back(angle);
   const loads::Peak peak = loads::maximum(
       mechanism.driven, [&](const loads::MotionState& state) { return std::abs(quantity(state)); },
-      loads::slip_breaks(mechanism.driven, mechanism.train));
+      breaks);
   return {peak.value, mechanism.driven.drive().driver_angle(peak.time).value, peak.time};
 }
 

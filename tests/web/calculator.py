@@ -25,7 +25,7 @@ SAME_PLACE = 1e-10
 TWELVE_DIGITS = 5e-12
 
 KINDS = ("external", "internal", "spherical", "long dwell")
-CASES_OF_A_KIND = 12
+CASES_OF_A_KIND = 6
 MATERIALS = ("100Cr6 hardened", "EN-GJS-600-3", "PEEK", "CuSn12-C centrifugally cast")
 
 # What a length in mm, a moment of inertia in kg.mm^2, a moment in N.mm and a modulus in MPa are in the other system.
