@@ -387,8 +387,11 @@ class MeshFiles(Refusals):
     def test_a_linear_mesh_with_names_is_accepted(self):
         self.run_case(self.mesh_case(mesh_files.two_blocks().text()))
 
-    def test_cells_of_order_2_are_refused(self):
-        self.assert_refused(self.mesh_case(mesh_files.two_blocks().text(order=2)), "geometry.msh", "order")
+    def test_cells_of_order_2_are_read_as_linear_ones(self):
+        linear = self.run_case(self.mesh_case(mesh_files.two_blocks().text()))
+        second = self.run_case(self.mesh_case(mesh_files.two_blocks().text(order=2), "second"))
+        self.assert_close(second["contact"]["peak_pressure"]["value"], linear["contact"]["peak_pressure"]["value"], 1e-9,
+                          "peak pressure")
 
     def test_groups_without_names_are_refused(self):
         self.assert_refused(self.mesh_case(mesh_files.two_blocks().text(named=False)), "geometry.msh", "name")

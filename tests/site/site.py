@@ -100,7 +100,9 @@ class Site(unittest.TestCase):
                     browser.open(page)
                     for width, height in (DESK, TELEPHONE):
                         browser.resize(width, height)
-                        self.assertLessEqual(browser.run("return document.documentElement.scrollWidth"), width)
+                        # A page may take a moment to lay out anew.
+                        self.assertTrue(browser.wait_for(f"return document.documentElement.scrollWidth <= {width}"),
+                                        f"wider than {width} pixels")
                     browser.resize(*DESK)
                     state = browser.run(
                         "return {pictures: [...document.images].filter(image => !image.naturalWidth).map(image => image.src),"
