@@ -79,7 +79,8 @@ double distance(const Segment& segment, const Point& point) {
          std::hypot(along.x, along.y);
 }
 
-/// Whether a point of the line or circle lies between the segment's ends, to rounding.
+/// Whether a point of the line or circle lies between the segment's ends.
+/// @param rounding [m], > 0
 bool is_within(const Segment& segment, const Point& point, const double rounding) {
   if (!segment.is_arc) {
     const Point along{segment.end.x - segment.start.x, segment.end.y - segment.start.y};
@@ -96,7 +97,9 @@ bool is_within(const Segment& segment, const Point& point, const double rounding
     const double turn = segment.clockwise ? -angle : angle;
     return turn < 0. ? turn + 2. * loads::pi : turn;
   };
-  return turn_to(point) < turn_to(segment.end) + rounding;
+  const double radius =
+      std::hypot(segment.start.x - segment.centre.x, segment.start.y - segment.centre.y);
+  return turn_to(point) < turn_to(segment.end) + rounding / radius;
 }
 
 /// Name of the surface of a face that stands upright.
