@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "loads/pi.h"
 #include "loads/wheel/outline_shapes.h"
@@ -40,17 +41,61 @@ std::vector<Point> tips(const CommonDimensions& dimensions, const SlotSide side,
   return result;
 }
 
+double size(const Point& point) { return std::hypot(point.x, point.y); }
+
+/// Driver angles over the engagement; the ways' chords are off by less than 1e-6 of their radius.
+std::vector<double> instants(const CommonDimensions& dimensions, const SlotSide side) {
+  constexpr int count = 4000;
+  std::vector<double> result;
+  for (int i = 1; i < count; ++i)
+    result.push_back(half_engagement(dimensions, side) * (2. * i / count - 1.));
+  return result;
+}
+
 /// The tips' whole way where it is within the disc's circle.
 std::vector<Point> way_of_tips(const CommonDimensions& dimensions, const SlotSide side) {
-  constexpr int instants = 4000;  // the way's chords are off by less than 1e-6 of their radius
   constexpr double on_rim = 1e-9;
-  const double half = half_engagement(dimensions, side);
-  const double radius = (1. - on_rim) * dimensions.locking_radius;
   std::vector<Point> way;
-  for (int i = 1; i < instants; ++i)
-    for (const Point& tip : tips(dimensions, side, half * (2. * i / instants - 1.)))
-      if (std::hypot(tip.x, tip.y) < radius) way.push_back(tip);
+  for (const double angle : instants(dimensions, side))
+    for (const Point& tip : tips(dimensions, side, angle))
+      if (size(tip) < (1. - on_rim) * dimensions.locking_radius) way.push_back(tip);
   return way;
+}
+
+/// Where a tip crosses the disc's circle between a driver angle on one side of it and one on the
+/// other, by bisection.
+Point crossing(const CommonDimensions& dimensions, const SlotSide side, const std::size_t tip,
+               double before, double after) {
+  const auto place = [&](const double angle) { return tips(dimensions, side, angle)[tip]; };
+  const auto inside = [&](const double angle) {
+    return size(place(angle)) < dimensions.locking_radius;
+  };
+  const bool inside_before = inside(before);
+  constexpr int halvings = 50;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (before + after) / 2.;
+    (inside(middle) == inside_before ? before : after) = middle;
+  }
+  return place(before);
+}
+
+/// How far from the pin's line the tips cross the disc's circle [rad]: a narrower cut-out would
+/// leave corners in their way.
+double reach_of_tips(const CommonDimensions& dimensions, const SlotSide side) {
+  const double radius = dimensions.locking_radius;
+  const std::vector<double> angles = instants(dimensions, side);
+  double reach = 0.;
+  std::vector<Point> last = tips(dimensions, side, angles.front());
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    std::vector<Point> next = tips(dimensions, side, angles[i]);
+    for (std::size_t tip = 0; tip < next.size(); ++tip)
+      if ((size(last[tip]) < radius) != (size(next[tip]) < radius)) {
+        const Point at = crossing(dimensions, side, tip, angles[i - 1], angles[i]);
+        reach = std::max(reach, std::abs(std::atan2(at.y, at.x)));
+      }
+    last = std::move(next);
+  }
+  return reach;
 }
 
 /// Of a width on the rim the one of least curvature through which every tip passes.
@@ -99,7 +144,9 @@ CutOut cut_out(const CommonDimensions& dimensions, const SlotSide side) {
   constexpr double least_left = 0.1;  // on the pin's line, of the radius
   const double radius = dimensions.locking_radius;
   const std::vector<Point> way = way_of_tips(dimensions, side);
-  CutOut cut = cut_out(dimensions, side, way, half_engagement(dimensions, side));
+  const double least_width =
+      std::max(half_engagement(dimensions, side), reach_of_tips(dimensions, side));
+  CutOut cut = cut_out(dimensions, side, way, least_width);
   while (cut.half_width < pi && deepest(cut, radius) < (least_left - 1.) * radius)
     cut = cut_out(dimensions, side, way, cut.half_width + degree / 2.);
   return cut;

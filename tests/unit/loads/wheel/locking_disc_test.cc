@@ -86,9 +86,9 @@ std::vector<Point> wheel_points(const Pair& pair, const double driver_angle) {
   return points;
 }
 
-double deepest_of_wheel(const Pair& pair) {
+/// @param steps by default at other instants than those that the cut-out was made with
+double deepest_of_wheel(const Pair& pair, const int steps = 997) {
   double deepest = -1.;
-  constexpr int steps = 997;  // other instants than those that the cut-out was made with
   for (int i = 0; i <= steps; ++i) {
     const double angle =
         pair.mechanism.entry + (pair.mechanism.exit - pair.mechanism.entry) * i / steps;
@@ -141,6 +141,14 @@ RC_GTEST_PROP(LockingDisc, OfAnyRadiusLetsTheWheelPass, ()) {
   const double crank = 0.5 * std::tan(pi / stations);
   const Pair pair = external_pair(stations, between(0.45, 0.6) * crank);
   RC_ASSERT(deepest_of_wheel(pair) < 1e-6);
+}
+
+TEST(LockingDisc, LeavesNoCornerWhereATipCrossesItsCircleFurtherOut) {
+  const double crank = 0.5 * std::tan(pi / 12);
+  const Pair pair = external_pair(12, 0.4565 * crank);
+  EXPECT_GT(half_cut(pair.disc), half_engagement(pair.sizes, pair.side) + 1e-3 * degree);
+  constexpr int steps = 20000;
+  EXPECT_LT(deepest_of_wheel(pair, steps), 1e-7);
 }
 
 TEST(LockingDisc, HasACutOutForEachPin) {
