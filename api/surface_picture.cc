@@ -6,6 +6,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "post/report/html/html.h"
 
@@ -14,6 +17,7 @@ namespace geneva::api {
 namespace {
 
 using Place = std::array<double, 3>;
+using Pixel = std::array<double, 2>;
 using mesh::ListedSurface;
 
 /// Directions on the screen and towards the eye, orthonormal.
@@ -69,8 +73,9 @@ class Screen {
   [[nodiscard]] double height() const {
     return 2. * margin + scale_ * (frame_.top - frame_.bottom);
   }
-  [[nodiscard]] std::array<double, 2> pixel(const Place& place) const {
-    return {margin + scale_ * (dot(place, view_.right) - frame_.left),
+  [[nodiscard]] Pixel pixel(const Place& place) const {
+    const double middle = (frame_.left + frame_.right) / 2.;
+    return {width / 2. + scale_ * (dot(place, view_.right) - middle),
             margin + scale_ * (frame_.top - dot(place, view_.up))};
   }
 
@@ -95,71 +100,99 @@ Place normal(const std::vector<Place>& face) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-/// A face as it is drawn.
+/// A line in the plane; in 3-D a face that the eye sees from outside.
 struct DrawnFace {
-  double depth;  ///< towards the eye
-  std::string text;
+  std::size_t surface;
+  double depth;  ///< towards the eye [m]
+  Place middle;
+  std::vector<Pixel> corners;
 };
 
-/// A line in the plane; in 3-D a face that the eye sees from outside.
-std::string drawn(const std::vector<Place>& face, const Screen& screen, const std::size_t surface,
-                  const std::string& name) {
-  std::string points;
-  for (const Place& place : face) {
-    const auto [x, y] = screen.pixel(place);
-    points += fmt::format("{:.1f},{:.1f} ", x, y);
-  }
-  const bool is_line = face.size() == 2;
-  return fmt::format(
-      "<{} points=\"{}\" {}><title>{}</title></{}>\n", is_line ? "polyline" : "polygon", points,
-      is_line ? fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\"", colour(surface))
-              : fmt::format("fill=\"{}\"", colour(surface)),
-      post::escaped(name), is_line ? "polyline" : "polygon");
+Place middle_of(const std::vector<Place>& face) {
+  Place middle{};
+  for (const Place& place : face)
+    for (std::size_t k = 0; k < 3; ++k) middle[k] += place[k] / static_cast<double>(face.size());
+  return middle;
 }
 
-/// Numbers of the surfaces that the eye sees at their places.
-std::string labels(const SurfaceList& list, const Screen& screen, const View& view) {
-  std::string text;
-  for (std::size_t i = 0; i < list.surfaces.size(); ++i) {
-    const ListedSurface& surface = list.surfaces[i];
-    const auto at = std::min_element(
-        surface.faces.begin(), surface.faces.end(), [&](const auto& one, const auto& other) {
-          const auto away = [&](const auto& face) {
-            Place middle{};
-            for (const Place& place : face)
-              for (std::size_t k = 0; k < 3; ++k)
-                middle[k] += place[k] / static_cast<double>(face.size());
-            return std::hypot(middle[0] - surface.place[0], middle[1] - surface.place[1],
-                              middle[2] - surface.place[2]);
-          };
-          return away(one) < away(other);
-        });
-    if (list.dimension == 3 && dot(normal(*at), view.eye) <= 0.) continue;
-    const auto [x, y] = screen.pixel(surface.place);
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y, i + 1);
-  }
-  return text;
-}
-
-std::string picture(const SurfaceList& list, const View& view) {
-  const Screen screen(list, view);
+/// From the farthest to the nearest, as they are painted.
+std::vector<DrawnFace> drawn_faces(const SurfaceList& list, const View& view,
+                                   const Screen& screen) {
   std::vector<DrawnFace> faces;
   for (std::size_t i = 0; i < list.surfaces.size(); ++i)
     for (const auto& face : list.surfaces[i].faces) {
       if (list.dimension == 3 && dot(normal(face), view.eye) <= 0.) continue;
-      double depth = 0.;
-      for (const Place& place : face) depth += dot(place, view.eye);
-      faces.push_back({depth, drawn(face, screen, i, list.surfaces[i].name)});
+      const Place middle = middle_of(face);
+      DrawnFace drawn{i, dot(middle, view.eye), middle, {}};
+      for (const Place& place : face) drawn.corners.push_back(screen.pixel(place));
+      faces.push_back(std::move(drawn));
     }
   std::stable_sort(faces.begin(), faces.end(), [](const DrawnFace& one, const DrawnFace& other) {
     return one.depth < other.depth;
   });
+  return faces;
+}
+
+std::string painted(const DrawnFace& face, const std::string& name) {
+  std::string points;
+  for (const auto& [x, y] : face.corners) points += fmt::format("{:.1f},{:.1f} ", x, y);
+  const bool is_line = face.corners.size() == 2;
+  return fmt::format(
+      "<{0} points=\"{1}\" {2}><title>{3}</title></{0}>\n", is_line ? "polyline" : "polygon",
+      points,
+      is_line ? fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"5\"", colour(face.surface))
+              : fmt::format("fill=\"{}\"", colour(face.surface)),
+      post::escaped(name));
+}
+
+/// By the number of edges to the right of it.
+bool covers(const DrawnFace& face, const Pixel& pixel) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const auto& [x1, y1] = face.corners[i];
+    const auto& [x2, y2] = face.corners[(i + 1) % face.corners.size()];
+    if ((y1 > pixel[1]) != (y2 > pixel[1]) &&
+        pixel[0] < x1 + (pixel[1] - y1) / (y2 - y1) * (x2 - x1))
+      is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+bool is_hidden(const std::vector<DrawnFace>& faces, const std::size_t face, const Pixel& pixel) {
+  for (std::size_t i = face + 1; i < faces.size(); ++i)
+    if (faces[i].surface != faces[face].surface && covers(faces[i], pixel)) return true;
+  return false;
+}
+
+/// Where a surface is numbered: on the face in sight that is nearest to its place.
+std::optional<Pixel> place_of_number(const std::vector<DrawnFace>& faces, const Screen& screen,
+                                     const ListedSurface& surface, const std::size_t number) {
+  std::vector<std::pair<double, std::size_t>> own;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (faces[i].surface == number)
+      own.emplace_back(
+          std::hypot(faces[i].middle[0] - surface.place[0], faces[i].middle[1] - surface.place[1],
+                     faces[i].middle[2] - surface.place[2]),
+          i);
+  std::sort(own.begin(), own.end());
+  for (const auto& [away, face] : own) {
+    const Pixel pixel = screen.pixel(faces[face].middle);
+    if (!is_hidden(faces, face, pixel)) return pixel;
+  }
+  return std::nullopt;
+}
+
+std::string picture(const SurfaceList& list, const View& view) {
+  const Screen screen(list, view);
+  const std::vector<DrawnFace> faces = drawn_faces(list, view, screen);
   std::string text = fmt::format(
       "<figure><svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"surfaces, {2}\">\n",
       width, screen.height(), view.title);
-  for (const DrawnFace& face : faces) text += face.text;
-  return text + labels(list, screen, view) +
-         fmt::format("</svg><figcaption>{}</figcaption></figure>\n", view.title);
+  for (const DrawnFace& face : faces) text += painted(face, list.surfaces[face.surface].name);
+  for (std::size_t i = 0; i < list.surfaces.size(); ++i)
+    if (const auto at = place_of_number(faces, screen, list.surfaces[i], i); at)
+      text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (*at)[0], (*at)[1], i + 1);
+  return text + fmt::format("</svg><figcaption>{}</figcaption></figure>\n", view.title);
 }
 
 constexpr const char* style = R"(

@@ -4,6 +4,8 @@
 #include <deal.II/base/timer.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "api/analysis.h"
 #include "api/analysis_output.h"
 #include "api/checkpoint_file.h"
@@ -33,13 +35,18 @@ void show_start(const AnalysisStart& start, const std::string& left, ProgressDis
   for (const fem::LevelRecord& level : start.earlier) progress.level(level);
 }
 
+/// Whether a check failed, other than that of the accuracy, which the shortfall tells.
+bool is_failed(const post::Check& check) {
+  return !check.is_passed() && check.name != "convergence";
+}
+
 /// What the user should know of the solution, then the table.
 /// @param told notices that the user knows already
 void present(const Analysis& analysis, const std::size_t told, ProgressDisplay& progress) {
   for (std::size_t i = told; i < analysis.notices.size(); ++i)
     progress.line("note: " + analysis.notices[i]);
   for (const post::Check& check : analysis.checks)
-    if (!check.is_passed() && check.name != "convergence")  // which the shortfall tells
+    if (is_failed(check))
       progress.line(fmt::format("note: the check '{}' failed ({}): {:.2g}, at most {:.2g} is sound",
                                 check.name, check.meaning, check.value, check.limit));
   if (!analysis.shortfall.empty()) progress.warning(analysis.shortfall);
@@ -92,7 +99,10 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   if (const std::string notice = removal_notice(written); !notice.empty()) progress.line(notice);
   progress.line(fmt::format("results in {}, report.html to look at ({:.2f} s, {:.0f} MB)",
                             shown_path(directory), total.wall_time(), analysis.memory / 1e6));
-  if (analysis.is_converged) return 0;
+  if (analysis.is_converged) {
+    const auto& checks = analysis.checks;
+    return std::any_of(checks.begin(), checks.end(), is_failed) ? not_converged : 0;
+  }
   if (const std::string advice = checkpoints.advice(); !advice.empty())
     progress.line(advice + ", with other limits or another accuracy");
   return not_converged;

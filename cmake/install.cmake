@@ -74,7 +74,7 @@ install(FILES ${PROJECT_BINARY_DIR}/generated/genevaConfig.cmake ${PROJECT_BINAR
   DESTINATION ${package_folder} COMPONENT development)
 
 install(DIRECTORY ${PROJECT_BINARY_DIR}/documents/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-  COMPONENT program FILES_MATCHING PATTERN "*.1")
+  COMPONENT program FILES_MATCHING PATTERN "*.1.gz")
 install(FILES ${PROJECT_BINARY_DIR}/documents/geneva.bash RENAME geneva
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
 install(FILES ${PROJECT_BINARY_DIR}/documents/_geneva DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions

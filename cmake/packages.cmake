@@ -8,9 +8,10 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_COMPRESSION_TYPE zstd)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/app)
 set(CPACK_COMPONENTS_ALL program library development)
 if(GENEVA_BUILD_PYTHON)
@@ -29,7 +30,7 @@ function(geneva_package part package summary text)
   set(CPACK_DEBIAN_${part_name}_DESCRIPTION "${summary}\n${text}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${part_name}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${part_name}_PACKAGE_RECOMMENDS "${recommends}" PARENT_SCOPE)
-  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright COMPONENT ${part} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${part} EXCLUDE_FROM_ALL)
 endfunction()
 
 set(soname libgeneva${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
@@ -42,7 +43,6 @@ geneva_package(program geneva "Contact stress analysis of Geneva mechanisms"
 geneva_package(library ${soname} "Contact stress analysis of Geneva mechanisms, shared libraries"
   "What programs against Geneva and its Python package need at run time: the\nlibraries, and the mesher that they start."
   SECTION libs DEPENDS ${solving} RECOMMENDS libjs-chart.js libjs-three)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_GENERATE_SHLIBS ON)
 geneva_package(development libgeneva-dev "Contact stress analysis of Geneva mechanisms, headers"
   "What programs against Geneva need to be built: find_package(geneva)."
   SECTION libdevel DEPENDS "${soname} (= ${PROJECT_VERSION})" libopenmpi-dev nlohmann-json3-dev)

@@ -63,8 +63,9 @@ std::string in_words(const std::string& message) {
 MesherAnswer without_answer(const ProcessEnd& end, const MesherLimits& limits) {
   for (const char* const word : {"bad_alloc", "ut of memory"})
     if (end.last_message.find(word) != std::string::npos) too_much(limits);
-  std::string text = end.signal == 0 ? "Gmsh ended without a mesh"
-                                     : fmt::format("Gmsh crashed ({})", name_of(end.signal));
+  std::string text = end.signal == 0
+                         ? "Gmsh ended without a mesh"
+                         : fmt::format("Gmsh or its CAD kernel crashed ({})", name_of(end.signal));
   const std::string message = in_words(end.last_message);
   if (!message.empty()) text += ", its last message: " + message;
   return {json(), {text}};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -41,25 +42,27 @@ Measure measure_of(const int dimension, const int entity) {
   return result;
 }
 
-/// Gmsh's tag of a shape among some entities.
-int tag_of(const TopoDS_Shape& shape, const gmsh::vectorpair& entities) {
+/// Relative difference of size and middle.
+double difference(const Measure& found, const Measure& wanted, const int dimension) {
+  return distance(found.middle, wanted.middle) / std::pow(wanted.size, 1. / dimension) +
+         std::abs(found.size - wanted.size) / wanted.size;
+}
+
+/// Gmsh's tag of a shape among some entities, from which it is taken, so that of two alike each
+/// is found once.
+int take_tag_of(const TopoDS_Shape& shape, gmsh::vectorpair& entities) {
   const Measure wanted = cad::measure(shape);
-  int best = -1;
-  double best_difference = 0.;
-  for (const auto& [dimension, entity] : entities) {
-    const Measure found = measure_of(dimension, entity);
-    const double length = std::pow(wanted.size, 1. / dimension);
-    const double difference = distance(found.middle, wanted.middle) / length +
-                              std::abs(found.size - wanted.size) / wanted.size;
-    if (best < 0 || difference < best_difference) {
-      best = entity;
-      best_difference = difference;
-    }
-  }
+  std::vector<double> differences;
+  for (const auto& [dimension, entity] : entities)
+    differences.push_back(difference(measure_of(dimension, entity), wanted, dimension));
+  const auto best = std::min_element(differences.begin(), differences.end());
   constexpr double rounding = 1e-3;  // both measure curved shapes by quadrature
-  if (best < 0 || best_difference > rounding)
+  if (best == differences.end() || *best > rounding)
     throw std::logic_error("Gmsh does not know a face of the STEP file");
-  return best;
+  const auto entity = entities.begin() + (best - differences.begin());
+  const int tag = entity->second;
+  entities.erase(entity);
+  return tag;
 }
 
 void add_group(const int dimension, const std::vector<int>& entities, const std::string& name) {
@@ -84,7 +87,7 @@ void read_step_model(const mesh::GeometryTask& task) {
     gmsh::model::getBoundary(imported, boundary, false, false);
     bodies[body.name].push_back(imported.at(0).second);
     for (const auto& [shape, surface] : body.boundary)
-      surfaces[surface].push_back(tag_of(shape, boundary));
+      surfaces[surface].push_back(take_tag_of(shape, boundary));
   }
   for (const auto& [name, entities] : bodies) add_group(dim, entities, name);
   for (const auto& [name, entities] : surfaces) add_group(dim - 1, entities, name);

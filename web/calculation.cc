@@ -141,41 +141,6 @@ void add_peak(json& section, const std::string& name, const loads::PlacedPeak& p
   section[name + "_angle"] = peak.value > 0. ? json(peak.driver_angle) : json();
 }
 
-/// Driver angles [rad] from the middle of the engagement at which the pin goes from one wall to the
-/// other, and its slip jumps: where the moment is 0, by bisection of the first engagement, as which
-/// all are.
-std::vector<double> wall_changes(const Loaded& mechanism) {
-  const loads::TimedEngagement& first = mechanism.driven.engagements().front();
-  const auto drives = [&](const double time) {
-    return loads::pin_load(mechanism.driven.at_time(time), mechanism.train).moment > 0.;
-  };
-  constexpr int intervals = 256;
-  std::vector<double> angles;
-  for (int i = 0; i < intervals; ++i) {
-    double from = first.begin + (first.end - first.begin) * i / intervals;
-    double to = first.begin + (first.end - first.begin) * (i + 1) / intervals;
-    to = std::min(to, first.end);
-    if (drives(from) == drives(to)) continue;
-    for (int halving = 0; halving < 50; ++halving) {
-      const double middle = (from + to) / 2.;
-      (drives(middle) == drives(from) ? from : to) = middle;
-    }
-    angles.push_back(mechanism.driven.drive().driver_angle(from).value - first.engagement.middle);
-  }
-  return angles;
-}
-
-/// The maximum size over the engagements.
-template <typename Quantity>
-loads::PlacedPeak greatest(const Loaded& mechanism, const Quantity& quantity) {
-  std::vector<double> breaks = loads::slip_breaks(mechanism.driven, mechanism.train);
-  for (const double angle : wall_changes(mechanism)) breaks.push_back(angle);
-  const loads::Peak peak = loads::maximum(
-      mechanism.driven, [&](const loads::MotionState& state) { return std::abs(quantity(state)); },
-      breaks);
-  return {peak.value, mechanism.driven.drive().driver_angle(peak.time).value, peak.time};
-}
-
 json kinematics_section(const Loaded& mechanism, const loads::Characteristics& values) {
   json section{{"entry_acceleration_ratio", values.entry_acceleration_ratio},
                {"jerk_ratio_at_centre", values.jerk_ratio_at_centre},
@@ -189,16 +154,13 @@ json kinematics_section(const Loaded& mechanism, const loads::Characteristics& v
   add_peak(section, "peak_speed_ratio", values.speed_ratio);
   add_peak(section, "peak_acceleration_ratio", values.acceleration_ratio);
   section["peak_acceleration_angle"] = values.acceleration_ratio.driver_angle;
+  section["peak_jerk_ratio"] = values.jerk_ratio.value;
+  section["peak_jerk_angle"] = values.jerk_ratio.driver_angle;
   add_peak(section, "peak_force", values.force);
   add_peak(section, "peak_braking_force", values.braking_force);
   add_peak(section, "peak_hertz_pressure", values.pressure);
   add_peak(section, "peak_pressure_times_slip", values.pressure_times_slip);
-  add_peak(section, "peak_wheel_jerk", greatest(mechanism, [](const loads::MotionState& state) {
-             return state.wheel_angle.third;
-           }));
-  add_peak(section, "peak_slip_speed", greatest(mechanism, [&](const loads::MotionState& state) {
-             return loads::pin_load(state, mechanism.train).slip_speed;
-           }));
+  add_peak(section, "peak_slip_speed", values.slip_speed);
   section["unbounded"] = json::array();
   for (const loads::Unbounded& place : mechanism.driven.unbounded())
     section["unbounded"].push_back({{"quantity", place.quantity},

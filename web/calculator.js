@@ -152,7 +152,7 @@
       ["maximum wheel speed", "φ̇", k.peak_speed_ratio * speed, "angular speed", k.peak_speed_ratio_angle],
       ["maximum wheel acceleration", "φ̈", k.peak_acceleration_ratio * speed ** 2, "angular acceleration", k.peak_acceleration_angle],
       ["acceleration jump at entry", "φ̈(θ<sub>0</sub>)", k.entry_acceleration_ratio === null ? null : k.entry_acceleration_ratio * speed ** 2, "angular acceleration"],
-      ["maximum wheel jerk between entry and exit", "|φ⃛|", k.peak_wheel_jerk, "jerk", k.peak_wheel_jerk_angle],
+      ["maximum wheel jerk between entry and exit", "|φ⃛|", k.peak_jerk_ratio * speed ** 3, "jerk", k.peak_jerk_angle],
       ["Force and contact"],
       ["maximum pin force, driving wall", "F", k.peak_force, "force", k.peak_force_angle],
       ["maximum pin force, braking wall", "F<sub>b</sub>", k.peak_braking_force, "force", k.peak_braking_force_angle],

@@ -31,6 +31,40 @@ PlacedPeak placed(const DrivenMechanism& driven,
   return {peak.value, driven.drive().driver_angle(peak.time).value, peak.time};
 }
 
+/// Driver angles [rad] from the middle of an engagement at which the pin goes from one wall to the
+/// other, and its slip jumps: where the moment is 0, by bisection.
+std::vector<double> wall_changes(const DrivenMechanism& driven, const WheelTrain& train) {
+  constexpr int intervals = 256;
+  constexpr int halvings = 50;
+  const auto drives = [&](const double time) {
+    return pin_load(driven.at_time(time), train).moment > 0.;
+  };
+  std::vector<double> angles;
+  for (const TimedEngagement& engagement : driven.engagements())
+    for (int i = 0; i < intervals; ++i) {
+      const double step = (engagement.end - engagement.begin) / intervals;
+      double from = engagement.begin + i * step;
+      double to = std::min(engagement.begin + (i + 1) * step, engagement.end);
+      const bool drives_before = drives(from);
+      if (drives(to) == drives_before) continue;
+      for (int halving = 0; halving < halvings; ++halving) {
+        const double middle = (from + to) / 2.;
+        (drives(middle) == drives_before ? from : to) = middle;
+      }
+      angles.push_back(driven.drive().driver_angle(from).value - engagement.engagement.middle);
+    }
+  return angles;
+}
+
+/// The maximum size of the slip on the wall that carries.
+PlacedPeak maximum_slip(const DrivenMechanism& driven, const WheelTrain& train,
+                        std::vector<double> breaks) {
+  for (const double angle : wall_changes(driven, train)) breaks.push_back(angle);
+  return placed(
+      driven, [&](const MotionState& state) { return std::abs(pin_load(state, train).slip_speed); },
+      breaks);
+}
+
 /// Steps of the cycle and the ends of the engagements, in order.
 std::vector<double> times(const DrivenMechanism& driven, const int steps) {
   const double begin = driven.drive().begin;
@@ -101,8 +135,13 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
   Characteristics result{};
   result.speed_ratio =
       placed(driven, [&](const MotionState& state) { return state.wheel_angle.first / speed; });
-  result.acceleration_ratio = placed(
-      driven, [&](const MotionState& state) { return state.wheel_angle.second / (speed * speed); });
+  const Peak acceleration = peak_acceleration(driven);
+  result.acceleration_ratio = {acceleration.value / (speed * speed),
+                               driven.drive().driver_angle(acceleration.time).value,
+                               acceleration.time};
+  result.jerk_ratio = placed(driven, [&](const MotionState& state) {
+    return std::abs(state.wheel_angle.third / (speed * speed * speed));
+  });
   result.entry_acceleration_ratio =
       driven.at_time(first.begin).wheel_angle.second / (speed * speed);
   result.jerk_ratio_at_centre =
@@ -131,6 +170,7 @@ Characteristics characteristics(const DrivenMechanism& driven, const WheelTrain&
   result.pressure_times_slip = placed(driven, pressure_times_slip, breaks);
   result.pressure_times_slip_ratio =
       over_johnson(result.pressure_times_slip.value, pressure_times_slip(johnson));
+  result.slip_speed = maximum_slip(driven, train, breaks);
   result.bore_pressure_times_speed = placed(driven, bore_pressure_times_speed, breaks);
   result.slip_reversals = slip_reversals(driven.mechanism(), train.pin_diameter);
   result.entry_tangency = tangency_defect(driven.mechanism(), driven.mechanism().entry);

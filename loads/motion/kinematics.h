@@ -47,6 +47,7 @@ struct PlacedPeak {
 struct Characteristics {
   PlacedPeak speed_ratio;         ///< maximum, of the wheel
   PlacedPeak acceleration_ratio;  ///< maximum forwards, at Johnson's point
+  PlacedPeak jerk_ratio;          ///< maximum size
   double entry_acceleration_ratio;
   double
       jerk_ratio_at_centre;  ///< midway through the first engagement; negative for an external one
@@ -63,6 +64,7 @@ struct Characteristics {
   double pressure_ratio;
   PlacedPeak pressure_times_slip;  ///< on the wall; 0 of a roller [Pa m/s]
   double pressure_times_slip_ratio;
+  PlacedPeak slip_speed;  ///< maximum size on the wall that carries; 0 of a roller [m/s]
   PlacedPeak bore_pressure_times_speed;  ///< mean pressure in a roller's bore times the speed at
                                          ///< which it slides there; 0 of a fixed pin [Pa m/s]
   std::vector<SlipReversal> slip_reversals;  ///< of a pin fixed to its carrier; a roller turns on

@@ -244,10 +244,32 @@ double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train) 
   return driven.drive().driver_angle(peak.time).value;
 }
 
-double peak_acceleration_angle(const DrivenMechanism& driven) {
+Peak peak_acceleration(const DrivenMechanism& driven) {
   const Peak peak =
       maximum(driven, [](const MotionState& state) { return state.wheel_angle.second; });
-  return driven.drive().driver_angle(peak.time).value;
+  // A flat maximum is told from its neighbours only to the root of roundings, its jerk is not.
+  constexpr double beside = 1e-7;
+  constexpr int halvings = 40;
+  const auto still_rises = [&](const double time) {
+    return driven.at_time(time).wheel_angle.third > 0.;
+  };
+  for (const TimedEngagement& engagement : driven.engagements()) {
+    const double slack = beside * (engagement.end - engagement.begin);
+    double from = peak.time - slack;
+    double to = peak.time + slack;
+    if (from < engagement.begin || to > engagement.end) continue;
+    if (!still_rises(from) || still_rises(to)) return peak;
+    for (int halving = 0; halving < halvings; ++halving) {
+      const double middle = (from + to) / 2.;
+      (still_rises(middle) ? from : to) = middle;
+    }
+    return {driven.at_time(from).wheel_angle.second, from};
+  }
+  return peak;
+}
+
+double peak_acceleration_angle(const DrivenMechanism& driven) {
+  return driven.drive().driver_angle(peak_acceleration(driven).time).value;
 }
 
 }  // namespace geneva::loads

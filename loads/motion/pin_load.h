@@ -109,8 +109,11 @@ std::vector<double> slip_breaks(const DrivenMechanism& driven, const WheelTrain&
 /// @throws base::InputError where check() does
 double peak_force_angle(const DrivenMechanism& driven, const WheelTrain& train);
 
-/// Driver angle [rad] of the maximum acceleration of the wheel forwards (Johnson's point): before
-/// the line of centres where the driver's speed is constant.
+/// The maximum acceleration of the wheel forwards (Johnson's point) [rad/s^2]: before the line of
+/// centres where the driver's speed is constant. Its time is where the jerk is 0, to roundings.
+Peak peak_acceleration(const DrivenMechanism& driven);
+
+/// Driver angle [rad] of it.
 double peak_acceleration_angle(const DrivenMechanism& driven);
 
 }  // namespace geneva::loads

@@ -91,6 +91,37 @@ std::string plain(const std::string& name) {
   return text;
 }
 
+/// The first word of a name, which is its grade: "C45" of "C45 normalised".
+std::string grade_of(const std::string& name) { return lower_case(name.substr(0, name.find(' '))); }
+
+/// The names of the grade that somebody may have meant, however it is treated; empty if there is
+/// none like it.
+std::vector<std::string> of_nearest_grade(const std::string& name,
+                                          const std::vector<std::string>& names) {
+  std::vector<std::string> grades;
+  for (const std::string& each : names) grades.push_back(grade_of(each));
+  const auto nearest = nearest_word(grade_of(name), grades);
+  std::vector<std::string> found;
+  for (const std::string& each : names)
+    if (nearest && grade_of(each) == *nearest) found.push_back(each);
+  return found;
+}
+
+/// @throws base::InputError naming what may have been meant by an unknown name
+[[noreturn]] void refuse_unknown(const std::string& name, const std::vector<std::string>& names,
+                                 const std::vector<std::string>& containing) {
+  if (containing.size() > 1)
+    throw base::InputError(fmt::format("one of {} is wanted", listed(containing)));
+  const auto nearest = containing.empty() ? nearest_word(name, names) : containing.front();
+  const std::vector<std::string> of_grade = of_nearest_grade(name, names);
+  const std::string meant = nearest ? base::in_quotes(*nearest)
+                            : of_grade.size() > 1
+                                ? "one of " + listed(of_grade)
+                                : (of_grade.empty() ? "" : base::in_quotes(of_grade.front()));
+  throw base::InputError(fmt::format("no such material is known{}; 'geneva materials' lists them",
+                                     meant.empty() ? "" : ": did you mean " + meant + "?"));
+}
+
 }  // namespace
 
 std::vector<KnownMaterial> known_materials(const fs::path& case_directory) {
@@ -108,19 +139,11 @@ const KnownMaterial& material_named(const std::vector<KnownMaterial>& materials,
   for (const KnownMaterial& material : materials) {
     if (lower_case(material.name) == lower_case(name)) return material;
     names.push_back(material.name);
-    if (plain(material.name + ", " + material.also_called).find(plain(name)) != std::string::npos)
+    const std::string texts = plain(material.name + ", " + material.also_called);
+    if (!plain(name).empty() && texts.find(plain(name)) != std::string::npos)
       containing.push_back(material.name);
   }
-  const auto nearest = nearest_word(name, names);
-  const bool is_part = !plain(name).empty();
-  if (containing.size() == 1 && is_part)
-    throw base::InputError(fmt::format("no such material is known: did you mean {}?",
-                                       base::in_quotes(containing.front())));
-  if (!containing.empty() && is_part)
-    throw base::InputError(fmt::format("one of {} is wanted", listed(containing)));
-  throw base::InputError(
-      fmt::format("no such material is known{}; 'geneva materials' lists them",
-                  nearest ? fmt::format(": did you mean {}?", base::in_quotes(*nearest)) : ""));
+  refuse_unknown(name, names, containing);
 }
 
 std::optional<double> flank_pressure(const KnownMaterial& material,

@@ -86,6 +86,9 @@ void add_motion(Rows& rows, const loads::Characteristics& values, const double r
   rows.add({"wheel jerk over its cube, midway", "φ‴(0)",
             "third derivative of the wheel angle, by θ, on the line of centres"},
            values.jerk_ratio_at_centre, ratio);
+  rows.add({"maximum wheel jerk over its cube", "|φ‴|",
+            "greatest size of the third derivative of the wheel angle, by θ"},
+           values.jerk_ratio, ratio);
   rows.add({"driver angle in engagement", "Δθ", "turn of the driver from entry to exit"},
            values.engagement_angle, Dimension::angle);
   rows.add({"motion time", "t_m", "time in which a pin is in its slot"}, values.motion_time,
@@ -123,6 +126,9 @@ void add_forces(Rows& rows, const loads::Characteristics& values) {
             "peak pressure times the speed at which the pin's surface slides: wear and heat"},
            values.pressure_times_slip, Dimension::pressure_times_speed);
   rows.add_if_finite(over_johnson, values.pressure_times_slip_ratio);
+  if (values.slip_speed.value > 0.)
+    rows.add({"maximum slip speed", "v_s", "of the pin's surface on the wall that carries"},
+             values.slip_speed, Dimension::speed);
   if (values.bore_pressure_times_speed.value > 0.)
     rows.add({"maximum mean bore pressure x sliding speed", "p v",
               "F/(d_b t) times the speed of the roller on its stud, as bearings are chosen"},
@@ -228,6 +234,8 @@ json kinematics_summary(const KinematicsReport& report) {
   result["peak_acceleration_angle"] = quantity(values.acceleration_ratio.driver_angle, "rad");
   result["entry_acceleration_ratio"] = finite(values.entry_acceleration_ratio);
   result["jerk_ratio_at_centre"] = finite(values.jerk_ratio_at_centre);
+  result["peak_jerk_ratio"] = finite(values.jerk_ratio.value);
+  result["peak_jerk_angle"] = quantity(values.jerk_ratio.driver_angle, "rad");
   result["engagement_angle"] = quantity(values.engagement_angle, "rad");
   result["motion_time"] = quantity(values.motion_time, "s");
   result["dwell_time"] = json::array();
@@ -241,6 +249,7 @@ json kinematics_summary(const KinematicsReport& report) {
   result["peak_hertz_pressure_ratio"] = finite(values.pressure_ratio);
   add_peak(result, "peak_pressure_times_slip", values.pressure_times_slip, "Pa m/s");
   result["peak_pressure_times_slip_ratio"] = finite(values.pressure_times_slip_ratio);
+  add_peak(result, "peak_slip_speed", values.slip_speed, "m/s");
   add_peak(result, "peak_bore_pressure_times_speed", values.bore_pressure_times_speed, "Pa m/s");
   result["slip_reversals"] = reversals_section(values.slip_reversals);
   result["entry_tangency"] = quantity(values.entry_tangency, "rad");

@@ -59,7 +59,19 @@ std::string what_is_varied(const ResultsDirectory& results) {
   return "";
 }
 
-/// The answer first, then the mechanism and what lies behind: what there is of them.
+/// Of the commands that have left results, what they answer and what lies behind.
+std::vector<AnsweredPart> answered_parts(const ResultsDirectory& results,
+                                         const std::string& played) {
+  std::vector<AnsweredPart> parts;
+  if (results.document("design") != nullptr) parts.push_back(design_part(results));
+  if (results.document("crown") != nullptr) parts.push_back(crown_part(results));
+  if (results.document("optimum") != nullptr) parts.push_back(optimum_part(results));
+  if (results.document("cycle") != nullptr) parts.push_back(cycle_part(results, played));
+  if (results.document("sweep") != nullptr) parts.push_back(sweep_part(results));
+  return parts;
+}
+
+/// The answers first, then the inputs, the mechanism and what lies behind: what there is of them.
 ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
                       const std::string& played) {
   ReportPart page;
@@ -71,13 +83,10 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
   const bool is_cycle = results.document("cycle") != nullptr;
   if (is_run) append(verdict_part(results));
   if (!is_run && !is_cycle) append(closed_verdict_part(results));
-  if (is_run) append({inputs_section(results, ""), {}});
-  if (results.document("design") != nullptr) append(design_part(results));
-  if (results.document("crown") != nullptr) append(crown_part(results));
-  if (results.document("optimum") != nullptr) append(optimum_part(results));
-  if (is_cycle) append(cycle_part(results, played));
-  if (results.document("sweep") != nullptr) append(sweep_part(results));
-  if (!is_run) append({inputs_section(results, what_is_varied(results)), {}});
+  const std::vector<AnsweredPart> answered = answered_parts(results, played);
+  for (const AnsweredPart& part : answered) append(part.answer);
+  append({inputs_section(results, what_is_varied(results)), {}});
+  for (const AnsweredPart& part : answered) append(part.details);
   if (const json* const mechanism = results.document("mechanism"))
     append(mechanism_part(*mechanism, results.units()));
   if (results.document("estimate") != nullptr) append(estimate_part(results));

@@ -148,6 +148,12 @@ class FirstSteps(CliTest):
         self.assertIn("'S235JR'", self.refuses("materials", "steel"))
         self.assertIn("'POM-C'", self.refuses("materials", "acetal"))
 
+    def test_an_unknown_material_is_told_those_of_its_grade(self):
+        self.assertIn("one of 'C45 normalised', 'C45 quenched and tempered'", self.refuses("materials", "C46"))
+        for name in ("42CrMo4 QT", "42CrMo5 something else"):
+            self.assertIn("'42CrMo4 nitrided'", self.refuses("materials", name))
+        self.assertNotIn("did you mean", self.refuses("materials", "unobtainium"))
+
     def test_a_file_of_materials_adds_to_them(self):
         case = self.directory / "own"
         self.prints("init", case)

@@ -715,7 +715,7 @@ class SweepReport(ReportTest):
 
     def test_shows_every_figure_of_every_point(self):
         points = json.loads((self.results / "sweep.json").read_text())["points"]
-        shown = self.browser.run("return [...document.querySelectorAll('#sweep thead th')].map((h) => h.textContent)")
+        shown = self.browser.run("return [...document.querySelectorAll('#points thead th')].map((h) => h.textContent)")
         for figure in points[0]["figures"]:
             if not figure["quantity"].startswith("safety factor: "):
                 self.assertTrue(any(heading.split(" [")[0] == figure["quantity"] for heading in shown), figure["quantity"])

@@ -64,7 +64,7 @@ class Install(unittest.TestCase):
         commands_text = run(self.prefix / "bin/geneva", "help").split("Subcommands:")[1].split("Examples:")[0]
         commands = re.findall(r"^  ([a-z]+) ", commands_text, re.MULTILINE)
         self.assertEqual({path.name for path in (share / "man/man1").iterdir()},
-                         {"geneva.1", *(f"geneva-{command}.1" for command in commands)})
+                         {"geneva.1.gz", *(f"geneva-{command}.1.gz" for command in commands)})
         self.assertIn("complete -o dirnames -F _geneva geneva", (share / "bash-completion/completions/geneva").read_text())
         self.assertTrue((share / "zsh/site-functions/_geneva").exists())
         self.assertTrue((share / "fish/vendor_completions.d/geneva.fish").exists())

@@ -14,15 +14,12 @@ import urllib.parse
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "cli"))
 from browser import Browser  # noqa: E402
-from geneva_cli import CliTest, main, number, read_csv  # noqa: E402
+from geneva_cli import CliTest, main, number  # noqa: E402
 
 SKIPPED = 77  # tests/web/CMakeLists.txt
 SAME = 1e-12
-# Places of flat maxima are looked for to about 1e-10 of an engagement (loads/motion/pin_load.h), and so is what is
-# evaluated at such a place although it is not flat there.
+# Places of flat maxima are looked for to about 1e-10 of an engagement (loads/motion/pin_load.h).
 SAME_PLACE = 1e-10
-# Of a table with 12 digits: half a unit of the last one.
-TWELVE_DIGITS = 5e-12
 
 KINDS = ("external", "internal", "spherical", "long dwell")
 CASES_OF_A_KIND = 6
@@ -178,7 +175,6 @@ class Figures(PageTest):
         kinematics, results = self.document("kinematics", case)
         self.check_kinematics(answer["kinematics"], kinematics)
         self.check_drawing(answer["drawing"], json.loads((results / "mechanism.json").read_text()))
-        self.check_greatest(answer, self.fine_table(case), read_units(case))
         self.check_hertz(answer, self.document("estimate", case)[0])
         if "refused" in answer["design"]:
             run = self.geneva("design", case)
@@ -221,23 +217,6 @@ class Figures(PageTest):
                 self.assert_same(mine[key], its[key], key, SAME, size)
                 self.assertEqual(mine["engaged_pin"], its["engaged_pin"])
 
-    def fine_table(self, case):
-        """The program's curves in steps so small that the greatest value of a table is within 1 % of that between."""
-        results = self.directory / "fine"
-        run = self.geneva("kinematics", case, "-o", results, "--steps", 7200)
-        self.assertEqual(run.code, 0, run.describe())
-        return read_csv(results / "kinematics.csv")
-
-    def check_greatest(self, answer, table, units):
-        """What only the curves of the program have: sliding speed, jerk, and pressure at every step."""
-        found = answer["kinematics"]
-        for key, heading, factor in (("peak_slip_speed", f"slip_speed [{units['speed']['unit']}]", units["speed"]["factor"]),
-                                     ("peak_wheel_jerk", "jerk_ratio", answer["reference_speed"] ** -3)):
-            inside = [abs(value) for value, wall in zip(table[heading], table["wall"]) if wall != "none"]
-            shown = found[key] * factor
-            self.assertGreaterEqual(shown * (1 + 2 * TWELVE_DIGITS), max(inside), key)
-            self.assertLessEqual(shown, max(inside) * 1.01, key)
-
     def check_hertz(self, answer, estimate):
         hertz = answer["hertz"]
         rows = {row["quantity"]: number(row["value"]) for row in estimate["estimate"]}
@@ -255,8 +234,7 @@ class Figures(PageTest):
         for key in ("diameter", "inertia", "pin_diameter", "thickness", "locking_radius", "force", "peak_pressure"):
             its = renamed.get(key, key)
             self.assert_same(found["drawn"][key], number(document["geometry"][its]), f"drawn {key}")
-            self.assert_same(found["own"][key], number(document["wheel"][key]), f"own {key}",
-                             SAME_PLACE if key in ("force", "peak_pressure") else SAME)
+            self.assert_same(found["own"][key], number(document["wheel"][key]), f"own {key}")
             if its in document:
                 self.assert_same(found["johnson"][key], number(document[its]), f"Johnson's {key}")
             elif key == "diameter":
@@ -503,13 +481,6 @@ def plain(text):
 
 def flat(entry):
     return [entry] if isinstance(entry, (int, float)) else [value for part in entry for value in flat(part)]
-
-
-def read_units(case):
-    """The units of the program's tables, as the page knows them."""
-    tables = json.loads((CliTest.source / "build" / "web" / "tables.json").read_text())
-    system = re.search(r"Output units *= *(\S+)", (case / "case.prm").read_text()).group(1)
-    return tables["units"][system]
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@
     return lines.length > 1 ? lines : label;
   }
 
-  function axis(specification, values) {
+  function axis(specification, values, margin) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
       title: { display: true, text: inLines(specification.label), label: specification.label, color: ink() },
@@ -83,7 +83,7 @@
     const [least, maximum] = [Math.min(...values), Math.max(...values)];
     if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
     else if (specification.step > 0 && least < maximum && maximum - least < mostSteps * specification.step) step(result, least, maximum, specification.step);
-    else if (least < maximum) round(result, least, maximum);
+    else if (least < maximum) round(result, least, maximum, margin * (maximum - least));
     return result;
   }
 
@@ -106,8 +106,7 @@
   }
 
   // Round marks, 0 among them where the axis crosses it.
-  function round(axis, least, maximum) {
-    const margin = 0.05 * (maximum - least);
+  function round(axis, least, maximum, margin) {
     axis.min = least === 0 ? 0 : least - margin;
     axis.max = maximum === 0 ? 0 : maximum + margin;
     setMarks(axis, genevaMarks(axis.min, axis.max, 6));
@@ -178,7 +177,7 @@
         animation: false,
         maintainAspectRatio: false,
         interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(chart.x, coordinates(chart, 0)), y: axis(chart.y, coordinates(chart, 1)) },
+        scales: { x: axis(chart.x, coordinates(chart, 0), 0), y: axis(chart.y, coordinates(chart, 1), 0.05) },
         plugins: {
           legend: { labels: { color: ink(), usePointStyle: true, pointStyleWidth: 32, generateLabels: legendLabels } },
           tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${genevaNumber(item.parsed.y, 5)} at ${genevaNumber(item.parsed.x, 5)}` } },

@@ -138,6 +138,13 @@ window.genevaTurning = function (mechanism) {
   const button = document.querySelector('#mechanism-controls [name="run"]');
   let steps = [];
   let turning = null;
+  // Of two steps of the motion the one that lies a share of the way from the first to the second.
+  function between(from, to, share, key) {
+    if (from === null || to === null || key === "engaged_pin") return share < 0.5 ? from : to;
+    if (Array.isArray(from)) return from.map((value, i) => between(value, to[i], share));
+    if (typeof from === "number") return from + share * (to - from);
+    return Object.fromEntries(Object.keys(from).map((name) => [name, between(from[name], to[name], share, name)]));
+  }
   const showStep = () => turning.show(steps[Number(slider.value)]);
   function goTo() {
     showStep();
@@ -151,9 +158,12 @@ window.genevaTurning = function (mechanism) {
     },
     begin: (step) => turning.begin(step),
     goTo(driverAngle) {
-      const distance = (step) => Math.abs(step.driver_angle - driverAngle);
-      slider.value = steps.reduce((best, step, i) => (distance(step) < distance(steps[best]) ? i : best), 0);
-      showStep();
+      const found = steps.findIndex((step) => step.driver_angle >= driverAngle);
+      const after = found < 0 ? steps.length - 1 : Math.max(1, found);
+      const [from, to] = [steps[after - 1], steps[after]];
+      const share = (driverAngle - from.driver_angle) / (to.driver_angle - from.driver_angle);
+      slider.value = share < 0.5 ? after - 1 : after;
+      turning.show(between(from, to, share));
     },
   };
   let running = 0;

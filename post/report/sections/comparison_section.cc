@@ -128,13 +128,14 @@ std::string input_cell(const std::vector<CaseInput>& inputs, const std::string& 
 std::string inputs_table(const std::vector<ResultsDirectory>& all,
                          const std::vector<std::string>& names) {
   std::vector<std::vector<CaseInput>> inputs;
-  for (const ResultsDirectory& results : all) inputs.push_back(case_inputs(results.case_text()));
+  for (const ResultsDirectory& results : all) inputs.push_back(inputs_of(results));
   HtmlTable table{"Inputs in which they differ", {"parameter"}, {}};
   for (const std::string& name : names) table.headings.push_back(escaped(name));
   std::vector<std::string> seen;
   for (const std::vector<CaseInput>& of_run : inputs)
     for (const CaseInput& input : of_run) {
-      if (input.name == "Title" || std::find(seen.begin(), seen.end(), input.name) != seen.end())
+      if (input.name == "Title" || is_published(input) ||
+          std::find(seen.begin(), seen.end(), input.name) != seen.end())
         continue;
       seen.push_back(input.name);
       std::vector<std::string> row{escaped(input.name)};

@@ -148,7 +148,7 @@ std::string answer_of_crown(const json& crown, const UnitSystem units) {
 
 }  // namespace
 
-ReportPart crown_part(const ResultsDirectory& results) {
+AnsweredPart crown_part(const ResultsDirectory& results) {
   const json& crown = *results.document("crown");
   const CsvTable& table = *results.table("crown");
   const UnitSystem units = results.units();
@@ -156,10 +156,12 @@ ReportPart crown_part(const ResultsDirectory& results) {
   const std::vector<Chart> charts{along_pin(pins, table, "line_load", "line load"),
                                   along_pin(pins, table, "peak_pressure", "contact pressure"),
                                   map_chart(crown, units), search_chart(crown, units)};
-  return {html_section("crown", "Crown of the pin",
-                       answer_of_crown(crown, units) + finding(crown, units) +
-                           evenness_table(crown, units) + html(charts)),
-          charts};
+  return {{html_section("crown", "Crown of the pin",
+                        answer_of_crown(crown, units) + finding(crown, units)),
+           {}},
+          {html_section("evenness", "How even the load is",
+                        evenness_table(crown, units) + html(charts)),
+           charts}};
 }
 
 }  // namespace geneva::post

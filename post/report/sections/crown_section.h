@@ -6,6 +6,6 @@
 namespace geneva::post {
 
 /// The pin as it is beside the one with the most even line load, from crown.json and crown.csv.
-ReportPart crown_part(const ResultsDirectory& results);
+AnsweredPart crown_part(const ResultsDirectory& results);
 
 }  // namespace geneva::post

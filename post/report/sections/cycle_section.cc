@@ -195,7 +195,7 @@ std::string head(const json& cycle, const UnitSystem units) {
 
 }  // namespace
 
-ReportPart cycle_part(const ResultsDirectory& results, const std::string& field) {
+AnsweredPart cycle_part(const ResultsDirectory& results, const std::string& field) {
   const json& cycle = *results.document("cycle");
   const UnitSystem units = results.units();
   std::vector<Chart> charts{pressure_chart(cycle, units), force_chart(cycle, units),
@@ -204,13 +204,13 @@ ReportPart cycle_part(const ResultsDirectory& results, const std::string& field)
     charts.push_back(std::move(torque));
   if (Chart stress = stress_chart(cycle, units); !stress.series.empty())
     charts.push_back(std::move(stress));
-  return {
-      html_section(
-          "cycle", "Over the engagement",
-          head(cycle, units) +
-              limits_table(limits_of(cycle), "How near to the limits over the engagement", units) +
-              field + html(charts) + stresses_table(cycle, units) + instants_table(cycle, units)),
-      charts};
+  const std::string limits =
+      limits_table(limits_of(cycle), "How near to the limits over the engagement", units);
+  return {{html_section("cycle", "Over the engagement", head(cycle, units) + limits), {}},
+          {html_section(
+               "instants", "From instant to instant",
+               field + html(charts) + stresses_table(cycle, units) + instants_table(cycle, units)),
+           charts}};
 }
 
 }  // namespace geneva::post

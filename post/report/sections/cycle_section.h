@@ -9,6 +9,6 @@ namespace geneva::post {
 
 /// Pressure, force, torque and stresses over the engagements, of cycle.json.
 /// @param field the place of the fields on the page; may be empty
-ReportPart cycle_part(const ResultsDirectory& results, const std::string& field);
+AnsweredPart cycle_part(const ResultsDirectory& results, const std::string& field);
 
 }  // namespace geneva::post

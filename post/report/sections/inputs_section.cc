@@ -56,20 +56,14 @@ std::string table_of_inputs(const std::vector<CaseInput>& inputs, const bool is_
                   {"parameter", "value"},
                   {}};
   for (const CaseInput& input : inputs)
-    if (input.is_given == is_given && !input.value.empty())
+    if (input.is_given == is_given && !input.value.empty() && !is_published(input))
       table.rows.push_back({escaped(input.name), escaped(shown_value(input))});
   return table.rows.empty() ? "" : "<div class=\"list\">\n" + table.html() + "</div>\n";
 }
 
-/// Puts the values that follow from a rule where the case has the word for it.
-void fill_in(std::vector<CaseInput>& inputs, const nlohmann::json& worked_out) {
-  for (CaseInput& input : inputs)
-    if (const auto found = worked_out.find(input.name);
-        found != worked_out.end() && input.value == "default")
-      input.value = found->get<std::string>();
-}
-
 }  // namespace
+
+bool is_published(const CaseInput& input) { return input.name.rfind("Published/", 0) == 0; }
 
 std::string shown_value(const CaseInput& input) {
   const std::string last = input.name.substr(input.name.rfind('/') + 1);
@@ -77,10 +71,18 @@ std::string shown_value(const CaseInput& input) {
   return texts.count(last) > 0 ? input.value : shown_input(input.value);
 }
 
+std::vector<CaseInput> inputs_of(const ResultsDirectory& results) {
+  std::vector<CaseInput> inputs = case_inputs(results.case_text());
+  const nlohmann::json& worked_out = results.about().at("worked_out");
+  for (CaseInput& input : inputs)
+    if (const auto found = worked_out.find(input.name);
+        found != worked_out.end() && input.value == "default")
+      input.value = found->get<std::string>();
+  return inputs;
+}
+
 std::string inputs_section(const ResultsDirectory& results, const std::string& remark) {
-  const std::string case_text = results.case_text();
-  std::vector<CaseInput> inputs = case_inputs(case_text);
-  fill_in(inputs, results.about().at("worked_out"));
+  const std::vector<CaseInput> inputs = inputs_of(results);
   if (inputs.empty()) return "";
   return html_section(
       "inputs", "Inputs",
@@ -90,7 +92,7 @@ std::string inputs_section(const ResultsDirectory& results, const std::string& r
                       "materials</summary>\n{}</details>\n"
                       "<details>\n<summary>What the case gives, as case.prm has it</summary>\n"
                       "<pre class=\"case-file\">{}</pre>\n</details>\n",
-                      table_of_inputs(inputs, false), escaped(given_lines(case_text))));
+                      table_of_inputs(inputs, false), escaped(given_lines(results.case_text()))));
 }
 
 }  // namespace geneva::post

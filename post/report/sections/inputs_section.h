@@ -7,8 +7,14 @@
 
 namespace geneva::post {
 
+/// Whether it is a figure of the literature to compare with, from which nothing is worked out.
+bool is_published(const CaseInput& input);
+
 /// The value of an input as print has it; texts and names of materials stand as they are.
 std::string shown_value(const CaseInput& input);
+
+/// The case's inputs; those that follow from a rule with the value that was worked out.
+std::vector<CaseInput> inputs_of(const ResultsDirectory& results);
 
 /// Every input of a case: materials, what the case gives, its lines word for word, and the rest;
 /// what is folded on the screen is open on paper.

@@ -293,14 +293,16 @@ ReportPart kinematics_part(const ResultsDirectory& results) {
           charts};
 }
 
-ReportPart design_part(const ResultsDirectory& results) {
+AnsweredPart design_part(const ResultsDirectory& results) {
   const json& design = *results.document("design");
   std::vector<Chart> charts{stress_chart(results, results.units())};
   if (design.contains("strength")) charts.push_back(strength_chart(design, results.units()));
-  return {html_section("design", "Choice of the wheel",
-                       design_answer(results) + wheels_table(design, results.units()) +
-                           html(charts) + shaft_table(design, results.units())),
-          charts};
+  return {{html_section("design", "Choice of the wheel",
+                        design_answer(results) + wheels_table(design, results.units())),
+           {}},
+          {html_section("diameters", "Stress against the wheel's diameter",
+                        html(charts) + shaft_table(design, results.units())),
+           charts}};
 }
 
 }  // namespace geneva::post

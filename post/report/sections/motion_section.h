@@ -10,6 +10,6 @@ namespace geneva::post {
 ReportPart kinematics_part(const ResultsDirectory& results);
 
 /// What `geneva design` computed: the wheels, and the pressure against the wheel's diameter.
-ReportPart design_part(const ResultsDirectory& results);
+AnsweredPart design_part(const ResultsDirectory& results);
 
 }  // namespace geneva::post

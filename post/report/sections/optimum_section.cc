@@ -27,7 +27,7 @@ std::string dimensions_table(const json& optimum) {
 }
 
 std::string optimum_table(const json& optimum, const base::UnitSystem units) {
-  HtmlTable table{"What they make of it",
+  HtmlTable table{"As it is, and with the best dimensions",
                   {"quantity", "as it is", "best", "limit", "finite elements", "± error"},
                   {}};
   for (const json& row : optimum.at("figures")) {
@@ -78,7 +78,7 @@ std::string answer_of_optimum(const json& optimum, const base::UnitSystem units)
 
 }  // namespace
 
-ReportPart optimum_part(const ResultsDirectory& results) {
+AnsweredPart optimum_part(const ResultsDirectory& results) {
   const json& optimum = *results.document("optimum");
   std::string binds;
   for (const json& word : optimum.at("binds"))
@@ -88,13 +88,16 @@ ReportPart optimum_part(const ResultsDirectory& results) {
       optimum.at("trials").get<int>(), escaped(optimum.at("basis")),
       binds.empty() ? "Nothing binds: it is a minimum within all bounds and limits."
                     : "What binds: " + binds + ".");
-  return {html_section("optimum", "Best dimensions",
-                       answer_of_optimum(optimum, results.units()) + head +
-                           dimensions_table(optimum) + optimum_table(optimum, results.units()) +
-                           limits_table(optimum.at("safety"),
-                                        "What the materials of the best case bear over the cycle",
-                                        results.units())),
-          {}};
+  const base::UnitSystem units = results.units();
+  return {{html_section("optimum", "Best dimensions",
+                        answer_of_optimum(optimum, units) + head + dimensions_table(optimum)),
+           {}},
+          {html_section(
+               "figures", "What they make of it",
+               optimum_table(optimum, units) +
+                   limits_table(optimum.at("safety"),
+                                "What the materials of the best case bear over the cycle", units)),
+           {}}};
 }
 
 }  // namespace geneva::post

@@ -6,6 +6,6 @@
 namespace geneva::post {
 
 /// The best dimensions, from optimum.json.
-ReportPart optimum_part(const ResultsDirectory& results);
+AnsweredPart optimum_part(const ResultsDirectory& results);
 
 }  // namespace geneva::post

@@ -20,4 +20,10 @@ struct ReportPart {
   std::vector<Chart> charts;
 };
 
+/// What a command answers, and what lies behind; the inputs stand between them.
+struct AnsweredPart {
+  ReportPart answer;
+  ReportPart details;
+};
+
 }  // namespace geneva::post

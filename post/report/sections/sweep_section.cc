@@ -121,9 +121,9 @@ std::string value_cell(const json& point, const Quantity& quantity, const base::
   if (figure->at("value").is_null())
     return is_factor ? "<span class=\"fail\">✗ none</span>" : "not bounded";
   constexpr int digits_of_factor = 3;
-  const std::string value = is_factor
-                                ? significant(number_of(figure->at("value")), digits_of_factor)
+  std::string value = is_factor ? significant(number_of(figure->at("value")), digits_of_factor)
                                 : shown(figure->at("value"), quantity.dimension, units);
+  if (!is_factor && !figure->at("error").is_null()) value += " " + shown_error(figure->at("error"));
   const std::string marked =
       is_exceeded(quantity.name, *figure) ? "<span class=\"fail\">✗ " + value + "</span>" : value;
   return is_least ? marked + "<br><small>" + escaped(point.at("nearest_limit")) + "</small>"
@@ -341,6 +341,24 @@ const json* best_point(const json& points, const std::string& quantity, const do
   return best;
 }
 
+/// How many points exceed a limit, in words; empty where none has one.
+std::string count_of_exceeded(const json& points) {
+  std::size_t n_limited = 0;
+  std::size_t n_exceeded = 0;
+  for (const json& point : points) {
+    const auto& figures = point.at("figures");
+    n_limited += std::any_of(figures.begin(), figures.end(),
+                             [](const json& figure) { return !figure.at("limit").is_null(); });
+    n_exceeded += std::any_of(figures.begin(), figures.end(), [](const json& figure) {
+      return is_exceeded(figure.at("quantity"), figure);
+    });
+  }
+  if (n_limited == 0) return "";
+  return n_exceeded == 0
+             ? "<p>No point exceeds a limit.</p>\n"
+             : fmt::format("<p>{} of {} points exceed a limit.</p>\n", n_exceeded, points.size());
+}
+
 /// The point that keeps its limits best, or without limits the one of the least peak pressure.
 std::string answer_of_sweep(const json& sweep, const base::UnitSystem units) {
   const json& points = sweep.at("points");
@@ -364,28 +382,31 @@ std::string answer_of_sweep(const json& sweep, const base::UnitSystem units) {
 
 }  // namespace
 
-ReportPart sweep_part(const ResultsDirectory& results) {
+AnsweredPart sweep_part(const ResultsDirectory& results) {
   const json& sweep = *results.document("sweep");
-  const std::vector<Quantity> quantities = quantities_of(sweep.at("points"), false);
+  const json& points = sweep.at("points");
+  const std::vector<Quantity> quantities = quantities_of(points, false);
   std::vector<Chart> charts;
   const std::vector<std::size_t> numeric = numeric_parameters(sweep);
   if (!numeric.empty())
     for (const Quantity& quantity : quantities) {
-      if (!changes(sweep.at("points"), quantity.name)) continue;
+      if (!changes(points, quantity.name)) continue;
       Chart chart = chart_of(sweep, quantity, numeric.front(), results.units(), charts.size());
       if (!chart.series.empty()) charts.push_back(std::move(chart));
     }
   const std::string head =
       fmt::format("<p>'geneva {}' for {} combinations{}.</p>\n", escaped(sweep.at("command")),
-                  sweep.at("points").size(), escaped(what_stays(sweep)));
+                  points.size(), escaped(what_stays(sweep)));
   const base::UnitSystem units = results.units();
-  const std::vector<Quantity> factors = quantities_of(sweep.at("points"), true);
-  return {html_section(
-              "sweep", "Sweep",
-              answer_of_sweep(sweep, units) + head + html(charts) + maps(sweep, quantities, units) +
-                  values_tables(sweep, quantities, "Every point", units) +
-                  values_tables(sweep, factors, "Safety factors", units) + remarks_table(sweep)),
-          charts};
+  const std::vector<Quantity> factors = quantities_of(points, true);
+  const std::string details = html(charts) + maps(sweep, quantities, units) +
+                              values_tables(sweep, quantities, "Every point", units) +
+                              values_tables(sweep, factors, "Safety factors", units) +
+                              remarks_table(sweep);
+  return {{html_section("sweep", "Sweep",
+                        answer_of_sweep(sweep, units) + count_of_exceeded(points) + head),
+           {}},
+          {html_section("points", "All points", details), charts}};
 }
 
 }  // namespace geneva::post

@@ -6,6 +6,6 @@
 namespace geneva::post {
 
 /// The figures of a case over some of its parameters, from sweep.json.
-ReportPart sweep_part(const ResultsDirectory& results);
+AnsweredPart sweep_part(const ResultsDirectory& results);
 
 }  // namespace geneva::post

@@ -33,23 +33,26 @@ std::string ending(const std::string& text, const std::string& signal) {
 
 TEST(Mesher, ACrashIsSaidWithTheLastMessage) {
   EXPECT_EQ(error_of(ending("Info: meshing", "SEGV")),
-            "Gmsh crashed (it read or wrote where it has no memory), its last message: Info: "
+            "Gmsh or its CAD kernel crashed (it read or wrote where it has no memory), its last "
+            "message: Info: "
             "meshing");
   EXPECT_EQ(error_of("exit 3"), "Gmsh ended without a mesh");
 }
 
 TEST(Mesher, ACheckThatFailedIsNamedByItsPlaceAlone) {
-  EXPECT_EQ(error_of(ending("mesher: ./Geo/Reader.cpp:57: int Reader::read(const std::string&): "
-                            "Assertion 'p != nullptr' failed.",
-                            "ABRT")),
-            "Gmsh crashed (it found an error in itself), its last message: a check at "
-            "Reader.cpp:57 failed");
+  EXPECT_EQ(
+      error_of(ending("mesher: ./Geo/Reader.cpp:57: int Reader::read(const std::string&): "
+                      "Assertion 'p != nullptr' failed.",
+                      "ABRT")),
+      "Gmsh or its CAD kernel crashed (it found an error in itself), its last message: a check at "
+      "Reader.cpp:57 failed");
 }
 
 TEST(Mesher, AnExceptionIsNotSaidInWordsOfCpp) {
   const std::string text = "terminate called after throwing an instance of 'std::out_of_range'";
   for (const std::string& last : {text, text + "\n  what():  vector::_M_range_check"})
-    EXPECT_EQ(error_of(ending(last, "ABRT")), "Gmsh crashed (it found an error in itself)");
+    EXPECT_EQ(error_of(ending(last, "ABRT")),
+              "Gmsh or its CAD kernel crashed (it found an error in itself)");
 }
 
 TEST(Mesher, MemoryThatRanOutIsALimit) {

@@ -128,7 +128,7 @@ TEST(Characteristics, AreExceededAtNoInstant) {
       if (is_roller) train.roller = RollerBore{0.008, 0.4};
       const DrivenMechanism driven = steady(mechanism, 20.);
       const Characteristics values = characteristics(driven, train, contact);
-      PlacedPeak force{}, braking{}, slip{}, bore{};
+      PlacedPeak force{}, braking{}, slip{}, bore{}, speed{}, jerk{};
       const auto raise = [](PlacedPeak& peak, double value) {
         peak.value = std::max(peak.value, value);
       };
@@ -136,6 +136,8 @@ TEST(Characteristics, AreExceededAtNoInstant) {
         raise(force, row.load.force);
         raise(braking, -row.load.force);
         raise(slip, row.pressure * std::abs(row.load.slip_speed));
+        if (row.load.wall != Wall::none) raise(speed, std::abs(row.load.slip_speed));
+        if (row.motion.pin) raise(jerk, std::abs(row.motion.wheel_angle.third));
         raise(bore, bore_pressure(contact, train, row.load.force) * row.load.bore_speed);
       }
       const auto expect_peak = [&](const PlacedPeak& found, const PlacedPeak& sampled) {
@@ -146,6 +148,9 @@ TEST(Characteristics, AreExceededAtNoInstant) {
       expect_peak(values.braking_force, braking);
       expect_peak(values.pressure_times_slip, slip);
       expect_peak(values.bore_pressure_times_speed, bore);
+      expect_peak(values.slip_speed, speed);
+      jerk.value /= std::pow(driven.drive().reference_speed, 3);
+      expect_peak(values.jerk_ratio, jerk);
       EXPECT_EQ(values.pressure_times_slip.value > 0., !is_roller);
       EXPECT_EQ(values.bore_pressure_times_speed.value > 0., is_roller);
       // the place is on the side of the greater value
