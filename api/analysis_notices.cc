@@ -11,6 +11,7 @@
 #include "model/input/parameters.h"
 #include "model/naming.h"
 #include "model/stop_message.h"
+#include "post/analysis/cut_contact.h"
 #include "post/analysis/material_limits.h"
 #include "post/analysis/strength_rows.h"
 
@@ -95,7 +96,7 @@ std::vector<std::string> strength_notices(const model::Case& given,
 
 /// That values of a material's name are typical ones, and where they are from.
 std::vector<std::string> material_notices(const model::Case& given) {
-  std::vector<std::string> notices;
+  std::vector<std::string> notices = given.notices;
   for (const auto& [body, material] : given.materials)
     notices.push_back(fmt::format(
         "'{}' of the {} stands for typical values: 'geneva materials \"{}\"' tells where they are "
@@ -104,6 +105,20 @@ std::vector<std::string> material_notices(const model::Case& given) {
         material.contact_pressure ? ""
                                   : "; what its surface bears for long is not known, so that no "
                                     "limit of pitting or wear is judged"));
+  return notices;
+}
+
+/// Contacts of a geometry that look as if a plane of symmetry cut them and its support were
+/// missing.
+template <int dim>
+std::vector<std::string> cut_notices(const fem::Solution<dim>& solution) {
+  std::vector<std::string> notices;
+  for (const fem::ContactResult<dim>& contact : solution.contacts)
+    if (const auto axis = post::cut_axis(solution, contact))
+      notices.push_back(fmt::format(
+          "the surface of the contact '{} -> {}' ends along {} amid the pressure: if a plane of "
+          "symmetry cuts the bodies there, a support on the cut of each is missing",
+          contact.source, contact.target, "xyz"[*axis]));
   return notices;
 }
 
@@ -228,7 +243,10 @@ std::vector<std::string> notices_of(const model::Case& given, const fem::Solutio
   for (const std::string& notice : strength_notices(given, solution)) notices.push_back(notice);
   for (const std::string& notice : material_notices(given)) notices.push_back(notice);
   for (const std::string& notice : path_notices(solution)) notices.push_back(notice);
-  if (!given.mechanism) return notices;
+  if (!given.mechanism) {
+    for (const std::string& notice : cut_notices(solution)) notices.push_back(notice);
+    return notices;
+  }
   for (const std::string& notice : bottom_notices(solution, given.units)) notices.push_back(notice);
   if (const std::string unjudged = unjudged_yield(given);
       !unjudged.empty() && !has_yield_limits(solution, results, given))

@@ -117,7 +117,9 @@ std::vector<std::string> torque_notices(const post::CycleReport& report) {
 }
 
 std::vector<std::string> notices_of(const post::CycleReport& report, const Case& given) {
-  std::vector<std::string> notices = model::notices_of(*given.mechanism, given.units);
+  std::vector<std::string> notices = given.notices;
+  for (const std::string& notice : model::notices_of(*given.mechanism, given.units))
+    notices.push_back(notice);
   if (report.left_out > 0)
     notices.push_back(fmt::format(
         "{} engagement{} of the cycle {} like the first one and not solved again", report.left_out,

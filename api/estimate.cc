@@ -156,7 +156,8 @@ void append_stud(post::EstimateReport& report, const model::MechanismCase& mecha
                            "beam"});
 }
 
-void append_left_out(post::EstimateReport& report, const model::MechanismCase& mechanism) {
+void append_left_out(post::EstimateReport& report, const model::MechanismCase& mechanism,
+                     const bool has_friction) {
   std::vector<std::string>& sentences = report.left_out;
   sentences.emplace_back(
       report.line
@@ -169,6 +170,8 @@ void append_left_out(post::EstimateReport& report, const model::MechanismCase& m
         "bottom of its slot, or with a negative Poisson's ratio");
   if (report.doubt != loads::PeakDoubt::none) sentences.push_back(sentence_of(report.doubt));
   if (mechanism.roller) leave_out_stud(report);
+  if (has_friction)
+    sentences.emplace_back("friction in the stresses: the maximum shear is that without it");
 }
 
 post::EstimateReport estimate_report(const Case& given) {
@@ -188,7 +191,9 @@ post::EstimateReport estimate_report(const Case& given) {
   report.even_line_load = state.load.force / state.sizes.thickness;
   report.even =
       loads::hertz_line(report.even_line_load, report.relative_radius, report.contact_modulus);
-  report.rows = {{"pin force", Dimension::force, state.load.force, "F = (J a + M)/r"}};
+  const bool has_friction = loads::friction_along_wall(state.train) > 0.;
+  report.rows = {{"pin force", Dimension::force, state.load.force,
+                  has_friction ? "F = (J a + M)/(r - mu e)" : "F = (J a + M)/r"}};
   const auto known = model::pin_line_contact(mechanism, state);
   if (known) {
     report.line = known->contact;
@@ -204,7 +209,7 @@ post::EstimateReport estimate_report(const Case& given) {
   report.limits = limits_of(given, state, contact);
   append_strength(report, given.allowed, known && loads::is_beam(known->pin),
                   mechanism.roller.has_value());
-  append_left_out(report, mechanism);
+  append_left_out(report, mechanism, has_friction);
   if (mechanism.roller) append_stud(report, mechanism, state);
   if (const std::string unjudged = api::unjudged_yield(given); !unjudged.empty())
     report.left_out.push_back(unjudged);
@@ -216,7 +221,10 @@ post::EstimateReport estimate_report(const Case& given) {
 Estimate estimate(const Case& given) {
   return model::naming(given, [&] {
     post::EstimateReport report = estimate_report(given);
-    return Estimate{given, std::move(report), model::notices_of(*given.mechanism, given.units)};
+    std::vector<std::string> notices = given.notices;
+    for (const std::string& notice : model::notices_of(*given.mechanism, given.units))
+      notices.push_back(notice);
+    return Estimate{given, std::move(report), std::move(notices)};
   });
 }
 

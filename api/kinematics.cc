@@ -64,7 +64,9 @@ std::vector<std::string> notices_in_space(const model::MechanismCase& mechanism,
 Kinematics kinematics(const Case& given, const int steps) {
   return model::naming(given, [&] {
     post::KinematicsReport report = kinematics_report(given, steps);
-    std::vector<std::string> notices = model::notices_of(*given.mechanism, given.units);
+    std::vector<std::string> notices = given.notices;
+    for (const std::string& notice : model::notices_of(*given.mechanism, given.units))
+      notices.push_back(notice);
     for (const std::string& notice : notices_in_space(*given.mechanism, report))
       notices.push_back(notice);
     if (const std::string unjudged = api::unjudged_yield(given); !unjudged.empty())

@@ -8,6 +8,7 @@
 #include "api/surface_picture.h"
 #include "base/output_file.h"
 #include "fem/problem/settings.h"
+#include "mesh/file_kind.h"
 #include "mesh/user_geometry.h"
 #include "model/input/geometry_file.h"
 #include "model/input/parameter_text.h"
@@ -36,6 +37,15 @@ SurfaceList list_of(const model::GeometryFile& given, const base::UnitSystem uni
           mesh::list_surfaces(mesh, length.name, 1. / length.factor)};
 }
 
+/// What a case of the solids of a STEP file has to say at least.
+model::ParameterText case_of_solids(const fs::path& file) {
+  return model::parameter_text(
+      file.string(),
+      fmt::format("set Dimension = 3\nset Output units = mm-N\nsubsection Geometry\n  set File = "
+                  "{}\nend\n",
+                  file.filename().string()));
+}
+
 std::string place_of(const mesh::ListedSurface& surface, const int dimension,
                      const base::OutputUnit& length) {
   std::vector<std::string> parts;
@@ -48,8 +58,18 @@ std::string place_of(const mesh::ListedSurface& surface, const int dimension,
 
 }  // namespace
 
-SurfaceList surfaces(const fs::path& case_directory, mesh::Mesher& mesher) {
-  const model::ParameterText text = model::read_parameter_text(case_directory / "case.prm");
+bool is_step_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error) && mesh::kind_of(path) == mesh::FileKind::step;
+}
+
+SurfaceList surfaces(const fs::path& case_directory_or_file, mesh::Mesher& mesher) {
+  const bool is_file = is_step_file(case_directory_or_file);
+  const fs::path case_directory =
+      is_file ? fs::absolute(case_directory_or_file).parent_path() : case_directory_or_file;
+  const model::ParameterText text = is_file
+                                        ? case_of_solids(case_directory_or_file)
+                                        : model::read_parameter_text(case_directory / "case.prm");
   const int dimension = value_of(text, "Dimension", "2") == "3" ? 3 : 2;
   const base::UnitSystem units =
       base::unit_system_named(value_of(text, "Output units", base::name_of(base::UnitSystem::si)));

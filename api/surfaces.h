@@ -22,10 +22,13 @@ struct SurfaceList {
   std::vector<mesh::ListedSurface> surfaces;  ///< in the order of the bodies
 };
 
-/// Bodies and surfaces of a case's geometry file. Of the case only the dimension, the units and
-/// what concerns the file need to be there.
+/// Whether a path is that of a STEP file rather than of a case directory.
+bool is_step_file(const std::filesystem::path& path);
+
+/// Bodies and surfaces of a case's geometry file, or of a STEP file's solids. Of the case only the
+/// dimension, the units and what concerns the file need to be there.
 /// @throws base::InputError if there is no file, or it cannot be read or meshed
-SurfaceList surfaces(const std::filesystem::path& case_directory, mesh::Mesher& mesher);
+SurfaceList surfaces(const std::filesystem::path& case_directory_or_file, mesh::Mesher& mesher);
 
 /// Size and place of a surface in words, in the units of the list.
 struct SurfaceRow {

@@ -193,12 +193,18 @@ std::vector<SweepCase> sweep_cases(const Case& given,
 
 Sweep begun_sweep(const Case& given, const std::vector<model::Variation>& variations,
                   const std::vector<SweepCase>& cases, const std::string& command) {
-  Sweep sweep{given, {model::header_of(given), version, command, {}, {}}};
+  Sweep sweep{given, {model::header_of(given), version, command, {}, {}, {}}};
   for (const model::Variation& variation : variations) {
     model::SectionPath path = variation.section;
     path.push_back(variation.name);
     sweep.report.parameters.push_back(fmt::format("{}", fmt::join(path, "/")));
   }
+  std::vector<std::string>& notices = sweep.report.notices;
+  for (const SweepCase& point : cases)
+    for (const std::string& notice :
+         point.given ? point.given->notices : std::vector<std::string>())
+      if (std::find(notices.begin(), notices.end(), notice) == notices.end())
+        notices.push_back(notice);
   for (const SweepCase& point : cases)
     sweep.report.points.push_back({point.values, "", point.given ? 0 : refused, point.refusal, {}});
   return sweep;

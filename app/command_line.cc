@@ -92,6 +92,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   try {
     app.parse(argc, argv);
     return answer(grammar.request());
+  } catch (const CLI::ExtrasError&) {
+    std::cerr << fmt::format("geneva: not expected here: {}; 'geneva help {}' lists the options\n",
+                             fmt::join(app.remaining(true), " "), first);
+    return 1;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 1;
   }

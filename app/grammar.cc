@@ -116,7 +116,8 @@ void Grammar::add_analyses() {
   CLI::App* surfaces =
       add(Command::surfaces, "surfaces",
           "List and draw the bodies and surfaces of a case's geometry file that can be named, with "
-          "their places; of the case only what concerns the file needs to be there");
+          "their places; of the case only what concerns the file needs to be there, and for a STEP "
+          "file in its place nothing");
   add_case(surfaces, case_directory_);
   add_output(surfaces, output_,
              "The HTML file with the pictures (default: surfaces.html in CASE_DIR)", "FILE");

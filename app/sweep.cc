@@ -15,6 +15,7 @@
 #include "api/version.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/highlight.h"
 #include "app/launch.h"
 #include "app/workers.h"
 #include "base/directory_lock.h"
@@ -232,6 +233,8 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
   const fs::path directory =
       request.output.empty() ? sweep.given.directory / "sweep" : request.output;
   base::check_replaceable(directory);
+  for (const std::string& notice : sweep.report.notices)
+    std::cout << for_stream("note: " + notice, stdout) << '\n';
   if (request.command == "run") {
     check_address_space();  // of the solvers, whose every point would fail
     fs::create_directories(directory);

@@ -45,7 +45,7 @@ template <int dim>
 void put_result(Solution<dim>& solution, const Level<dim>& level, const LevelState& found) {
   solution.contacts = contact_results(solution, level, found);
   solution.reactions = reactions(solution, level, found);
-  solution.friction_couple = friction_couple(solution, level, found);
+  solution.contact_couple = contact_couple(solution, level, found);
   const AppliedLoad<dim> load = applied_load(solution, level);
   solution.applied_force = load.force;
   solution.applied_moment = load.moment;

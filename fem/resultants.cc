@@ -118,14 +118,19 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
 }
 
 template <int dim>
-Moment<dim> friction_couple(const Solution<dim>& solution, const Level<dim>& level,
-                            const LevelState& state) {
+Moment<dim> contact_couple(const Solution<dim>& solution, const Level<dim>& level,
+                           const LevelState& state) {
   Moment<dim> couple{};
   for (std::size_t i = 0; i < level.interfaces.size(); ++i) {
-    const std::vector<ContactRow<dim>>& rows = level.interfaces[i].rows;
-    for (std::size_t j = 0; j < rows.size(); ++j)
-      couple += moment_of<dim>(rows[j].initial_gap * rows[j].frame.normal,
-                               friction_vector(rows[j], state.contacts[i], j));
+    const ContactInterface<dim>& interface = level.interfaces[i];
+    for (std::size_t j = 0; j < interface.rows.size(); ++j) {
+      const ContactRow<dim>& row = interface.rows[j];
+      Tensor<1, dim> arm = row.weight * interface.source.nodes[row.node].position;
+      for (const auto& [node, coupling] : row.coupling)
+        arm -= coupling * interface.target.nodes[node].position;
+      couple += moment_of<dim>(arm, state.contacts[i].pressure[j] * row.frame.normal +
+                                        friction_vector(row, state.contacts[i], j));
+    }
   }
   return couple * solution.scales.force() * solution.scales.length;
 }
@@ -156,8 +161,8 @@ AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& l
 template std::map<global_dof_index, double> contact_forces(const Level<2>&, const LevelState&);
 template std::map<global_dof_index, double> contact_forces(const Level<3>&, const LevelState&);
 template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&, const LevelState&);
-template Moment<2> friction_couple(const Solution<2>&, const Level<2>&, const LevelState&);
-template Moment<3> friction_couple(const Solution<3>&, const Level<3>&, const LevelState&);
+template Moment<2> contact_couple(const Solution<2>&, const Level<2>&, const LevelState&);
+template Moment<3> contact_couple(const Solution<3>&, const Level<3>&, const LevelState&);
 template AppliedLoad<2> applied_load(const Solution<2>&, const Level<2>&);
 template std::vector<Reaction<3>> reactions(const Solution<3>&, const Level<3>&, const LevelState&);
 template AppliedLoad<3> applied_load(const Solution<3>&, const Level<3>&);

@@ -20,11 +20,11 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
 template <int dim>
 std::map<global_dof_index, double> contact_forces(const Level<dim>& level, const LevelState& state);
 
-/// Couple of the friction, which acts on either surface where it is undeformed, with the initial
-/// gap between them for an arm [N m].
+/// Couple of the tractions, which act on either surface where it is undeformed: at source node j
+/// the arm is D_j x_j - sum_k M_jk x_k, the initial gap and what lies along the surface [N m].
 template <int dim>
-Moment<dim> friction_couple(const Solution<dim>& solution, const Level<dim>& level,
-                            const LevelState& state);
+Moment<dim> contact_couple(const Solution<dim>& solution, const Level<dim>& level,
+                           const LevelState& state);
 
 /// Resultant of body forces and surface loads [N] and its moment about the origin [N m].
 template <int dim>

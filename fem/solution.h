@@ -49,7 +49,7 @@ struct Solution {
   std::vector<Reaction<dim>> reactions;      ///< of supports, then ties
   Components<dim> applied_force{};           ///< of body forces and surface loads [N]
   Moment<dim> applied_moment{};              ///< about the origin [N m]
-  Moment<dim> friction_couple{};             ///< see friction_couple() [N m]
+  Moment<dim> contact_couple{};              ///< see contact_couple() [N m]
   std::vector<BodyStrength<dim>> strength;   ///< by body
   std::vector<SingularPlace<dim>> singular;  ///< places left out of it
   std::vector<LevelRecord> history;

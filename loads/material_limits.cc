@@ -54,9 +54,10 @@ std::vector<MaterialLimit> material_limits(const TouchingBody& body,
   }
   if (const auto flank = allowed.flank_pressures.find(body.name);
       flank != allowed.flank_pressures.end())
-    found.push_back({Kind::flanks, "pitting, " + body.name, flank->second,
-                     "below it gear flanks and rolling contacts of this material bear any number "
-                     "of passes without pits; a flag and no proof for a pin, which slides more"});
+    found.push_back(
+        {Kind::flanks, "pitting, " + body.name, flank->second,
+         "below it gear flanks and rolling contacts of this material bear any number "
+         "of passes without pits; a flag and no proof for what slides more than gears"});
   return found;
 }
 

@@ -239,6 +239,23 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
   return result;
 }
 
+/// Where a case names a material and gives another Young's modulus: that a sweep over materials
+/// changes nothing then is easily overlooked.
+std::vector<std::string> conflicts_of(const std::map<SectionPath, KnownMaterial>& materials,
+                                      const CaseValues& values) {
+  constexpr double same = 0.1;
+  std::vector<std::string> notices;
+  for (const auto& [section, material] : materials) {
+    const double given = CaseSection(values, section).value("Young's modulus");
+    if (std::abs(given / material.youngs_modulus - 1.) > same)
+      notices.push_back(fmt::format(
+          "'{}/Young's modulus' is {:.4g} GPa as the case gives it, not {:.4g} GPa as that of "
+          "'{}': leave it out to have the material's",
+          section.back(), 1e-9 * given, 1e-9 * material.youngs_modulus, material.name));
+  }
+  return notices;
+}
+
 void read_models_of_mechanism(const CaseValues& values, Case& result) {
   result.mechanism = read_mechanism(values, result.directory);
   result.optimisation = read_optimisation(values, *result.mechanism);
@@ -285,6 +302,7 @@ Case case_of(const ParameterText& text, const fs::path& directory) {
       if (const auto named = materials.find(section); named != materials.end())
         result.materials[body] = named->second;
     result.allowed = read_allowables(values, result);
+    result.notices = conflicts_of(materials, values);
   }
   result.completed = values.completed();
   const std::vector<fs::path> others = named_files(values, result);

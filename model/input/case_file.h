@@ -171,6 +171,7 @@ struct Case {
   loads::Allowables allowed;
   std::optional<double> published_peak_pressure;  ///< [Pa]
   std::string published_source;
+  std::vector<std::string> notices;           ///< what the text says that may not be meant
   std::string completed;                      ///< the case file with every default filled in
   std::vector<std::filesystem::path> inputs;  ///< files that the case reads, case.prm first
   std::string content;                        ///< mark of what the case is about, see content_of()

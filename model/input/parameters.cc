@@ -80,8 +80,7 @@ std::vector<Parameter> settings_parameters() {
        "24 h",
        positive(Dimension::time),
        "How long the coarse mesh (at most 10 min) and the contact solve may take each: no mesh is "
-       "begun "
-       "that would end later."},
+       "begun that is expected to end later."},
       {{},
        "Checkpoint",
        "automatic",

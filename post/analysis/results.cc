@@ -46,7 +46,7 @@ Equilibrium equilibrium(const fem::Solution<dim>& solution, const double scale) 
   const bool axisymmetric = dim == 2 && solution.problem.plane == fem::PlaneKind::axisymmetric;
   fem::Components<dim> force = solution.applied_force;
   fem::Moment<dim> moment = solution.applied_moment;
-  moment += solution.friction_couple;
+  moment += solution.contact_couple;
   for (const fem::Reaction<dim>& reaction : solution.reactions) {
     for (unsigned int i = 0; i < dim; ++i) force[i] += reaction.force[i];
     moment += reaction.moment;

@@ -106,6 +106,8 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
   const bool has_contact = fem::has_contact(solution.problem);
   const std::string where = has_contact ? " away from the contact" : "";
   const auto& mechanism = report.mechanism;
+  const std::string over_cycle =
+      mechanism ? "; over the cycle as if it went with the pin force" : "";
   // The power is that of the pin force with which it goes over the cycle.
   const auto add = [&](const std::string& quantity, const double stress, const bool is_finite,
                        const double limit, const double power, const std::string& meaning) {
@@ -128,8 +130,7 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
                    : "below it the computed stress yields nowhere");
     if (const auto stress = stress_away(solution, name, "von Mises stress"))
       add("von Mises stress" + where + ", " + name, stress->maximum.value, stress->is_bounded,
-          yield->second, 1.,
-          "below it nothing yields" + where + "; over the cycle as if it went with the pin force");
+          yield->second, 1., "below it nothing yields" + where + over_cycle);
   }
   const auto& fatigues = report.allowed.fatigue_strengths;
   const auto fatigue = fatigues.find(name);
@@ -137,8 +138,7 @@ std::vector<SafetyRow> strength_rows_of(const fem::Solution<dim>& solution,
   if (fatigue != fatigues.end() && tensile)
     add("tensile stress" + where + " (fatigue), " + name, tensile->maximum.value,
         tensile->is_bounded, fatigue->second, 1.,
-        "below it the material bears any number of cycles" + where +
-            "; over the cycle as if it went with the pin force");
+        "below it the material bears any number of cycles" + where + over_cycle);
   return rows;
 }
 

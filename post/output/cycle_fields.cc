@@ -18,7 +18,7 @@ using base::OutputUnit;
 namespace {
 
 using Place = StressAt::Place;
-using Stress = std::array<double, 6>;
+using SixStresses = std::array<double, 6>;
 
 /// Where a direction in the pin at one instant points at another.
 Place turned(const Place& direction, const CycleFields& from, const CycleFields& to) {
@@ -56,7 +56,7 @@ void keep_greater(const double value, const double angle, const std::size_t node
 /// Least stress along the direction in which the greatest tension of a node acts, at most 0.
 /// @param all stress by instant and node
 double least_tension(const std::vector<CycleFields>& instants,
-                     const std::vector<std::vector<Stress>>& all, const std::size_t node,
+                     const std::vector<std::vector<SixStresses>>& all, const std::size_t node,
                      const bool turns) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < all.size(); ++i)
@@ -118,13 +118,13 @@ Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at
   const std::vector<double> least(n_nodes, std::numeric_limits<double>::lowest());
   const std::vector<double> zeros(n_nodes, 0.);
   Envelope greatest{least, zeros, least, zeros, least, zeros, zeros};
-  std::vector<std::vector<Stress>> all;  // by instant and node
+  std::vector<std::vector<SixStresses>> all;  // by instant and node
   for (const CycleFields& instant : instants) {
     const StressAt stress_at(instant.fields);
-    std::vector<Stress>& here = all.emplace_back();
+    std::vector<SixStresses>& here = all.emplace_back();
     for (std::size_t node = 0; node < n_nodes; ++node) {
       const Place& place = own.fields.places[node];
-      const Stress stress =
+      const SixStresses stress =
           &instant == &own
               ? own.fields.stress[node]
               : stress_at(turning[body[node]] ? moved(place, own, instant) : place, body[node]);

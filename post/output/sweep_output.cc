@@ -193,6 +193,7 @@ json sweep_summary(const SweepReport& report) {
           {"command", report.command},
           {"parameters", report.parameters},
           {"units", units},
+          {"notices", report.notices},
           {"points", points}};
 }
 

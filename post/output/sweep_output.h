@@ -34,6 +34,7 @@ struct SweepReport {
   std::string geneva_version;
   std::string command;                  ///< "run", "estimate", "kinematics" or "design"
   std::vector<std::string> parameters;  ///< "Mechanism/Pin diameter"
+  std::vector<std::string> notices;     ///< on the cases
   std::vector<SweepPoint> points;
 };
 

@@ -16,7 +16,8 @@ Value = Union[str, bool, float, Sequence[Union[str, float]]]
 Parameters = Mapping[str, Any]  # of values and, by the names of subsections, of the same
 
 
-def _is_number(value: object) -> bool:
+def is_number(value: object) -> bool:
+    """Whether it is a number, be it of numpy; True and False are none."""
     return isinstance(value, numbers.Real) and not isinstance(value, (bool, np.bool_))
 
 
@@ -31,14 +32,14 @@ def text_or_numbers(name: str, value: object) -> Union[str, List[float]]:
         return value
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if _is_number(value):
+    if is_number(value):
         return [float(value)]  # type: ignore[arg-type]
     if isinstance(value, np.ndarray):
         value = value.tolist()
     if not isinstance(value, (list, tuple)):
         _refuse(name, value)
     parts = list(value)  # type: ignore[call-overload]
-    if parts and all(_is_number(part) for part in parts):
+    if parts and all(is_number(part) for part in parts):
         return [float(part) for part in parts]
     if not all(isinstance(part, str) for part in parts):
         _refuse(name, value)
@@ -135,6 +136,22 @@ def read_case(directory: Path) -> Case:
     :raises InputError: naming file, line, parameter, the value found and what is allowed
     """
     return Case(_core.read_case(pathlib.Path(directory)))
+
+
+CaseOrDirectory = Union[Case, Path]
+
+
+def given_of(case: CaseOrDirectory) -> _core.Case:
+    """What is computed of a case, or of the case in a directory.
+
+    :raises InputError: for anything else
+    """
+    if isinstance(case, Case):
+        return case._given
+    if isinstance(case, (str, os.PathLike)):
+        return read_case(case)._given
+    raise _core.InputError(f"{case!r} is no case: what read_case(), new_case() or starter_case() give is wanted, or the "
+                           "path of a case directory")
 
 
 def new_case(parameters: Parameters, directory: Path = ".") -> Case:

@@ -1,4 +1,7 @@
-"""What can be computed: a function for each command of the command line."""
+"""What can be computed: a function for each command of the command line.
+
+Each takes a case, or the path of a case directory.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from typing import Any, Callable, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from geneva import _core
-from geneva._case import Case, Path, path_of, text_or_numbers
+from geneva._case import Case, CaseOrDirectory, Path, given_of, is_number, path_of, text_or_numbers
 from geneva._results import (Analysis, Communicator, Crown, Cycle, Design, Estimate, Instant, Kinematics, Mesh, Optimum,
                              Step, Sweep, Synthesis, Written, mesh_of)
 
@@ -21,7 +24,7 @@ def _solver() -> Any:
     return loaded
 
 
-def run(case: Case, *, comm: Optional[Communicator] = None, progress: Optional[Callable[[Mesh], object]] = None,
+def run(case: CaseOrDirectory, *, comm: Optional[Communicator] = None, progress: Optional[Callable[[Mesh], object]] = None,
         on_step: Optional[Callable[[Step], object]] = None) -> Analysis:
     """Solves the contact problem of a case by finite elements, as `geneva run` does, and writes nothing.
 
@@ -36,10 +39,10 @@ def run(case: Case, *, comm: Optional[Communicator] = None, progress: Optional[C
     """
     meshes = None if progress is None else lambda row: progress(mesh_of(row))
     steps = None if on_step is None else lambda row: on_step(Step(**row))
-    return Analysis(_solver().run(case._given, comm, meshes, steps), comm)
+    return Analysis(_solver().run(given_of(case), comm, meshes, steps), comm)
 
 
-def cycle(case: Case, *, comm: Optional[Communicator] = None,
+def cycle(case: CaseOrDirectory, *, comm: Optional[Communicator] = None,
           progress: Optional[Callable[[Instant], object]] = None) -> Cycle:
     """Solves the contact at the instants that stand for the engagements, as `geneva cycle` does.
 
@@ -48,27 +51,27 @@ def cycle(case: Case, *, comm: Optional[Communicator] = None,
     :raises InputError: if the case is no mechanism, or nothing ever presses
     """
     tell = None if progress is None else lambda *told: progress(Instant(*told))
-    return Cycle(_solver().cycle(case._given, comm, tell), comm)
+    return Cycle(_solver().cycle(given_of(case), comm, tell), comm)
 
 
-def estimate(case: Case) -> Estimate:
+def estimate(case: CaseOrDirectory) -> Estimate:
     """Pin force, Hertz's contact and, in 3-D, line contacts along the pin, as `geneva estimate` does.
 
     :raises InputError: if the case has no mechanism, or none whose pin presses on the driving wall
     """
-    return Estimate(_core.estimate(case._given))
+    return Estimate(_core.estimate(given_of(case)))
 
 
-def kinematics(case: Case, steps: int = 720) -> Kinematics:
+def kinematics(case: CaseOrDirectory, steps: int = 720) -> Kinematics:
     """Motion and pin force of a mechanism over its cycle, as `geneva kinematics` does.
 
     :param steps: of the curves, 1 or more
     :raises InputError: if the case has no mechanism, or one that cannot move
     """
-    return Kinematics(_core.kinematics(case._given, steps))
+    return Kinematics(_core.kinematics(given_of(case), steps))
 
 
-def design(case: Case, *, strength: bool = False, comm: Optional[Communicator] = None,
+def design(case: CaseOrDirectory, *, strength: bool = False, comm: Optional[Communicator] = None,
            progress: Optional[Callable[[int, int], object]] = None) -> Design:
     """Johnson's wheel of minimum contact stress and the shaft, as `geneva design` does.
 
@@ -77,32 +80,32 @@ def design(case: Case, *, strength: bool = False, comm: Optional[Communicator] =
     :param progress: called after every one of these with how many are done, and of how many
     :raises InputError: if the case is no mechanism or has no best wheel
     """
-    found = _core.design(case._given)
+    found = _core.design(given_of(case))
     if strength:
         _solver().add_strength(found, comm, progress)
     return Design(found, comm)
 
 
-def crown(case: Case, *, confirm: bool = False, comm: Optional[Communicator] = None) -> Crown:
+def crown(case: CaseOrDirectory, *, confirm: bool = False, comm: Optional[Communicator] = None) -> Crown:
     """The pin by which the line load of a case in 3-D is most even, as `geneva design --crown` does.
 
     :param confirm: solves it by finite elements, too
     :param comm: communicator of mpi4py for that; None: this process alone
     :raises InputError: if the case is wrong, or line contacts along the pin know no answer
     """
-    found = _core.design_crown(case._given)
+    found = _core.design_crown(given_of(case))
     return Crown(found, comm, _solver().confirm_crown(found, comm) if confirm else None)
 
 
-def synthesize(case: Case) -> Synthesis:
+def synthesize(case: CaseOrDirectory) -> Synthesis:
     """Dimensions of the linkage that a case asks for, as `geneva synthesize` does.
 
     :raises InputError: if the case has another model, or there is no such linkage
     """
-    return Synthesis(_core.synthesize(case._given))
+    return Synthesis(_core.synthesize(given_of(case)))
 
 
-def optimise(case: Case, *, confirm: bool = False, comm: Optional[Communicator] = None,
+def optimise(case: CaseOrDirectory, *, confirm: bool = False, comm: Optional[Communicator] = None,
              progress: Optional[Callable[[int], object]] = None) -> Optimum:
     """The free dimensions of a case with which its goal is least under its limits, as `geneva optimise` does.
 
@@ -111,16 +114,20 @@ def optimise(case: Case, *, confirm: bool = False, comm: Optional[Communicator] 
     :param progress: called now and then with the number of candidates
     :raises InputError: if the case leaves nothing free, or no candidate keeps the limits
     """
-    if _core.wants_slot_bottom(case._given):
-        found = _solver().optimise(case._given, comm, progress)
+    if _core.wants_slot_bottom(given_of(case)):
+        found = _solver().optimise(given_of(case), comm, progress)
     else:
-        found = _core.optimise(case._given, progress)
+        found = _core.optimise(given_of(case), progress)
     return Optimum(found, comm, _solver().confirm_optimum(found, comm) if confirm else None)
 
 
 def _swept(name: str, values: Swept) -> Any:
     if isinstance(values, str):
         return values
+    if is_number(values):
+        values = [values]  # type: ignore[list-item]
+    if not isinstance(values, Sequence) and not isinstance(values, np.ndarray):
+        raise _core.InputError(f"'{name}' = {values!r}: texts or numbers are wanted, not {type(values).__name__}")
     texts = [text_or_numbers(name, value) for value in values]
     if texts and all(isinstance(text, list) for text in texts):
         return [number for text in texts for number in text]
@@ -129,7 +136,7 @@ def _swept(name: str, values: Swept) -> Any:
     return texts
 
 
-def sweep(case: Case, parameters: Mapping[str, Swept], with_: str = "estimate", *,
+def sweep(case: CaseOrDirectory, parameters: Mapping[str, Swept], with_: str = "estimate", *,
           comm: Optional[Communicator] = None, progress: Optional[Callable[[int, int], object]] = None) -> Sweep:
     """A case over some of its parameters, every combination of their values, as `geneva sweep` does.
 
@@ -143,7 +150,7 @@ def sweep(case: Case, parameters: Mapping[str, Swept], with_: str = "estimate", 
     commands = ("estimate", "kinematics", "design", "run")
     if with_ not in commands:
         raise _core.InputError(f"with_ = {with_!r}: one of {', '.join(map(repr, commands))} is wanted")
-    found = _core.sweep(case._given, [(*path_of(name), _swept(name, values)) for name, values in parameters.items()],
+    found = _core.sweep(given_of(case), [(*path_of(name), _swept(name, values)) for name, values in parameters.items()],
                         with_)
     if with_ != "run":
         found.work_out()
@@ -160,7 +167,7 @@ def sweep(case: Case, parameters: Mapping[str, Swept], with_: str = "estimate", 
 
 def _take_run(found: _core.Sweep, place: int, case: Case, comm: Optional[Communicator]) -> None:
     try:
-        analysis = _solver().run(case._given, comm, None, None)
+        analysis = _solver().run(given_of(case), comm, None, None)
     except (_core.InputError, _core.LimitReached) as error:
         found.refuse(place, str(error))
     else:

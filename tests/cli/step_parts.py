@@ -71,6 +71,22 @@ class StepParts(CliTest):
         self.assertEqual(out.count("sphere of radius 5 mm"), 1)
         self.assertEqual(out.count("plane"), 9)
 
+    def test_a_file_is_listed_without_a_case(self):
+        file = self.directory / "mine.step"
+        file.write_bytes(self.parts().read_bytes())
+        in_case = self.surfaces(self.minimal("new", self.parts()))
+        alone = self.surfaces(file)
+        self.assertEqual(alone.splitlines()[1:-1], in_case.splitlines()[1:-1])
+        self.assertIn("<h1>Surfaces of mine.step</h1>", (self.directory / "surfaces.html").read_text())
+        self.assertIn("there is no", self.refusal(self.directory / "other.step", "surfaces"))
+
+    def test_a_support_that_is_missing_on_a_cut_is_named(self):
+        case = self.copy_case(SPHERE)
+        change_case(case, {"Geometry/Supports": "bottom: fixed, sphere x: x, sphere z: z", "Accuracy": "20 %"})
+        summary = self.run_case(case)
+        (notice, ) = [notice for notice in summary["notices"] if "plane of symmetry" in notice]
+        self.assertIn("the surface of the contact 'ball -> top' ends along x amid the pressure", notice)
+
     def test_the_picture_shows_every_surface(self):
         case = self.minimal("new", self.parts())
         out = self.surfaces(case)

@@ -185,6 +185,15 @@ class Sweep(CliTest):
         table = read_csv(case / "sweep" / "sweep.csv")
         self.assertEqual(list(table["Mechanism/Wheel material/Material"]), ["42CrMo4 nitrided", "PEEK"])
 
+    def test_a_material_whose_modulus_the_case_replaces_is_told(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        run = self.sweep(case, "--with", "estimate", "--set", "Mechanism/Wheel material/Material = C45 normalised; POM-C")
+        note = "'Wheel material/Young's modulus' is 206.8 GPa as the case gives it, not 2.8 GPa as that of 'POM-C'"
+        self.assertIn("note: " + note, run.stdout)
+        self.assertNotIn("'C45 normalised':", run.stdout, "206.8 GPa are nearly its own")
+        self.assertIn(note, json.loads((case / "sweep/sweep.json").read_text())["notices"][0])
+        self.assertIn("leave it out to have the material", (case / "sweep/report.html").read_text())
+
     def test_wrong_variations_are_named_before_anything_is_done(self):
         case = self.new_case()
         for variation, words in (("Mechanism/Pin diameter", "there is no '='"),

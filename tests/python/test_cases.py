@@ -104,6 +104,24 @@ def test_cases_are_copied_and_pickled(cases):
         assert copy.deepcopy(case).parameters == case.parameters
 
 
+def test_commands_take_the_path_of_a_case_directory_too(cases):
+    directory = cases / "johnson-optimum-wheel"
+    force = geneva.kinematics(geneva.read_case(directory)).figure("maximum pin force").value
+    assert geneva.kinematics(directory).figure("maximum pin force").value == force
+    assert geneva.kinematics(str(directory)).figure("maximum pin force").value == force
+    with pytest.raises(geneva.InputError, match=r"no case.prm|no such (file|directory)"):
+        geneva.estimate("nowhere")
+    with pytest.raises(geneva.InputError, match="is no case: what read_case"):
+        geneva.estimate(3)  # type: ignore[arg-type]
+
+
+def test_a_sweep_over_one_number_has_one_point(cases):
+    case = cases / "johnson-optimum-wheel"
+    assert len(geneva.sweep(case, {"Mechanism/Driver speed": 600.}).points) == 1
+    with pytest.raises(geneva.InputError, match="texts or numbers are wanted, not NoneType"):
+        geneva.sweep(case, {"Mechanism/Driver speed": None})  # type: ignore[dict-item]
+
+
 def test_a_wrong_file_is_refused_in_the_words_of_the_command(tmp_path, geneva_command):
     (tmp_path / "case.prm").write_text("set Modell = mechanism\n")
     with pytest.raises(geneva.InputError) as refused:

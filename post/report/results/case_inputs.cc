@@ -32,7 +32,7 @@ std::vector<CaseInput> case_inputs(const std::string& case_text) {
     inputs.push_back({name + without_spaces(text.substr(4, sign - 4)),
                       without_spaces(text.substr(
                           sign + 1, comment == std::string::npos ? comment : comment - sign - 1)),
-                      comment != std::string::npos});
+                      comment != std::string::npos, !path.empty() && path.front() == "Published"});
   }
   return inputs;
 }

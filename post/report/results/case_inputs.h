@@ -9,7 +9,8 @@ namespace geneva::post {
 struct CaseInput {
   std::string name;  ///< with its subsections but the model's: "Wheel material/Density"
   std::string value;
-  bool is_given;  ///< by the case file, be it the default or not
+  bool is_given;      ///< by the case file, be it the default or not
+  bool is_published;  ///< a figure of the literature, from which nothing is worked out
 };
 
 /// All of them, in the file's order.

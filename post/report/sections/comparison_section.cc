@@ -134,7 +134,7 @@ std::string inputs_table(const std::vector<ResultsDirectory>& all,
   std::vector<std::string> seen;
   for (const std::vector<CaseInput>& of_run : inputs)
     for (const CaseInput& input : of_run) {
-      if (input.name == "Title" || is_published(input) ||
+      if (input.name == "Title" || input.is_published ||
           std::find(seen.begin(), seen.end(), input.name) != seen.end())
         continue;
       seen.push_back(input.name);

@@ -56,14 +56,12 @@ std::string table_of_inputs(const std::vector<CaseInput>& inputs, const bool is_
                   {"parameter", "value"},
                   {}};
   for (const CaseInput& input : inputs)
-    if (input.is_given == is_given && !input.value.empty() && !is_published(input))
+    if (input.is_given == is_given && !input.value.empty() && !input.is_published)
       table.rows.push_back({escaped(input.name), escaped(shown_value(input))});
   return table.rows.empty() ? "" : "<div class=\"list\">\n" + table.html() + "</div>\n";
 }
 
 }  // namespace
-
-bool is_published(const CaseInput& input) { return input.name.rfind("Published/", 0) == 0; }
 
 std::string shown_value(const CaseInput& input) {
   const std::string last = input.name.substr(input.name.rfind('/') + 1);

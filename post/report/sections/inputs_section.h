@@ -7,9 +7,6 @@
 
 namespace geneva::post {
 
-/// Whether it is a figure of the literature to compare with, from which nothing is worked out.
-bool is_published(const CaseInput& input);
-
 /// The value of an input as print has it; texts and names of materials stand as they are.
 std::string shown_value(const CaseInput& input);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -75,20 +76,28 @@ std::string nearest_limit(const json& safety, const UnitSystem units) {
 
 std::string run_limits_table(const json& safety, const UnitSystem units) {
   if (safety.empty()) return "";
-  HtmlTable table{"How near to the limits that the case gives",
-                  {"quantity", "as analysed", "maximum in the cycle", "allowed", "safety factor",
-                   labelled("driver angle", Dimension::angle, units), "verdict"},
-                  {}};
+  const bool has_cycle = std::any_of(safety.begin(), safety.end(), [](const json& row) {
+    return !row.at("driver_angle").is_null();
+  });
+  HtmlTable table{"How near to the limits of case and materials", {"quantity", "as analysed"}, {}};
+  if (has_cycle) table.headings.emplace_back("maximum in the cycle");
+  table.headings.insert(table.headings.end(), {"allowed", "safety factor"});
+  if (has_cycle) table.headings.push_back(labelled("driver angle", Dimension::angle, units));
+  table.headings.emplace_back("verdict");
   for (const json& row : safety) {
     const Dimension dimension = dimension_named(row.at("dimension"));
     const bool is_known = !row.at("factor").is_null();
     const double factor = number_of(row.at("factor"));
-    table.rows.push_back(
-        {heading_of(row, units),
-         is_known ? shown(row.at("computed"), dimension, units) : "not bounded",
-         is_known ? shown(row.at("cycle"), dimension, units) : "not bounded",
-         shown(row.at("allowed"), dimension, units), is_known ? significant(factor, 3) : "none",
-         shown(row.at("driver_angle"), Dimension::angle, units), verdict_cell(factor)});
+    const auto value = [&](const char* const key) {
+      return is_known ? shown(row.at(key), dimension, units) : std::string("not bounded");
+    };
+    std::vector<std::string> cells{heading_of(row, units), value("computed")};
+    if (has_cycle) cells.push_back(value("cycle"));
+    cells.push_back(shown(row.at("allowed"), dimension, units));
+    cells.push_back(is_known ? significant(factor, 3) : "none");
+    if (has_cycle) cells.push_back(shown(row.at("driver_angle"), Dimension::angle, units));
+    cells.push_back(verdict_cell(factor));
+    table.rows.push_back(std::move(cells));
   }
   return table.html();
 }

@@ -394,6 +394,10 @@ AnsweredPart sweep_part(const ResultsDirectory& results) {
       Chart chart = chart_of(sweep, quantity, numeric.front(), results.units(), charts.size());
       if (!chart.series.empty()) charts.push_back(std::move(chart));
     }
+  std::string notices;
+  for (const json& notice : sweep.value("notices", json::array()))
+    notices += fmt::format("<p class=\"warning\"><strong>Note:</strong> {}</p>\n",
+                           escaped(notice.get<std::string>()));
   const std::string head =
       fmt::format("<p>'geneva {}' for {} combinations{}.</p>\n", escaped(sweep.at("command")),
                   points.size(), escaped(what_stays(sweep)));
@@ -404,7 +408,7 @@ AnsweredPart sweep_part(const ResultsDirectory& results) {
                               values_tables(sweep, factors, "Safety factors", units) +
                               remarks_table(sweep);
   return {{html_section("sweep", "Sweep",
-                        answer_of_sweep(sweep, units) + count_of_exceeded(points) + head),
+                        answer_of_sweep(sweep, units) + count_of_exceeded(points) + head + notices),
            {}},
           {html_section("points", "All points", details), charts}};
 }

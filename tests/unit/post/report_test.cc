@@ -157,6 +157,9 @@ TEST(CaseInputs, AreGivenWhereTheirDefaultStandsBehindThem) {
   EXPECT_TRUE(inputs[1].is_given);
   EXPECT_FALSE(inputs[2].is_given);
   EXPECT_TRUE(inputs[4].is_given);
+  EXPECT_FALSE(inputs[4].is_published);
+  EXPECT_TRUE(
+      case_inputs("subsection Published\n  set Peak pressure = 1 Pa\nend\n")[0].is_published);
   EXPECT_EQ(given_lines(text),
             "set Title = a\nsubsection Outer\n  subsection Inner\n    set Ratio = 0.30000001\n"
             "  end\n  set Last = 3\nend\n");

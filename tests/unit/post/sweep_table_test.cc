@@ -19,7 +19,7 @@ SweepFigure figure(const std::string& name, const double value) {
 /// Two points of which the figures "a" to "g" change by less and less, and "peak contact pressure"
 /// not at all.
 SweepReport sweep_of_nine_figures() {
-  SweepReport report{{}, "", "run", {"Mechanism/Pin diameter"}, {}};
+  SweepReport report{{}, "", "run", {"Mechanism/Pin diameter"}, {}, {}};
   for (const double share : {0., 1.}) {
     SweepPoint point{{share == 0. ? "1 mm" : "2 mm"}, "", 0, "", {}};
     for (const char letter : {'a', 'b', 'c', 'd', 'e', 'f', 'g'})
