@@ -182,6 +182,23 @@ std::optional<Pixel> place_of_number(const std::vector<DrawnFace>& faces, const 
   return std::nullopt;
 }
 
+/// The three axes as seen, in the lower left corner; nothing in the plane, where they lie as usual.
+std::string axes(const Screen& screen, const View& view) {
+  constexpr double length = 34.;
+  const Pixel origin{44., screen.height() - 44.};
+  std::string text;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double x = length * view.right[axis];
+    const double y = -length * view.up[axis];
+    text += fmt::format(
+        "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n"
+        "<text class=\"axis\" x=\"{4:.1f}\" y=\"{5:.1f}\">{6}</text>\n",
+        origin[0], origin[1], origin[0] + x, origin[1] + y, origin[0] + 1.3 * x,
+        origin[1] + 1.3 * y, "xyz"[axis]);
+  }
+  return text;
+}
+
 std::string picture(const SurfaceList& list, const View& view) {
   const Screen screen(list, view);
   const std::vector<DrawnFace> faces = drawn_faces(list, view, screen);
@@ -192,6 +209,7 @@ std::string picture(const SurfaceList& list, const View& view) {
   for (std::size_t i = 0; i < list.surfaces.size(); ++i)
     if (const auto at = place_of_number(faces, screen, list.surfaces[i], i); at)
       text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (*at)[0], (*at)[1], i + 1);
+  if (list.dimension == 3) text += axes(screen, view);
   return text + fmt::format("</svg><figcaption>{}</figcaption></figure>\n", view.title);
 }
 
@@ -202,7 +220,9 @@ figure { flex: 1 1 20rem; margin: 0; }
 figcaption { color: #56616b; text-align: center; }
 svg { width: 100%; background: #f3f5f7; }
 polygon { stroke: #1b212640; stroke-width: 0.4; }
+line { stroke: #56616b; stroke-width: 1.5; }
 text { font-weight: bold; text-anchor: middle; dominant-baseline: middle; paint-order: stroke; stroke: #fff; stroke-width: 4px; }
+text.axis { fill: #56616b; font-weight: normal; font-style: italic; }
 div.table { overflow-x: auto; }
 table { border-collapse: collapse; margin-top: 1rem; }
 th, td { padding: 0.2rem 0.8rem; text-align: left; border-bottom: 1px solid #cfd6dc; white-space: nowrap; }

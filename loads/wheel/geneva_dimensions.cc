@@ -30,7 +30,7 @@ void check_neighbouring_slots(const GenevaDimensions& dimensions) {
     refuse(
         "slot width is {:.6g} mm: neighbouring slots run into each other, since the centres of "
         "their bottoms are {:.6g} mm apart at slot depth {:.6g} mm and the width must be less; "
-        "make the slots narrower or shallower",
+        "make the slots shallower or narrower, with a thinner pin",
         mm(dimensions.slot_width), mm(std::max(spacing, 0.)), mm(dimensions.slot_depth));
 }
 

@@ -29,7 +29,7 @@ void check_neighbouring_slots(const InternalDimensions& dimensions) {
     refuse(
         "slot width is {:.6g} mm: neighbouring slots run into each other, since their centre lines "
         "are {:.6g} mm apart at the inner rim of diameter {:.6g} mm and the width must be less; "
-        "make the slots narrower",
+        "make the slots narrower, with a thinner pin",
         mm(dimensions.slot_width), mm(spacing), mm(dimensions.wheel_diameter));
 }
 

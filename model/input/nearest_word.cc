@@ -53,6 +53,20 @@ std::optional<std::string> only_one_that_begins_with(const std::string& word,
   return *found;
 }
 
+/// As a word of its own: "Slot clearance" for "Clearance".
+std::optional<std::string> shortest_that_ends_with(const std::string& word,
+                                                   const std::vector<std::string>& candidates) {
+  constexpr std::size_t fewest_letters = 4;
+  if (word.size() < fewest_letters) return std::nullopt;
+  std::optional<std::string> shortest;
+  for (const std::string& candidate : candidates)
+    if (candidate.size() > word.size() &&
+        begins_with(candidate.substr(candidate.size() - word.size() - 1), " " + word) &&
+        (!shortest || candidate.size() < shortest->size()))
+      shortest = candidate;
+  return shortest;
+}
+
 }  // namespace
 
 std::optional<std::string> nearest_word(const std::string& word,
@@ -67,7 +81,8 @@ std::optional<std::string> nearest_word(const std::string& word,
     least = distance;
     nearest = candidate;
   }
-  return nearest ? nearest : only_one_that_begins_with(word, candidates);
+  if (!nearest) nearest = only_one_that_begins_with(word, candidates);
+  return nearest ? nearest : shortest_that_ends_with(word, candidates);
 }
 
 }  // namespace geneva::model

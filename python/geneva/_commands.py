@@ -5,8 +5,10 @@ Each takes a case, or the path of a case directory.
 
 from __future__ import annotations
 
+import contextlib
+import multiprocessing
 import pathlib
-from typing import Any, Callable, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -16,6 +18,7 @@ from geneva._results import (Analysis, Communicator, Crown, Cycle, Design, Estim
                              Step, Sweep, Synthesis, Written, mesh_of)
 
 Swept = Union[str, Sequence[Union[str, float]], "np.ndarray[Any, Any]"]
+_Outcome = Tuple[Optional[str], str]
 
 
 def _solver() -> Any:
@@ -136,42 +139,63 @@ def _swept(name: str, values: Swept) -> Any:
     return texts
 
 
-def sweep(case: CaseOrDirectory, parameters: Mapping[str, Swept], with_: str = "estimate", *,
+def sweep(case: CaseOrDirectory, parameters: Mapping[str, Swept], with_: str = "estimate", *, jobs: int = 1,
           comm: Optional[Communicator] = None, progress: Optional[Callable[[int, int], object]] = None) -> Sweep:
     """A case over some of its parameters, every combination of their values, as `geneva sweep` does.
 
     :param parameters: by the path of the parameter its values: "8 mm .. 14 mm, 7" as of `geneva sweep --set`, or a list
         of texts, or numbers (of numpy) in the case's own unit
-    :param with_: 'estimate', 'kinematics', 'design', or 'run', one after the other in this process
-    :param comm: communicator of mpi4py for 'run'; None: this process alone
+    :param with_: 'estimate', 'kinematics', 'design', or 'run'
+    :param jobs: how many runs at a time, in processes of their own if more than 1; a script that asks for it keeps its
+        first call behind `if __name__ == "__main__":`, as multiprocessing wants it
+    :param comm: communicator of mpi4py for 'run', all of whose ranks solve each point; None: this process alone
     :param progress: called after every run with how many points are done, and of how many
-    :raises InputError: if no combination is a case, or none has any figures
+    :raises InputError: if no combination is a case, or none has any figures; for several jobs of several ranks
     """
     commands = ("estimate", "kinematics", "design", "run")
     if with_ not in commands:
         raise _core.InputError(f"with_ = {with_!r}: one of {', '.join(map(repr, commands))} is wanted")
+    if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1:
+        raise _core.InputError(f"jobs = {jobs!r}: a whole number of 1 or more is wanted")
+    if jobs > 1 and comm is not None:
+        raise _core.InputError(f"jobs = {jobs}: the ranks of comm solve each point together; leave one of both out")
     found = _core.sweep(given_of(case), [(*path_of(name), _swept(name, values)) for name, values in parameters.items()],
                         with_)
     if with_ != "run":
         found.work_out()
     else:
-        points = found.points()
-        for place, (_, given, *_) in enumerate(points):
-            if given is not None:
-                _take_run(found, place, Case(given), comm)
-            if progress is not None:
-                progress(place + 1, len(points))
+        _take_runs(found, jobs, comm, progress)
     found.require_figures()
     return Sweep(found, comm)
 
 
-def _take_run(found: _core.Sweep, place: int, case: Case, comm: Optional[Communicator]) -> None:
+def _take_runs(found: _core.Sweep, jobs: int, comm: Optional[Communicator],
+               progress: Optional[Callable[[int, int], object]]) -> None:
+    points = found.points()
+    given_at = {place: Case(given) for place, (_, given, *_) in enumerate(points) if given is not None}
+    cases = list(given_at.values())
+    with contextlib.ExitStack() as stack:
+        if jobs > 1:
+            pool = stack.enter_context(multiprocessing.get_context("spawn").Pool(min(jobs, len(cases))))
+            outcomes: Iterable[_Outcome] = pool.imap(_outcome_of, cases)
+        else:
+            outcomes = (_outcome_of(each, comm) for each in cases)
+        for done, (place, (document, words)) in enumerate(zip(given_at, outcomes), len(points) - len(cases) + 1):
+            if document is None:
+                found.refuse(place, words)
+            else:
+                found.take(place, document, words)
+            if progress is not None:
+                progress(done, len(points))
+
+
+def _outcome_of(case: Case, comm: Optional[Communicator] = None) -> _Outcome:
+    """The document of a run with what it lacks; of one that is refused none, and why."""
     try:
         analysis = _solver().run(given_of(case), comm, None, None)
     except (_core.InputError, _core.LimitReached) as error:
-        found.refuse(place, str(error))
-    else:
-        found.take(place, analysis.document(), analysis.shortfall)
+        return None, str(error)
+    return analysis.document(), analysis.shortfall
 
 
 def write_report(results: Path, file: Optional[Path] = None) -> Written:

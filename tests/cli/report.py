@@ -807,6 +807,18 @@ end
         self.assertIn("✗ exceeded", report)
         self.assertIn("✓ allowed", report)
 
+    def test_a_result_of_unknown_error_gets_no_verdict(self):
+        case = self.copy_case("johnson-optimum-wheel")
+        change_case(case, {"Maximum refinement levels": "0"})
+        (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)
+        self.assertEqual(self.geneva("run", case).code, 2)
+        self.assertGreaterEqual(read_summary(case / "results")["accuracy"]["error_estimate"], 1.)
+        text = read_report(case / "results" / "report.html").text
+        self.assertIn("(error not known)", text)
+        self.assertRegex(text, r"least safety factor\s+not judged")
+        self.assertNotIn("EXCEEDED", text)
+        self.assertNotIn("✓ allowed", text)
+
     def test_a_pair_that_passes_where_it_is_analysed_may_fail_elsewhere(self):
         """At the maximum acceleration pressure x slip is 1.91e6 psi in/s, at -22.8 deg of the driver 4.47e6."""
         case = self.copy_case("johnson-optimum-wheel")

@@ -177,6 +177,27 @@ def test_a_sweep_of_runs_has_their_figures(case, result):
     assert found.points[1].figures["peak contact pressure"].error < 0.005
 
 
+def test_jobs_of_a_sweep_are_processes_of_their_own(case, tmp_path, command):
+    script = tmp_path / "jobs.py"
+    script.write_text("""
+import sys
+import geneva
+
+if __name__ == "__main__":
+    case = geneva.read_case(sys.argv[1]).with_("Accuracy", "5 %")
+    diameters = ["4.53 in", "5 in", "0.1 in"]
+    told = []
+    alone, shared = (geneva.sweep(case, {"Mechanism/Wheel diameter": diameters}, with_="run", jobs=jobs,
+                                  progress=lambda *done: told.append(done)) for jobs in (1, 2))
+    pressures = [found.values("peak contact pressure")[:2].tolist() for found in (alone, shared)]
+    messages = [[point.message for point in found.points] for found in (alone, shared)]
+    print(pressures[0] == pressures[1], messages[0] == messages[1], told[-1])
+""")
+    assert command(sys.executable, "-B", script, case.directory) == "True True (3, 3)\n"
+    with pytest.raises(geneva.InputError, match="jobs = 0: a whole number of 1 or more"):
+        geneva.sweep(case, {"Mechanism/Wheel diameter": ["5 in"]}, with_="run", jobs=0)
+
+
 def test_an_optimum_and_a_design_are_confirmed_by_finite_elements(case):
     free = case.with_({"Optimisation/Free": "Wheel diameter: 4 in .. 6 in", "Accuracy": "5 %"})
     pressure = geneva.optimise(free, confirm=True).figure("peak contact pressure")

@@ -74,7 +74,7 @@ std::string nearest_limit(const json& safety, const UnitSystem units) {
                   escaped(nearest->at("quantity")), at_angle(nearest->at("driver_angle"), units)));
 }
 
-std::string run_limits_table(const json& safety, const UnitSystem units) {
+std::string run_limits_table(const json& safety, const UnitSystem units, const bool is_judged) {
   if (safety.empty()) return "";
   const bool has_cycle = std::any_of(safety.begin(), safety.end(), [](const json& row) {
     return !row.at("driver_angle").is_null();
@@ -96,7 +96,7 @@ std::string run_limits_table(const json& safety, const UnitSystem units) {
     cells.push_back(shown(row.at("allowed"), dimension, units));
     cells.push_back(is_known ? significant(factor, 3) : "none");
     if (has_cycle) cells.push_back(shown(row.at("driver_angle"), Dimension::angle, units));
-    cells.push_back(verdict_cell(factor));
+    cells.push_back(is_judged ? verdict_cell(factor) : "not judged");
     table.rows.push_back(std::move(cells));
   }
   return table.html();

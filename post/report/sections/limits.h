@@ -25,7 +25,8 @@ std::string verdict_cell(double factor);
 std::string nearest_limit(const nlohmann::json& safety, base::UnitSystem units);
 
 /// Of a run: how near its limits are, as analysed and over the cycle; empty if the case gives none.
-std::string run_limits_table(const nlohmann::json& safety, base::UnitSystem units);
+/// @param is_judged whether the error of the result is known, so that a verdict has a ground
+std::string run_limits_table(const nlohmann::json& safety, base::UnitSystem units, bool is_judged);
 
 /// Of everything else: the greatest values beside their limits; empty if the case gives none.
 std::string limits_table(const nlohmann::json& safety, const std::string& caption,

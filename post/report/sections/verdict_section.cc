@@ -66,14 +66,20 @@ std::string verdict_table(const json& summary, const UnitSystem units) {
   return table.html();
 }
 
+/// A result of unknown error is no ground for a verdict.
+bool is_error_known(const json& summary) {
+  return summary.at("accuracy").at("error_estimate").get<double>() < 1.;
+}
+
 /// Whether the result is as accurate as wanted, in a sentence.
 std::string verdict_sentence(const json& summary) {
   const json& solver = summary.at("solver");
   const double error = summary.at("accuracy").at("error_estimate");
   const std::string of = summary.at("accuracy").at("of");
   const std::string estimate =
-      error < 1. ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
-                 : fmt::format("The error of the {} is not known", of);
+      is_error_known(summary)
+          ? fmt::format("The estimated error of the {} is {:.2g} %", of, 100. * error)
+          : fmt::format("The error of the {} is not known", of);
   std::string text = fmt::format("<p class=\"verdict\">{}; {:.2g} % was asked for.</p>\n", estimate,
                                  100. * summary.at("accuracy").at("wanted").get<double>());
   const std::string message = solver.at("message");
@@ -96,9 +102,9 @@ std::string main_figure(const json& summary, const UnitSystem units) {
   if (main->at("bounded") == false) return answer(escaped(main->at("quantity")), "not bounded", "");
   const std::string where =
       summary.contains("load") ? " " + at_angle(summary.at("load").at("driver_angle"), units) : "";
-  return answer(escaped(main->at("quantity")),
-                shown_with_unit(main->at("computed"), dimension, units),
-                shown_error(main->at("error")) + where);
+  return answer(
+      escaped(main->at("quantity")), shown_with_unit(main->at("computed"), dimension, units),
+      (is_error_known(summary) ? shown_error(main->at("error")) : "(error not known)") + where);
 }
 
 std::string notices(const json& summary) {
@@ -178,16 +184,21 @@ std::string cycle_table(const json& summary, const json* const cycle, const Unit
 
 std::string run_answer(const ResultsDirectory& results, const UnitSystem units) {
   const json& summary = *results.document("summary");
-  return main_figure(summary, units) + nearest_limit(summary.at("safety"), units);
+  const json& safety = summary.at("safety");
+  if (is_error_known(summary) || safety.empty())
+    return main_figure(summary, units) + nearest_limit(safety, units);
+  return main_figure(summary, units) +
+         answer("least safety factor", "not judged", "as the error is not known");
 }
 
 ReportPart verdict_part(const ResultsDirectory& results) {
   const json& summary = *results.document("summary");
-  return {html_section("verdict", "Verdict",
-                       run_answer(results, results.units()) + verdict_sentence(summary) +
-                           notices(summary) + verdict_table(summary, results.units()) +
-                           run_limits_table(summary.at("safety"), results.units()) +
-                           cycle_table(summary, results.document("cycle"), results.units())),
+  return {html_section(
+              "verdict", "Verdict",
+              run_answer(results, results.units()) + verdict_sentence(summary) + notices(summary) +
+                  verdict_table(summary, results.units()) +
+                  run_limits_table(summary.at("safety"), results.units(), is_error_known(summary)) +
+                  cycle_table(summary, results.document("cycle"), results.units())),
           {}};
 }
 

@@ -138,6 +138,8 @@ TEST(Parameters, ABeginningStandsForTheOnlyWordThatHasIt) {
   EXPECT_EQ(nearest_word("Slot w", words), "Slot width");
   EXPECT_FALSE(nearest_word("Slot", words));
   EXPECT_FALSE(nearest_word("St", words));
+  EXPECT_EQ(nearest_word("Width", words), "Slot width");
+  EXPECT_FALSE(nearest_word("idth", words)) << "no word of its own";
 }
 
 }  // namespace
