@@ -36,7 +36,7 @@ template <int dim>
 bool parts_along(const fem::ContactResult<dim>& contact, const unsigned int axis,
                  const double end) {
   constexpr double far = 0.7;     // of the contact's reach, where a parabola has half of its height
-  constexpr double share = 0.25;  // of the greatest gap
+  constexpr double share = 0.25;  // of the greatest gap: half of that, however far the mesh is off
   double reach = 0.;
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -58,7 +58,7 @@ template <int dim>
 std::optional<unsigned int> cut_axis(const fem::Solution<dim>& solution,
                                      const fem::ContactResult<dim>& contact) {
   constexpr double same = 1e-6;
-  constexpr double amid = 0.5;  // of the peak
+  constexpr double amid = 0.5;  // of the peak; towards its own end Hertz's pressure falls to 0
   const auto& nodes = contact.nodes;
   const auto planes = fem::mirrors(solution.mesh, solution.problem, contact);
   for (unsigned int axis = 0; axis < dim; ++axis) {
@@ -69,11 +69,10 @@ std::optional<unsigned int> cut_axis(const fem::Solution<dim>& solution,
     const double slack = same * (high->position[axis] - low->position[axis]);
     for (const double end : {low->position[axis], high->position[axis]}) {
       const bool is_mirror = planes[axis] && std::abs(*planes[axis] - end) <= slack;
-      if (is_mirror || slack == 0.) continue;
+      if (is_mirror || slack == 0. || !parts_along(contact, axis, end)) continue;
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (nodes[i].pressure > amid * contact.peak_pressure &&
-            std::abs(nodes[i].position[axis] - end) <= slack && is_at_end(contact, i) &&
-            parts_along(contact, axis, end))
+            std::abs(nodes[i].position[axis] - end) <= slack && is_at_end(contact, i))
           return axis;
     }
   }

@@ -36,7 +36,7 @@ class Packages(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.room, ignore_errors=True)
         run("cpack", "-G", "DEB", "--config", BUILD / "CPackConfig.cmake", "-B", cls.room, cwd=cls.room)
         cls.version = re.search("CMAKE_PROJECT_VERSION:STATIC=(.*)", (BUILD / "CMakeCache.txt").read_text())[1]
-        cls.library = "libgeneva" + cls.version.rsplit(".", 1)[0]
+        cls.runtime = "libgeneva" + cls.version.rsplit(".", 1)[0]
         cls.files = {file.name.split("_")[0]: file for file in cls.room.glob("*.deb")}
         cls.root = cls.room / "root"
         for file in cls.files.values():
@@ -47,7 +47,7 @@ class Packages(unittest.TestCase):
         return run("dpkg-deb", "--field", self.files[package], name).strip()
 
     def test_there_are_four_packages_that_say_what_they_are(self):
-        self.assertEqual(set(self.files), {"geneva", self.library, "libgeneva-dev", "python3-geneva"})
+        self.assertEqual(set(self.files), {"geneva", self.runtime, "libgeneva-dev", "python3-geneva"})
         for package in self.files:
             self.assertRegex(self.field(package, "Description").splitlines()[0], "^Contact stress analysis of Geneva mechanisms")
             self.assertGreater(len(self.field(package, "Description").splitlines()), 1)
@@ -55,11 +55,11 @@ class Packages(unittest.TestCase):
 
     def test_they_depend_on_what_they_need_at_run_time(self):
         wanted = {
-            "geneva": (f"{self.library} (= {self.version})", "libdeal.ii", "libopenmpi3", "libudunits2", "openmpi-bin",
+            "geneva": (f"{self.runtime} (= {self.version})", "libdeal.ii", "libopenmpi3", "libudunits2", "openmpi-bin",
                        "libopenblas0-pthread"),
-            self.library: ("libgmsh", "libdeal.ii", "libopenmpi3", "libseccomp2", "libnlopt0", "libudunits2"),
-            "libgeneva-dev": (f"{self.library} (= {self.version})", "libopenmpi-dev", "nlohmann-json3-dev"),
-            "python3-geneva": (f"{self.library} (= {self.version})", "python3-numpy", "python3 (>= 3.11)"),
+            self.runtime: ("libgmsh", "libdeal.ii", "libopenmpi3", "libseccomp2", "libnlopt0", "libudunits2"),
+            "libgeneva-dev": (f"{self.runtime} (= {self.version})", "libopenmpi-dev", "nlohmann-json3-dev"),
+            "python3-geneva": (f"{self.runtime} (= {self.version})", "python3-numpy", "python3 (>= 3.11)"),
         }
         for package, names in wanted.items():
             depends = self.field(package, "Depends")
@@ -68,9 +68,9 @@ class Packages(unittest.TestCase):
         self.assertIn("libjs-chart.js", self.field("geneva", "Recommends"))
 
     def test_what_links_to_the_libraries_finds_out_their_package(self):
-        control = run("dpkg-deb", "--info", self.files[self.library], "shlibs")
+        control = run("dpkg-deb", "--info", self.files[self.runtime], "shlibs")
         for library in ("libgeneva", "libgeneva-core"):
-            self.assertRegex(control, rf"(?m)^{library} \S+ {self.library} ")
+            self.assertRegex(control, rf"(?m)^{library} \S+ {self.runtime} ")
 
     def test_no_file_is_in_two_of_them(self):
         seen = {}
@@ -81,7 +81,7 @@ class Packages(unittest.TestCase):
                     self.assertNotIn(name, seen)
                     seen[name] = package
         self.assertEqual(seen["./usr/bin/geneva"], "geneva")
-        self.assertEqual(seen["./usr/libexec/geneva/geneva-mesher"], self.library)
+        self.assertEqual(seen["./usr/libexec/geneva/geneva-mesher"], self.runtime)
 
     def test_no_library_is_looked_for_where_they_were_built(self):
         checked = 0
