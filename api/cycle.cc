@@ -31,6 +31,7 @@
 #include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
+#include "post/output/passing_pressure.h"
 #include "post/view/cycle_view.h"
 
 namespace geneva {
@@ -167,15 +168,29 @@ std::vector<post::Swing> swings_of(const post::CycleReport& report,
   if (!fields.empty()) {
     const std::vector<bool> turning = bodies_that_turn(fields);
     for (const post::CycleStressRange& range : post::stress_ranges(report)) {
-      const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& one) {
-        return one.driver_angle == range.driver_angle;
-      });
+      const auto at = std::find_if(fields.begin(), fields.end(),
+                                   [&](const auto& one) { return one.when == range.driver_angle; });
       if (range.greatest.name == "tensile stress" && at != fields.end())
         swings.push_back(post::swing_of(range.greatest, fields,
                                         static_cast<std::size_t>(at - fields.begin()), turning));
     }
   }
   return dealii::Utilities::MPI::broadcast(communicator, swings, 0);
+}
+
+/// What ParaView plays, with the envelope at the nodes of an instant; the pressure that passes is
+/// known in the plane.
+std::map<std::string, std::string> series_of(const std::vector<post::CycleFields>& fields,
+                                             const std::size_t at, const post::CycleReport& report,
+                                             const Case& given) {
+  const std::vector<bool> turning = bodies_that_turn(fields);
+  std::optional<post::PressureEnvelope> pressure;
+  if (given.dimension == 2 && !report.curve.empty())
+    pressure = post::passing_pressure(fields[at], turning, report.curve);
+  return post::cycle_series(
+      fields, at, turning,
+      {"driver_angle", base::output_unit(given.units, base::Dimension::angle).factor, "cycle"},
+      pressure, given.units);
 }
 
 }  // namespace
@@ -228,14 +243,12 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
       {"mechanism.json", api::mechanism_text(*given.mechanism)}};
   if (const CyclePoint* const greatest = post::greatest_pressure(report)) {
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const post::CycleFields& one) {
-      return one.driver_angle == greatest->instant.load.driver_angle;
+      return one.when == greatest->instant.load.driver_angle;
     });
     if (at != fields.end() && given.dimension == 2)
       texts["cycle_view.json"] = view_text(fields, given.units);
     if (at != fields.end())
-      texts.merge(post::cycle_series(
-          fields, static_cast<std::size_t>(at - fields.begin()), bodies_that_turn(fields),
-          given.dimension == 2 ? report.curve : std::vector<post::CycleCurvePoint>(), given.units));
+      texts.merge(series_of(fields, static_cast<std::size_t>(at - fields.begin()), report, given));
   }
   return api::write_results(directory, given, "cycle", texts);
 }

@@ -5,13 +5,15 @@
 #include <chrono>
 
 #include "api/cycle.h"
+#include "api/load_history.h"
 #include "app/solving_command.h"
 
 namespace geneva::app {
 
-int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case_directory,
-                  const std::filesystem::path& output, mesh::Mesher* const mesher) {
-  SolvingCommand command(communicator, case_directory, output);
+namespace {
+
+int cycle_of_mechanism(const MPI_Comm communicator, SolvingCommand& command,
+                       mesh::Mesher* const mesher) {
   ProgressDisplay& progress = command.progress();
   const auto start = std::chrono::steady_clock::now();
   const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
@@ -29,6 +31,31 @@ int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case
   command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
                 "cycle.json, cycle.csv and report.html");
   return command.end(found.is_converged);
+}
+
+int cycle_of_geometry(const MPI_Comm communicator, SolvingCommand& command,
+                      mesh::Mesher* const mesher) {
+  ProgressDisplay& progress = command.progress();
+  Progress watch;
+  watch.start = [&](const AnalysisStart& start) { progress.line(start.heading); };
+  watch.step = [&](const fem::StepReport& step) { progress.step(step); };
+  watch.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
+  progress.phase("meshing");
+  const LoadHistory found = load_history(command.given(), communicator, mesher, watch);
+  for (const std::string& notice : found.report.notices) progress.line("note: " + notice);
+  progress.line("\n" + table(found));
+  command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
+                "load_steps.json, load_steps.csv, load_steps.pvd, envelope.vtu and report.html");
+  return command.end(found.is_converged);
+}
+
+}  // namespace
+
+int cycle_of_case(const MPI_Comm communicator, const std::filesystem::path& case_directory,
+                  const std::filesystem::path& output, mesh::Mesher* const mesher) {
+  SolvingCommand command(communicator, case_directory, output);
+  return command.given().geometry ? cycle_of_geometry(communicator, command, mesher)
+                                  : cycle_of_mechanism(communicator, command, mesher);
 }
 
 }  // namespace geneva::app

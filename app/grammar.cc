@@ -88,11 +88,13 @@ void Grammar::add_analyses() {
   CLI::App* cycle =
       add(Command::cycle, "cycle",
           "Solve the contact over the whole engagement, on both walls: pressure, stresses, torque "
-          "and friction at every instant that counts ('Instants' of the case)");
+          "and friction at every instant that counts ('Instants' of the case); of a geometry, at "
+          "its 'Load steps'");
   add_case(cycle, case_directory_);
-  add_output(cycle, output_,
-             "Where cycle.json, cycle.csv and the report go (default: "
-             "CASE_DIR/results)");
+  add_output(
+      cycle, output_,
+      "Where cycle.json (of a geometry load_steps.json), its table and the report go (default: "
+      "CASE_DIR/results)");
   CLI::App* kinematics =
       add(Command::kinematics, "kinematics",
           "Curves and characteristic values of a mechanism's motion and pin force");

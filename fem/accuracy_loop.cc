@@ -95,7 +95,11 @@ bool AccuracyLoop<dim>::advance() {
                       solution_.dof_handler->n_dofs(), step, iterations});
   };
   tell(0, 0);
-  auto result = walk(*equilibrium_, state_, solution_.problem, settings_, tell, solution_.instants);
+  StepWatch watch;
+  if (progress_.load_step)
+    watch = [&](const std::size_t step, const LevelState& found) { tell_load_step(step, found); };
+  auto result =
+      walk(*equilibrium_, state_, solution_.problem, settings_, tell, watch, solution_.instants);
   if (auto* const found = std::get_if<LevelState>(&result)) {
     found_.emplace(std::move(*found));
     return true;
@@ -103,6 +107,15 @@ bool AccuracyLoop<dim>::advance() {
   solution_.stop = std::get<Stop>(result);
   if (solution_.history.empty()) throw NotConverged(solution_.stop);
   return false;
+}
+
+template <int dim>
+void AccuracyLoop<dim>::tell_load_step(const std::size_t step, const LevelState& found) {
+  Solution<dim> at_step = solution_;
+  at_step.strength.clear();  // of the mesh before
+  at_step.singular.clear();
+  put_result(at_step, equilibrium_->level(), found);
+  progress_.load_step(step, at_step);
 }
 
 template <int dim>

@@ -32,6 +32,7 @@ class AccuracyLoop {
   void iterate(const std::optional<Checkpoint<dim>>& start);
   bool solve();
   bool advance();
+  void tell_load_step(std::size_t step, const LevelState& found);
   void record();
   bool make_next_mesh();
   std::optional<Stop> choose_refinement();

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -23,6 +24,9 @@ struct Progress {
   std::function<void(const Solution<dim>&)> solution;
   /// After those; collects the mesh and the displacement.
   std::function<void(const Checkpoint<dim>&)> checkpoint;
+  /// Before those, after each load step: the solution as if it were the last one, without strength;
+  /// of a mesh that gives no equilibrium, or is left for memory, of the first steps only.
+  std::function<void(std::size_t step, const Solution<dim>&)> load_step = {};
 };
 
 /// Solves contact by nested iteration: solve, estimate, refine, until the peak contact

@@ -64,7 +64,7 @@ Solved advance(Equilibrium<dim>& equilibrium, const State<dim>& from, const Prob
 
 template <int dim>
 Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
-            const Settings& settings, const StepObserver& observer,
+            const Settings& settings, const StepObserver& observer, const StepWatch& watch,
             std::vector<Instant<dim>>& instants) {
   std::vector<Instant<dim>> found_here;
   equilibrium.forget_slip();
@@ -85,6 +85,7 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
       found_here.back().energy =
           energy.add(equilibrium.level(), found)
               .times(equilibrium.scales().force() * equilibrium.scales().length);
+    if (watch) watch(step, found);
     if (step + 1 == n_steps) {
       instants = std::move(found_here);
       return solved;
@@ -95,8 +96,8 @@ Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Proble
 }
 
 template Solved walk(Equilibrium<2>&, const State<2>&, const Problem<2>&, const Settings&,
-                     const StepObserver&, std::vector<Instant<2>>&);
+                     const StepObserver&, const StepWatch&, std::vector<Instant<2>>&);
 template Solved walk(Equilibrium<3>&, const State<3>&, const Problem<3>&, const Settings&,
-                     const StepObserver&, std::vector<Instant<3>>&);
+                     const StepObserver&, const StepWatch&, std::vector<Instant<3>>&);
 
 }  // namespace geneva::fem

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "fem/equilibrium.h"
 #include "fem/instant.h"
 
 namespace geneva::fem {
+
+/// Told of each step's equilibrium while the equilibrium's level stands there; may be empty.
+using StepWatch = std::function<void(std::size_t step, const LevelState&)>;
 
 /// Goes through a problem's load steps on one mesh, from the undisplaced bodies on; what sticks and
 /// slips at one follows from those before.
@@ -15,7 +20,7 @@ namespace geneva::fem {
 /// @return the equilibrium of the last step, or why a step has none
 template <int dim>
 Solved walk(Equilibrium<dim>& equilibrium, const State<dim>& start, const Problem<dim>& problem,
-            const Settings& settings, const StepObserver& observer,
+            const Settings& settings, const StepObserver& observer, const StepWatch& watch,
             std::vector<Instant<dim>>& instants);
 
 }  // namespace geneva::fem

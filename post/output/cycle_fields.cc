@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "post/output/passing_pressure.h"
 #include "post/output/stress_at.h"
 #include "post/output/vtu_text.h"
 
@@ -46,11 +45,11 @@ double von_mises_of(const std::array<double, 6>& s) {
   return std::sqrt(0.5 * normal + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
-void keep_greater(const double value, const double angle, const std::size_t node,
-                  std::vector<double>& values, std::vector<double>& angles) {
+void keep_greater(const double value, const double when, const std::size_t node,
+                  std::vector<double>& values, std::vector<double>& times) {
   if (value <= values[node]) return;
   values[node] = value;
-  angles[node] = angle;
+  times[node] = when;
 }
 
 /// Least stress along the direction in which the greatest tension of a node acts, at most 0.
@@ -96,14 +95,23 @@ std::string instant_text(const CycleFields& instant, const OutputUnit& length,
 }
 
 std::vector<VtuArray> envelope_arrays(const Envelope& greatest, const OutputUnit& stress,
-                                      const OutputUnit& angle) {
+                                      const SeriesOrder& order) {
+  const auto when = [&](const char* const of, const std::vector<double>& values) {
+    return array_of(std::string(of) + "_" + order.name, values, order.factor);
+  };
   return {array_of("von_mises", greatest.von_mises, stress.factor),
-          array_of("von_mises_driver_angle", greatest.von_mises_angle, angle.factor),
+          when("von_mises", greatest.von_mises_when),
           array_of("principal_stress_1", greatest.first_principal, stress.factor),
-          array_of("principal_stress_1_driver_angle", greatest.first_principal_angle, angle.factor),
+          when("principal_stress_1", greatest.first_principal_when),
           array_of("max_shear", greatest.max_shear, stress.factor),
-          array_of("max_shear_driver_angle", greatest.max_shear_angle, angle.factor),
+          when("max_shear", greatest.max_shear_when),
           array_of("principal_stress_1_least", greatest.tension_least, stress.factor)};
+}
+
+/// Whether the nodes are the same material points.
+bool is_of_same_mesh(const CycleFields& one, const CycleFields& other) {
+  return one.pin_distance == other.pin_distance && one.pin_turn == other.pin_turn &&
+         one.fields.places == other.fields.places;
 }
 
 }  // namespace
@@ -120,20 +128,21 @@ Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at
   Envelope greatest{least, zeros, least, zeros, least, zeros, zeros};
   std::vector<std::vector<SixStresses>> all;  // by instant and node
   for (const CycleFields& instant : instants) {
+    const bool is_same_mesh = is_of_same_mesh(instant, own);
     const StressAt stress_at(instant.fields);
     std::vector<SixStresses>& here = all.emplace_back();
     for (std::size_t node = 0; node < n_nodes; ++node) {
       const Place& place = own.fields.places[node];
       const SixStresses stress =
-          &instant == &own
-              ? own.fields.stress[node]
+          is_same_mesh
+              ? instant.fields.stress[node]
               : stress_at(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
       here.push_back(stress);
-      const double angle = instant.driver_angle;
-      keep_greater(von_mises_of(stress), angle, node, greatest.von_mises, greatest.von_mises_angle);
-      keep_greater(first_principal(stress), angle, node, greatest.first_principal,
-                   greatest.first_principal_angle);
-      keep_greater(max_shear(stress), angle, node, greatest.max_shear, greatest.max_shear_angle);
+      const double when = instant.when;
+      keep_greater(von_mises_of(stress), when, node, greatest.von_mises, greatest.von_mises_when);
+      keep_greater(first_principal(stress), when, node, greatest.first_principal,
+                   greatest.first_principal_when);
+      keep_greater(max_shear(stress), when, node, greatest.max_shear, greatest.max_shear_when);
     }
   }
   for (std::size_t node = 0; node < n_nodes; ++node)
@@ -154,7 +163,7 @@ Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& insta
     const double stress = along(n, StressAt(instant.fields)(place, tensile.body_index));
     if (stress >= swing.least) continue;
     swing.least = stress;
-    swing.driver_angle = instant.driver_angle;
+    swing.driver_angle = instant.when;
   }
   return swing;
 }
@@ -162,26 +171,25 @@ Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& insta
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
                                                 const std::size_t at,
                                                 const std::vector<bool>& turning,
-                                                const std::vector<CycleCurvePoint>& curve,
+                                                const SeriesOrder& order,
+                                                const std::optional<PressureEnvelope>& pressure,
                                                 const base::UnitSystem units) {
   const OutputUnit length = base::output_unit(units, Dimension::length);
   const OutputUnit stress = base::output_unit(units, Dimension::stress);
-  const OutputUnit angle = base::output_unit(units, Dimension::angle);
   std::map<std::string, std::string> texts;
   std::string list =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (std::size_t i = 0; i < instants.size(); ++i) {
-    const std::string name = fmt::format("cycle.{}.vtu", i);
+    const std::string name = fmt::format("{}.{}.vtu", order.files, i);
     texts[name] = instant_text(instants[i], length, stress);
     list += fmt::format("<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n",
-                        instants[i].driver_angle * angle.factor, name);
+                        instants[i].when * order.factor, name);
   }
-  texts["cycle.pvd"] = list + "</Collection>\n</VTKFile>\n";
-  std::vector<VtuArray> arrays = envelope_arrays(envelope(instants, at, turning), stress, angle);
-  if (!curve.empty()) {
-    const PassingPressure passing = passing_pressure(instants[at], turning, curve);
-    arrays.push_back(array_of("contact_pressure", passing.pressure, stress.factor));
-    arrays.push_back(array_of("contact_pressure_driver_angle", passing.driver_angle, angle.factor));
+  texts[order.files + ".pvd"] = list + "</Collection>\n</VTKFile>\n";
+  std::vector<VtuArray> arrays = envelope_arrays(envelope(instants, at, turning), stress, order);
+  if (pressure) {
+    arrays.push_back(array_of("contact_pressure", pressure->pressure, stress.factor));
+    arrays.push_back(array_of("contact_pressure_" + order.name, pressure->when, order.factor));
   }
   texts["envelope.vtu"] = vtu_text(instants[at].fields, arrays, length.factor);
   return texts;

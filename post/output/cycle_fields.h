@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,33 +11,34 @@
 
 namespace geneva::post {
 
-/// The fields of one instant in the frame of the engaged slot, whose axis is x; SI units.
+/// The fields of one instant, of a mechanism in the frame of the engaged slot, whose axis is x; SI
+/// units.
 struct CycleFields {
-  double driver_angle;  ///< [rad]
+  double when;          ///< driver angle [rad], without a mechanism the number of the load step
   double pin_distance;  ///< of the pin's axis from the wheel's [m]
   double pin_turn;      ///< psi [rad] of a pin fixed to its carrier, clockwise; see SlotMotion
   NodalFields fields;
 
   template <class Archive>
   void serialize(Archive& archive, const unsigned int /*version*/) {
-    archive& driver_angle& pin_distance& pin_turn& fields;
+    archive& when& pin_distance& pin_turn& fields;
   }
 };
 
 /// The greatest values of the instants at every node of one of them.
 struct Envelope {
-  std::vector<double> von_mises;              ///< [Pa]
-  std::vector<double> von_mises_angle;        ///< driver angle of it [rad]
-  std::vector<double> first_principal;        ///< [Pa]
-  std::vector<double> first_principal_angle;  ///< [rad]
-  std::vector<double> max_shear;              ///< (s1 - s3)/2 [Pa]
-  std::vector<double> max_shear_angle;        ///< [rad]
+  std::vector<double> von_mises;             ///< [Pa]
+  std::vector<double> von_mises_when;        ///< see CycleFields
+  std::vector<double> first_principal;       ///< [Pa]
+  std::vector<double> first_principal_when;  ///< see CycleFields
+  std::vector<double> max_shear;             ///< (s1 - s3)/2 [Pa]
+  std::vector<double> max_shear_when;        ///< see CycleFields
   /// Least along the direction of the greatest first principal stress, and 0 between engagements.
   std::vector<double> tension_least;
 };
 
-/// At the nodes of an instant, from the fields of all, interpolated at the same material points:
-/// the wheel stands still, the pin moves along the slot and turns.
+/// At the nodes of an instant, from the fields of all at the same material points, interpolated
+/// where the mesh is another one: the wheel stands still, the pin moves along the slot and turns.
 /// @param at index of the instant whose nodes they are
 /// @param turning bodies that move with the pin, by the index of the coarse mesh's bodies
 Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
@@ -48,12 +50,27 @@ Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
 Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& instants, std::size_t at,
                const std::vector<bool>& turning);
 
-/// cycle.pvd, cycle.N.vtu for every instant, and envelope.vtu, as texts by their names.
+/// The greatest contact pressure at the nodes of an instant.
+struct PressureEnvelope {
+  std::vector<double> pressure;  ///< [Pa]; 0 where none passes
+  std::vector<double> when;      ///< see CycleFields
+};
+
+/// What tells the instants of a series apart.
+struct SeriesOrder {
+  std::string name;   ///< "driver_angle"
+  double factor;      ///< from CycleFields::when to its output unit
+  std::string files;  ///< beginning of the files' names
+};
+
+/// Files of a series, as texts by their names: "cycle.pvd", "cycle.N.vtu" for every instant, and
+/// "envelope.vtu".
 /// @param at, turning as envelope() takes them
-/// @param curve of a cycle in the plane, for the contact pressure of the envelope; may be empty
+/// @param pressure at the nodes of that instant; none: not known
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
                                                 std::size_t at, const std::vector<bool>& turning,
-                                                const std::vector<CycleCurvePoint>& curve,
+                                                const SeriesOrder& order,
+                                                const std::optional<PressureEnvelope>& pressure,
                                                 base::UnitSystem units);
 
 }  // namespace geneva::post

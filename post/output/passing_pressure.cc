@@ -107,13 +107,13 @@ class Passing {
 
 }  // namespace
 
-PassingPressure passing_pressure(const CycleFields& own, const std::vector<bool>& turning,
-                                 const std::vector<CycleCurvePoint>& curve) {
+PressureEnvelope passing_pressure(const CycleFields& own, const std::vector<bool>& turning,
+                                  const std::vector<CycleCurvePoint>& curve) {
   const std::vector<bool> turns = nodes_that_turn(own.fields, turning);
   const SlotSizes sizes = sizes_of(own, turns);
   const Passing passing(own, sizes);
-  PassingPressure found{std::vector<double>(turns.size(), 0.),
-                        std::vector<double>(turns.size(), 0.)};
+  PressureEnvelope found{std::vector<double>(turns.size(), 0.),
+                         std::vector<double>(turns.size(), 0.)};
   for (std::size_t node = 0; node < turns.size(); ++node) {
     const auto& place = own.fields.places[node];
     if (turns[node] ? !passing.is_round_pin(place) : !passing.is_on_wall(place)) continue;
@@ -126,7 +126,7 @@ PassingPressure passing_pressure(const CycleFields& own, const std::vector<bool>
       const double pressure = from.peak_pressure + *share * (to.peak_pressure - from.peak_pressure);
       if (pressure <= found.pressure[node]) continue;
       found.pressure[node] = pressure;
-      found.driver_angle[node] = from.driver_angle + *share * (to.driver_angle - from.driver_angle);
+      found.when[node] = from.driver_angle + *share * (to.driver_angle - from.driver_angle);
     }
   }
   return found;

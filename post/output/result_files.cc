@@ -36,6 +36,11 @@ const std::vector<ResultFiles>& result_files() {
        {},
        {"cycle.csv", "cycle_curve.csv", "cycle.pvd", "envelope.vtu", "cycle_view.json"},
        true},
+      {"load_steps",
+       "geneva cycle",
+       {},
+       {"load_steps.csv", "load_steps.pvd", "envelope.vtu", "load_steps_view.json"},
+       true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};
   return files;
@@ -55,7 +60,8 @@ bool belongs_to(const ResultFiles& files, const std::string& name) {
                                     [&](const char* other) { return is(other, ""); });
   const std::string document = files.document;
   const bool is_field = (document == "summary" && is_piece(name, "solution")) ||
-                        (document == "cycle" && is_piece(name, "cycle"));
+                        (document == "cycle" && is_piece(name, "cycle")) ||
+                        (document == "load_steps" && is_piece(name, "load_steps"));
   return is(files.document, ".json") || is_table || is_other || is_field;
 }
 

@@ -19,6 +19,7 @@
 #include "post/report/sections/estimate_section.h"
 #include "post/report/sections/field_section.h"
 #include "post/report/sections/inputs_section.h"
+#include "post/report/sections/load_steps_section.h"
 #include "post/report/sections/mechanism_section.h"
 #include "post/report/sections/motion_section.h"
 #include "post/report/sections/optimum_section.h"
@@ -67,6 +68,7 @@ std::vector<AnsweredPart> answered_parts(const ResultsDirectory& results,
   if (results.document("crown") != nullptr) parts.push_back(crown_part(results));
   if (results.document("optimum") != nullptr) parts.push_back(optimum_part(results));
   if (results.document("cycle") != nullptr) parts.push_back(cycle_part(results, played));
+  if (results.document("load_steps") != nullptr) parts.push_back(load_steps_part(results, played));
   if (results.document("sweep") != nullptr) parts.push_back(sweep_part(results));
   return parts;
 }
@@ -80,7 +82,8 @@ ReportPart whole_page(const ResultsDirectory& results, const std::string& field,
     page.charts.insert(page.charts.end(), part.charts.begin(), part.charts.end());
   };
   const bool is_run = results.document("summary") != nullptr;
-  const bool is_cycle = results.document("cycle") != nullptr;
+  const bool is_cycle =
+      results.document("cycle") != nullptr || results.document("load_steps") != nullptr;
   if (is_run) append(verdict_part(results));
   if (!is_run && !is_cycle) append(closed_verdict_part(results));
   const std::vector<AnsweredPart> answered = answered_parts(results, played);

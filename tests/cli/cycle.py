@@ -1,26 +1,15 @@
 """`geneva cycle`: the contact over the whole engagement, on both walls, and what is refused."""
 
-import base64
 import csv
 import json
 import math
 import re
-import struct
 
 import geneva_cli
 from browser import Browser
-from geneva_cli import CliTest, change_case
+from geneva_cli import CliTest, change_case, vtk_array
 
 DEGREE = math.pi / 180
-
-
-def values(file, name):
-    """An array of single precision of a VTK file."""
-    text = file.read_text()
-    start = text.index(">", text.index(f'Name="{name}"')) + 1
-    data = base64.b64decode(text[start:text.index("</DataArray>", start)].strip())
-    (size,) = struct.unpack("<I", data[:4])
-    return struct.unpack(f"<{size // 4}f", data[4:])
 
 
 class Cycle(CliTest):
@@ -81,7 +70,7 @@ class Cycle(CliTest):
         series = (case / "results" / "cycle.pvd").read_text()
         self.assertEqual(series.count("<DataSet"), len(cycle["instants"]))
         self.assertTrue((case / "results" / f"cycle.{len(cycle['instants']) - 1}.vtu").exists())
-        passing = 6894.757293168362 * max(values(case / "results" / "envelope.vtu", "contact_pressure"))
+        passing = 6894.757293168362 * max(vtk_array(case / "results" / "envelope.vtu", "contact_pressure"))
         self.assert_close(passing, max(value for value in cycle["curve"]["peak_pressure"] if value is not None), 0.002,
                           "contact pressure of the envelope")
         for stress in cycle["stresses"]:
@@ -89,12 +78,12 @@ class Cycle(CliTest):
                 continue
             self.assertLessEqual(stress["least"]["value"], 0)
             self.assertEqual(stress["range"]["value"], stress["value"]["value"] - stress["least"]["value"])
-        least = values(case / "results" / "envelope.vtu", "principal_stress_1_least")
+        least = vtk_array(case / "results" / "envelope.vtu", "principal_stress_1_least")
         self.assertLessEqual(max(least), 0)
         self.assertLess(min(least), -1000, "the walls are pressed where they were pulled")
-        greatest_stress = max(values(case / "results" / "envelope.vtu", "von_mises"))
+        greatest_stress = max(vtk_array(case / "results" / "envelope.vtu", "von_mises"))
         for i in range(len(cycle["instants"])):
-            self.assertLessEqual(max(values(case / "results" / f"cycle.{i}.vtu", "von_mises")), 1.02 * greatest_stress, i)
+            self.assertLessEqual(max(vtk_array(case / "results" / f"cycle.{i}.vtu", "von_mises")), 1.02 * greatest_stress, i)
         page = (case / "results" / "report.html").read_text()
         self.assertIn("Over the engagement", page)
         self.assertIn("chart-cycle-pressure", page)
@@ -114,7 +103,7 @@ class Cycle(CliTest):
             }, f"with-{count}"))
             self.assertEqual(len({round(instant["time"]["value"], 12) for instant in cycle["instants"]}), len(cycle["instants"]))
             greatest.append(max(value for value in cycle["curve"]["peak_pressure"] if value is not None))
-            passing.append(max(values(case / "results" / "envelope.vtu", "contact_pressure")))
+            passing.append(max(vtk_array(case / "results" / "envelope.vtu", "contact_pressure")))
         self.assert_close(greatest[0], greatest[1], 0.005, "greatest pressure of the curve")
         self.assert_close(passing[0], passing[1], 0.005, "contact pressure of the envelope")
 

@@ -1,12 +1,14 @@
 """A pin that slides along the wall: friction in the contact, the stress field, the torque and the results."""
 
 import csv
+import json
 import math
 import random
 import re
 
 import geneva_cli
-from geneva_cli import CliTest, change_case, look_up, number
+from browser import Browser
+from geneva_cli import CliTest, change_case, look_up, number, vtk_array
 
 CASE = """
 set Title        = pin that slides
@@ -304,6 +306,74 @@ class StickAndSlip(CliTest):
         self.assert_close(float(steps[5]["elastic_energy"]), float(steps[1]["elastic_energy"]), 1e-3, "the same again")
         work = float(steps[5]["work"]) - float(steps[1]["work"])
         self.assert_close(work, heat[5] - heat[1], 0.35, "heat of a step is that of its last friction")
+
+    def history(self, case, *, ranks=None):
+        run = self.geneva("cycle", case, ranks=ranks)
+        self.assertEqual(run.code, 0, run.describe())
+        return json.loads((case / "results" / "load_steps.json").read_text())
+
+    def test_every_load_step_has_its_field(self):
+        """Equal bodies: pressed together it is Hertz's pressure at every step, however they are moved along."""
+        case = self.case("steps", "4.5e-5", [0, 1, -1])
+        history = self.history(case)
+        alone = self.run_case(case)
+        rows = self.table(case, "steps.csv")
+        self.assertEqual(len(history["steps"]), 3)
+        results = case / "results"
+        envelope = {name: vtk_array(results / "envelope.vtu", name) for name in ("von_mises", "von_mises_load_step", "contact_pressure")}
+        for number_of_step, (step, row) in enumerate(zip(history["steps"], rows)):
+            (contact,) = step["contacts"]
+            self.assert_close(number(contact["peak_pressure"]), self.peak, 0.01, "Hertz")
+            self.assert_close(number(contact["half_width"]), self.half_width, 0.01, "Hertz")
+            self.assert_close(number(contact["friction_force"][0]) + 1, float(row["friction_force_x"]) + 1, 1e-8, "as a run")
+            self.assert_close(number(contact["dissipated"]) + 1e-6, float(row["dissipated"]) + 1e-6, 1e-8, "as a run")
+            field = vtk_array(results / f"load_steps.{number_of_step}.vtu", "von_mises")
+            self.assertTrue(all(here <= most for here, most in zip(field, envelope["von_mises"])))
+            at = [i for i, when in enumerate(envelope["von_mises_load_step"]) if when == number_of_step + 1]
+            self.assertTrue(at and all(field[i] == envelope["von_mises"][i] for i in at))
+            self.assert_close(max(field), max(number(stress["von_mises"]) for stress in step["stresses"]), 1e-6, "greatest")
+        self.assert_close(number(history["steps"][-1]["contacts"][0]["peak_pressure"]), look_up(alone, "contact.peak_pressure.value"), 1e-9,
+                          "the last step is the run's")
+        self.assert_close(max(envelope["contact_pressure"]), number(history["greatest"]["peak_pressure"]), 0.005, "without the correction")
+        page = (results / "report.html").read_text()
+        for words in ("Over the load steps", "load step 3 of 3", "Heat of friction since the first step"):
+            self.assertIn(words, page)
+        self.assert_plays(results / "report.html")
+
+    def assert_plays(self, report):
+        """The slider moves both pictures of the field and tells the step."""
+        move = ("const s = document.querySelector('#cycle-controls input'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
+                "return [...document.querySelectorAll('.instant img')].map((one) => one.src).concat("
+                "document.getElementById('cycle-words').textContent)")
+        with Browser() as browser:
+            browser.open(report)
+            first, last = browser.run(move, 0), browser.run(move, 2)
+            self.assertEqual(len(first), 3)
+            self.assertEqual(sum(a == b for a, b in zip(first, last)), 0)
+            self.assertIn("load step 3 of 3", last[2])
+            self.assertEqual([entry["message"] for entry in browser.console()], [])
+
+    def test_the_field_of_a_step_is_that_of_a_run_that_ends_there(self):
+        step = self.history(self.case("three", "4.5e-5", [0, 1, 0]))["steps"][1]
+        case = self.case("two", "4.5e-5", [0, 1])
+        self.run_case(case)
+        self.assert_close(number(step["contacts"][0]["friction_force"][0]), float(self.table(case, "steps.csv")[1]["friction_force_x"]),
+                          2e-3, "on two meshes")
+
+    def test_ranks_change_no_load_step(self):
+        case = self.case("ranks", "4.5e-5", [0, 1, 0])
+        alone, together = self.history(case), self.history(case, ranks=2)
+        for one, other in zip(alone["steps"], together["steps"]):
+            for key in ("peak_pressure", "half_width", "dissipated"):
+                self.assert_close(1e-9 + number(other["contacts"][0][key]), 1e-9 + number(one["contacts"][0][key]), 1e-7, key)
+            for mine, theirs in zip(one["stresses"], other["stresses"]):
+                self.assert_close(number(theirs["first_principal"]), number(mine["first_principal"]), 1e-7, "tension")
+
+    def test_a_geometry_without_load_steps_has_no_cycle(self):
+        run = self.geneva("cycle", self.copy_case("hertz-line-contact", "none"))
+        self.assertEqual(run.code, 1, run.describe())
+        for words in ("case.prm", "'Load steps'", "geneva run"):
+            self.assertIn(words, run.err)
 
     def test_all_work_of_steady_sliding_is_heat(self):
         """Once all of it slides no more elastic energy is stored."""

@@ -6,6 +6,7 @@ unittest's own arguments after them:
     python3 tests/cli/bad_input.py build/release/app/geneva . -v
 """
 
+import base64
 import csv
 import dataclasses
 import json
@@ -13,6 +14,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -85,6 +87,15 @@ class CliTest(unittest.TestCase):
         """Compares numbers by their relative difference."""
         difference = abs(value - expected) / abs(expected) if expected else abs(value)
         self.assertLessEqual(difference, tolerance, f"{what}: {value!r} instead of {expected!r}")
+
+
+def vtk_array(file, name):
+    """An array of single precision of a VTK file."""
+    text = file.read_text()
+    start = text.index(">", text.index(f'Name="{name}"')) + 1
+    data = base64.b64decode(text[start:text.index("</DataArray>", start)].strip())
+    (size,) = struct.unpack("<I", data[:4])
+    return struct.unpack(f"<{size // 4}f", data[4:])
 
 
 def environment():

@@ -73,6 +73,13 @@
     return lines.length > 1 ? lines : label;
   }
 
+  // Values that differ by round-off alone are shown as equal.
+  function rangeOf(values) {
+    const [least, maximum] = [Math.min(...values), Math.max(...values)];
+    const size = Math.max(Math.abs(least), Math.abs(maximum));
+    return maximum - least > 1e-6 * size ? [least, maximum] : [least - 0.05 * size, maximum + 0.05 * size];
+  }
+
   function axis(specification, values, margin) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
@@ -80,7 +87,7 @@
       ticks: { color: ink(), maxRotation: 0, autoSkipPadding: 12, callback: (value) => genevaNumber(value, 6) },
       grid: { color: rule() },
     };
-    const [least, maximum] = [Math.min(...values), Math.max(...values)];
+    const [least, maximum] = rangeOf(values);
     if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
     else if (specification.step > 0 && least < maximum && maximum - least < mostSteps * specification.step) step(result, least, maximum, specification.step);
     else if (least < maximum) round(result, least, maximum, margin * (maximum - least));

@@ -101,7 +101,8 @@ ResultsDirectory read_results(const fs::path& directory) try {
                     "design.json ('geneva design'), crown.json ('geneva design --crown'), "
                     "optimum.json ('geneva optimise') and sweep.json ('geneva sweep')",
                     directory.string()));
-  for (const char* const name : {"view", "mechanism", "cycle_view"}) {  // not of all of them
+  for (const char* const name :
+       {"view", "mechanism", "cycle_view", "load_steps_view"}) {  // not of all of them
     const fs::path file = directory / (std::string(name) + ".json");
     if (fs::exists(file)) results.documents[name] = read_json(file);
   }

@@ -7,14 +7,14 @@
 
 namespace geneva::post {
 
-/// The field of a cycle, played with the mechanism: the place on the page, and what its script
-/// reads.
+/// The field of a cycle, played with the mechanism or over load steps: the place on the page, and
+/// what its script reads.
 struct CycleField {
   std::string html;
   nlohmann::json data;
 };
 
-/// Nothing without cycle_view.json.
+/// Nothing without cycle_view.json or load_steps_view.json.
 CycleField cycle_field(const ResultsDirectory& results);
 
 }  // namespace geneva::post

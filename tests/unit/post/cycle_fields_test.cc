@@ -68,7 +68,7 @@ TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
     }(here > 0. ? 1.5 * here : 0.5 * here);
     EXPECT_NEAR(greatest.first_principal[node], principal, 1e-9) << node;
     EXPECT_NEAR(greatest.von_mises[node], std::sqrt(std::pow(1.5 * here, 2) + 0.03), 1e-9) << node;
-    EXPECT_EQ(greatest.von_mises_angle[node], 0.1) << node;
+    EXPECT_EQ(greatest.von_mises_when[node], 0.1) << node;
   }
 }
 
@@ -109,7 +109,11 @@ TEST(Swing, IsNothingBetweenEngagements) {
 
 TEST(CycleSeries, NamesEveryInstantAtItsAngle) {
   const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5)};
-  const auto texts = cycle_series(instants, 1, {false, true}, {}, base::UnitSystem::mm_newton);
+  const auto units = base::UnitSystem::mm_newton;
+  const auto texts = cycle_series(
+      instants, 1, {false, true},
+      {"driver_angle", base::output_unit(units, base::Dimension::angle).factor, "cycle"}, {},
+      units);
   EXPECT_EQ(texts.size(), 4U);
   const std::string& list = texts.at("cycle.pvd");
   EXPECT_NE(list.find("timestep=\"-28.6478898\" part=\"0\" file=\"cycle.0.vtu\""),

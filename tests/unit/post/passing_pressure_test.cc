@@ -48,7 +48,7 @@ std::vector<CycleCurvePoint> curve() {
 
 TEST(PassingPressure, IsOnAWallThatOfThePinBesideIt) {
   const CycleFields own = nodes_of_slot(0.);
-  const PassingPressure found = passing_pressure(own, {false, true}, curve());
+  const PressureEnvelope found = passing_pressure(own, {false, true}, curve());
   for (std::size_t node = 0; node < 15; ++node) {
     const double x = own.fields.places[node][0];
     const double y = own.fields.places[node][1];
@@ -57,7 +57,7 @@ TEST(PassingPressure, IsOnAWallThatOfThePinBesideIt) {
     if (x == 0.04) continue;  // where the pin turns back
     EXPECT_NEAR(found.pressure[node], is_passed ? share * x : 0., 1e-12) << x << ' ' << y;
     if (share == 1. && is_passed) {
-      EXPECT_NEAR(found.driver_angle[node], 10. * (0.06 - x), 1e-9) << x;
+      EXPECT_NEAR(found.when[node], 10. * (0.06 - x), 1e-9) << x;
     }
   }
 }
@@ -65,14 +65,14 @@ TEST(PassingPressure, IsOnAWallThatOfThePinBesideIt) {
 TEST(PassingPressure, IsOnThePinThatOfTheMomentWhenItFacesTheWall) {
   const double own_turn = 0.3;
   const CycleFields own = nodes_of_slot(own_turn);
-  const PassingPressure found = passing_pressure(own, {false, true}, curve());
+  const PressureEnvelope found = passing_pressure(own, {false, true}, curve());
   int faced = 0;
   for (std::size_t node = 18; node < 26; ++node) {
     const double angle = std::atan2(own.fields.places[node][1] - axis_y,
                                     own.fields.places[node][0] - own.pin_distance);
     if (found.pressure[node] == 0.) continue;
     ++faced;
-    const double driver = found.driver_angle[node];
+    const double driver = found.when[node];
     const double turn = std::acos(-1.) * driver / 0.4;
     const double wall = driver <= 0.2 ? std::acos(0.) : -std::acos(0.);
     EXPECT_NEAR(std::remainder(angle - (turn - own_turn) - wall, 4. * std::acos(0.)), 0., 1e-9);
