@@ -164,7 +164,7 @@ class Cycle(CliTest):
             self.assertFalse((case / "results").exists())
 
         assert_refused(self.changed("johnson-optimum-wheel", {"Mechanism/Instants": 2}, "few"), "Instants", "3")
-        assert_refused(self.copy_case("hertz-line-contact"), "no Geneva mechanism", "geneva cycle")
+        assert_refused(self.copy_case("hertz-line-contact"), "'Load steps'", "geneva run")
         assert_refused(self.copy_case("synthesis-quick-return"), "geneva cycle")
 
     def test_the_verdict_of_a_run_uses_what_the_cycle_knows(self):

@@ -10,6 +10,7 @@
 #include "post/analysis/contact_frame.h"
 #include "post/analysis/depth_line.h"
 #include "post/analysis/results.h"
+#include "post/analysis/sliding_surface.h"
 #include "tests/support/solving.h"
 #include "tests/support/structured_mesh.h"
 
@@ -75,6 +76,28 @@ TEST(Invariants, VonMisesIsTheStressOfATensileTestAndRootThreeTimesAPureShear) {
   EXPECT_NEAR(von_mises({7., 0., 0.}), 7., 1e-15);
   EXPECT_NEAR(von_mises({2., 0., -2.}), 2. * std::sqrt(3.), 1e-15);
   EXPECT_EQ(von_mises({-5., -5., -5.}), 0.) << "even pressure";
+}
+
+TEST_F(Patch, IsFreeOfStressAlongItsSurfacesAsItIsFreeToWiden) {
+  const auto stresses = surface_stresses(solution_, solution_.contacts.front());
+  ASSERT_EQ(stresses.size(), solution_.contacts.front().nodes.size());
+  for (const SurfaceStress& stress : stresses) {
+    EXPECT_NEAR(stress.source, 0., 1e-7 * pressure);
+    EXPECT_NEAR(stress.target, 0., 1e-7 * pressure);
+  }
+}
+
+TEST_F(Patch, HasTheStressAlongItsSurfacesThatItsStrainAsksFor) {
+  constexpr double strain = 1e-4;
+  for (auto& node : solution_.contacts.front().nodes) node.strain = {strain, -strain};
+  const double lateral = 0.3 * pressure;
+  for (const SurfaceStress& stress : surface_stresses(solution_, solution_.contacts.front())) {
+    EXPECT_NEAR(stress.source, 2e11 * strain - lateral, 1e-7 * pressure);
+    EXPECT_NEAR(stress.target, -2e11 * strain - lateral, 1e-7 * pressure);
+  }
+  solution_.problem.plane = fem::PlaneKind::plane_strain;
+  for (const SurfaceStress& stress : surface_stresses(solution_, solution_.contacts.front()))
+    EXPECT_NEAR(stress.source, 2e11 / 0.91 * strain - lateral / 0.7, 1e-7 * pressure);
 }
 
 TEST_F(Patch, HasTheSameStressInAllCellsAndAtAllNodes) {
