@@ -31,6 +31,8 @@
 #include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
+#include "post/output/passing_field.h"
+#include "post/output/passing_mesh.h"
 #include "post/output/passing_pressure.h"
 #include "post/view/cycle_view.h"
 
@@ -178,19 +180,47 @@ std::vector<post::Swing> swings_of(const post::CycleReport& report,
   return dealii::Utilities::MPI::broadcast(communicator, swings, 0);
 }
 
-/// What ParaView plays, with the envelope at the nodes of an instant; the pressure that passes is
-/// known in the plane.
+/// Of pin and wall.
+post::PassingMaterials passing_materials(const model::MechanismCase& mechanism,
+                                         const std::size_t n_bodies) {
+  const model::MechanismDynamics dynamics = model::mechanism_dynamics(mechanism);
+  const loads::PinContact contact = api::pin_contact(mechanism, dynamics.sizes);
+  post::PassingMaterials materials{contact.pin_diameter / contact.contact_modulus,
+                                   dynamics.train.roller ? 0. : dynamics.train.slot_friction,
+                                   std::vector<double>(n_bodies, mechanism.pin.poissons_ratio)};
+  materials.poissons_ratios.front() = mechanism.wheel.poissons_ratio;
+  return materials;
+}
+
+double greatest_of(const std::vector<post::CycleCurvePoint>& curve) {
+  double greatest = 0.;
+  for (const post::CycleCurvePoint& point : curve)
+    if (std::isfinite(point.peak_pressure)) greatest = std::max(greatest, point.peak_pressure);
+  return greatest;
+}
+
+/// What ParaView plays, with the envelope at the nodes of an instant; in the plane it also has what
+/// passes between the instants, on a mesh that shows it.
 std::map<std::string, std::string> series_of(const std::vector<post::CycleFields>& fields,
-                                             const std::size_t at, const post::CycleReport& report,
-                                             const Case& given) {
+                                             const post::CycleFields& at,
+                                             const post::CycleReport& report, const Case& given) {
   const std::vector<bool> turning = bodies_that_turn(fields);
-  std::optional<post::PressureEnvelope> pressure;
-  if (given.dimension == 2 && !report.curve.empty())
-    pressure = post::passing_pressure(fields[at], turning, report.curve);
-  return post::cycle_series(
-      fields, at, turning,
-      {"driver_angle", base::output_unit(given.units, base::Dimension::angle).factor, "cycle"},
-      pressure, given.units);
+  const post::SeriesOrder order{"driver_angle",
+                                base::output_unit(given.units, base::Dimension::angle).factor,
+                                "cycle", "envelope.vtu"};
+  if (given.dimension == 3 || report.curve.empty())
+    return post::cycle_series(fields, at.fields, post::envelope(at, fields, turning), order, {},
+                              given.units);
+  const post::PassingMaterials materials = passing_materials(*given.mechanism, turning.size());
+  const double per_pressure = materials.half_width_per_pressure;
+  const double reach = post::missed_depth(fields, per_pressure * greatest_of(report.curve));
+  const post::CycleFields fine =
+      post::divided_where_passed(at, turning, report.curve, per_pressure, reach);
+  post::Envelope greatest = post::envelope(fine, fields, turning);
+  post::raise_to_passing_field(
+      greatest, fine.fields, post::passing_contact(fine, turning, report.curve, reach), materials);
+  return post::cycle_series(fields, fine.fields, greatest, order,
+                            post::passing_pressure(fine, turning, report.curve), given.units);
 }
 
 }  // namespace
@@ -247,8 +277,7 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
     });
     if (at != fields.end() && given.dimension == 2)
       texts["cycle_view.json"] = view_text(fields, given.units);
-    if (at != fields.end())
-      texts.merge(series_of(fields, static_cast<std::size_t>(at - fields.begin()), report, given));
+    if (at != fields.end()) texts.merge(series_of(fields, *at, report, given));
   }
   return api::write_results(directory, given, "cycle", texts);
 }

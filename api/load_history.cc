@@ -167,14 +167,6 @@ post::NodalFields joined(const std::vector<post::NodalFields>& parts) {
   return all;
 }
 
-/// By node: the body whose cells have it.
-std::vector<unsigned int> bodies_of_nodes(const post::NodalFields& fields) {
-  std::vector<unsigned int> bodies(fields.places.size(), 0);
-  for (std::size_t cell = 0; cell < fields.cells.size(); ++cell)
-    for (const std::size_t node : fields.cells[cell]) bodies[node] = fields.bodies[cell];
-  return bodies;
-}
-
 /// Nodes of a field by body and place, which is the same to a billionth of the model wherever it
 /// was computed.
 class NodesByPlace {
@@ -184,7 +176,7 @@ class NodesByPlace {
     for (const Vector& place : fields.places)
       for (const double component : place) extent = std::max(extent, std::abs(component));
     cell_ = 1e-8 * extent;
-    const std::vector<unsigned int> bodies = bodies_of_nodes(fields);
+    const std::vector<unsigned int> bodies = post::bodies_of_nodes(fields);
     for (std::size_t node = 0; node < fields.places.size(); ++node)
       nodes_[key(fields.places[node], bodies[node], {})].push_back(node);
   }
@@ -378,8 +370,10 @@ Written write(const LoadHistory& history, const std::filesystem::path& directory
   if (!fields.empty()) {
     const unsigned int last =
         *std::max_element(fields.front().fields.bodies.begin(), fields.front().fields.bodies.end());
-    texts.merge(post::cycle_series(fields, 0, std::vector<bool>(last + 1, false),
-                                   {"load_step", 1., "load_steps"}, contact_pressure, given.units));
+    const std::vector<bool> turning(last + 1, false);
+    texts.merge(post::cycle_series(
+        fields, fields.front().fields, post::envelope(fields.front(), fields, turning),
+        {"load_step", 1., "load_steps", "load_steps_envelope.vtu"}, contact_pressure, given.units));
     if (given.dimension == 2) texts["load_steps_view.json"] = view_text(history);
   }
   return api::write_results(directory, given, "load_steps", texts);

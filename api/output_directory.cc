@@ -46,14 +46,6 @@ bool is_input(const fs::path& file, const model::Case& given) {
                      [&](const fs::path& input) { return fs::equivalent(file, input, ignored); });
 }
 
-/// Whether a file belongs to a document that stays.
-bool is_kept(const std::string& name, const std::set<std::string>& kept) {
-  const auto& all = post::result_files();
-  return std::any_of(all.begin(), all.end(), [&](const post::ResultFiles& results) {
-    return kept.count(results.document) > 0 && post::belongs_to(results, name);
-  });
-}
-
 /// Own files of a directory that do not stay beside a new document.
 struct Stale {
   std::set<std::string> names;
@@ -75,9 +67,8 @@ Stale stale_files(const fs::path& directory, const model::Case& given, const std
     if (written.count(name) > 0 || is_input(file, given) || (name == "case.prm" && !has_run))
       continue;
     if (post::is_shared_file(name)) stale.names.insert(name);
-    if (is_kept(name, kept)) continue;
     for (const post::ResultFiles& results : post::result_files()) {
-      if (!post::belongs_to(results, name)) continue;
+      if (!post::belongs_to(results, name) || kept.count(results.document) > 0) continue;
       stale.names.insert(name);
       if (results.document != document) stale.of_others.push_back(name);
     }

@@ -44,8 +44,9 @@ int cycle_of_geometry(const MPI_Comm communicator, SolvingCommand& command,
   const LoadHistory found = load_history(command.given(), communicator, mesher, watch);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);
   progress.line("\n" + table(found));
-  command.write([&](const std::filesystem::path& directory) { return write(found, directory); },
-                "load_steps.json, load_steps.csv, load_steps.pvd, envelope.vtu and report.html");
+  command.write(
+      [&](const std::filesystem::path& directory) { return write(found, directory); },
+      "load_steps.json, load_steps.csv, load_steps.pvd, load_steps_envelope.vtu and report.html");
   return command.end(found.is_converged);
 }
 

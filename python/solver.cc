@@ -10,6 +10,7 @@
 #include "api/crown_confirmation.h"
 #include "api/cycle.h"
 #include "api/design_strength.h"
+#include "api/load_history.h"
 #include "api/optimum_confirmation.h"
 #include "api/session.h"
 #include "api/told_together.h"
@@ -121,23 +122,41 @@ std::vector<PlainFigure> plain(const std::vector<post::ComparisonRow>& rows) {
   return figures;
 }
 
+/// Tells Python of meshes and steps, which the tellers must outlive.
+Progress progress_of(Teller& meshes, Teller& steps) {
+  Progress progress;
+  progress.mesh = [&meshes](const fem::LevelRecord& mesh) {
+    const py::gil_scoped_acquire lock;
+    meshes.tell(as_dict(mesh));
+  };
+  progress.step = [&steps](const fem::StepReport& step) {
+    const py::gil_scoped_acquire lock;
+    steps.tell(as_dict(step));
+  };
+  return progress;
+}
+
 std::unique_ptr<SolvedCase> run(const Case& given, const py::object& comm,
                                 const py::object& progress, const py::object& on_step) {
   const MPI_Comm communicator = communicator_of(comm);
   Teller meshes(progress);
   Teller steps(on_step);
   AnalysisOptions options;
-  options.progress.mesh = [&](const fem::LevelRecord& mesh) {
-    const py::gil_scoped_acquire lock;
-    meshes.tell(as_dict(mesh));
-  };
-  options.progress.step = [&](const fem::StepReport& step) {
-    const py::gil_scoped_acquire lock;
-    steps.tell(as_dict(step));
-  };
+  options.progress = progress_of(meshes, steps);
   return meshes.compute([&] {
     return steps.rethrowing(
         [&] { return std::make_unique<SolvedCase>(analyse(given, communicator, options)); });
+  });
+}
+
+LoadHistory load_steps(const Case& given, const py::object& comm, const py::object& progress,
+                       const py::object& on_step) {
+  const MPI_Comm communicator = communicator_of(comm);
+  Teller meshes(progress);
+  Teller steps(on_step);
+  const Progress told = progress_of(meshes, steps);
+  return meshes.compute([&] {
+    return steps.rethrowing([&] { return load_history(given, communicator, nullptr, told); });
   });
 }
 
@@ -286,13 +305,71 @@ py::list refusals_of(const Cycle& found) {
   return list;
 }
 
-py::list fields_of(const Cycle& found) {
+py::dict contact_over_steps(const LoadHistory& found, const std::size_t pair) {
+  using Point = post::LoadStepPoint;
+  const auto& points = found.report.steps;
+  Columns columns;
+  const auto add = [&](const char* const name, const Dimension dimension, const auto& of_contact) {
+    columns.add(name, dimension, points,
+                [&](const Point& point) { return of_contact(point.contacts[pair]); });
+  };
+  using Contact = post::ContactAtStep;
+  columns.add("time", Dimension::time, points, [](const Point& point) { return point.time; });
+  constexpr std::array<const char*, 3> forces{"force x", "force y", "force z"};
+  constexpr std::array<const char*, 3> frictions{"friction force x", "friction force y",
+                                                 "friction force z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    add(forces[i], Dimension::force, [i](const Contact& contact) { return contact.force[i]; });
+    add(frictions[i], Dimension::force,
+        [i](const Contact& contact) { return contact.friction_force[i]; });
+  }
+  add("peak pressure", Dimension::stress,
+      [](const Contact& contact) { return contact.peak_pressure; });
+  add("half-width", Dimension::length, [](const Contact& contact) { return contact.half_width; });
+  add("change from the mesh before", Dimension::dimensionless, [](const Contact& contact) {
+    return contact.change.value_or(std::numeric_limits<double>::quiet_NaN());
+  });
+  add("sticking nodes", Dimension::dimensionless,
+      [](const Contact& contact) { return static_cast<double>(contact.sticking); });
+  add("slipping nodes", Dimension::dimensionless,
+      [](const Contact& contact) { return static_cast<double>(contact.slipping); });
+  add("heat of friction", Dimension::moment,  // N m
+      [](const Contact& contact) { return contact.dissipated; });
+  return columns.dict();
+}
+
+py::dict contacts_over_steps(const LoadHistory& found) {
+  py::dict dict;
+  const auto& contacts = found.report.steps.front().contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    dict[py::str(contacts[i].source + " -> " + contacts[i].target)] = contact_over_steps(found, i);
+  return dict;
+}
+
+py::dict stresses_over_steps(const LoadHistory& found) {
+  using Point = post::LoadStepPoint;
+  const auto& points = found.report.steps;
+  py::dict dict;
+  for (std::size_t i = 0; i < points.front().stresses.size(); ++i) {
+    Columns columns;
+    columns.add("von Mises", Dimension::stress, points,
+                [i](const Point& point) { return point.stresses[i].von_mises; });
+    columns.add("first principal", Dimension::stress, points,
+                [i](const Point& point) { return point.stresses[i].first_principal; });
+    dict[py::str(points.front().stresses[i].body)] = columns.dict();
+  }
+  return dict;
+}
+
+template <typename Found>
+py::list fields_of(const Found& found) {
   py::list list;
   for (const post::CycleFields& instant : found.fields) list.append(as_dict(instant.fields));
   return list;
 }
 
-std::vector<PlainFigure> limits_of(const Cycle& found) {
+template <typename Found>
+std::vector<PlainFigure> limits_of(const Found& found) {
   std::vector<PlainFigure> figures;
   for (const post::LimitRow& row : found.report.limits) {
     PlainFigure figure{row.quantity, row.dimension, row.value};
@@ -302,6 +379,23 @@ std::vector<PlainFigure> limits_of(const Cycle& found) {
     figures.push_back(figure);
   }
   return figures;
+}
+
+void bind_load_steps(py::module_& module) {
+  bind_result<LoadHistory>(module, "LoadHistory")
+      .def_readonly("is_converged", &LoadHistory::is_converged)
+      .def_property_readonly("notices",
+                             [](const LoadHistory& found) { return found.report.notices; })
+      .def_property_readonly("error", [](const LoadHistory& found) { return found.report.error; })
+      .def("table", [](const LoadHistory& found) { return table(found); })
+      .def("document",
+           [](const LoadHistory& found) { return post::load_history_summary(found.report).dump(); })
+      .def("limits", [](const LoadHistory& found) { return as_list(limits_of(found)); })
+      .def("contacts", contacts_over_steps)
+      .def("stresses", stresses_over_steps)
+      .def("fields", fields_of<LoadHistory>);
+  module.def("load_steps", load_steps, py::arg("given"), py::arg("comm"), py::arg("progress"),
+             py::arg("on_step"));
 }
 
 void bind_cycle(py::module_& module) {
@@ -314,7 +408,7 @@ void bind_cycle(py::module_& module) {
       .def("instants", instants_of)
       .def("curves", curves_of)
       .def("refusals", refusals_of)
-      .def("fields", fields_of);
+      .def("fields", fields_of<Cycle>);
   module.def(
       "cycle",
       [](const Case& given, const py::object& comm, const py::object& progress) {
@@ -395,6 +489,7 @@ PYBIND11_MODULE(_solver, module) {
   });
   bind_analysis(module);
   bind_cycle(module);
+  bind_load_steps(module);
   bind_confirmations(module);
   py::module_::import("atexit").attr("register")(py::cpp_function(LazySession::end));
 }

@@ -58,7 +58,8 @@ template <int dim>
 std::optional<unsigned int> cut_axis(const fem::Solution<dim>& solution,
                                      const fem::ContactResult<dim>& contact) {
   constexpr double same = 1e-6;
-  constexpr double amid = 0.5;  // of the peak; towards its own end Hertz's pressure falls to 0
+  constexpr double amid = 0.5;    // of the peak; towards its own end Hertz's pressure falls to 0
+  constexpr double across = 0.5;  // of a normal: a plane of symmetry holds those of its points
   const auto& nodes = contact.nodes;
   const auto planes = fem::mirrors(solution.mesh, solution.problem, contact);
   for (unsigned int axis = 0; axis < dim; ++axis) {
@@ -71,7 +72,8 @@ std::optional<unsigned int> cut_axis(const fem::Solution<dim>& solution,
       const bool is_mirror = planes[axis] && std::abs(*planes[axis] - end) <= slack;
       if (is_mirror || slack == 0. || !parts_along(contact, axis, end)) continue;
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (nodes[i].pressure > amid * contact.peak_pressure &&
+        if (std::abs(nodes[i].normal[axis]) < across &&
+            nodes[i].pressure > amid * contact.peak_pressure &&
             std::abs(nodes[i].position[axis] - end) <= slack && is_at_end(contact, i))
           return axis;
     }

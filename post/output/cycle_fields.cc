@@ -116,13 +116,18 @@ bool is_of_same_mesh(const CycleFields& one, const CycleFields& other) {
 
 }  // namespace
 
-Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at,
+void raise(Envelope& envelope, const std::size_t node, const NodeMaxima& stress,
+           const double when) {
+  keep_greater(stress.von_mises, when, node, envelope.von_mises, envelope.von_mises_when);
+  keep_greater(stress.first_principal, when, node, envelope.first_principal,
+               envelope.first_principal_when);
+  keep_greater(stress.max_shear, when, node, envelope.max_shear, envelope.max_shear_when);
+}
+
+Envelope envelope(const CycleFields& own, const std::vector<CycleFields>& instants,
                   const std::vector<bool>& turning) {
-  const CycleFields& own = instants[at];
   const std::size_t n_nodes = own.fields.places.size();
-  std::vector<unsigned int> body(n_nodes, 0);
-  for (std::size_t cell = 0; cell < own.fields.cells.size(); ++cell)
-    for (const std::size_t node : own.fields.cells[cell]) body[node] = own.fields.bodies[cell];
+  const std::vector<unsigned int> body = bodies_of_nodes(own.fields);
   const std::vector<double> least(n_nodes, std::numeric_limits<double>::lowest());
   const std::vector<double> zeros(n_nodes, 0.);
   Envelope greatest{least, zeros, least, zeros, least, zeros, zeros};
@@ -138,11 +143,8 @@ Envelope envelope(const std::vector<CycleFields>& instants, const std::size_t at
               ? instant.fields.stress[node]
               : stress_at(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
       here.push_back(stress);
-      const double when = instant.when;
-      keep_greater(von_mises_of(stress), when, node, greatest.von_mises, greatest.von_mises_when);
-      keep_greater(first_principal(stress), when, node, greatest.first_principal,
-                   greatest.first_principal_when);
-      keep_greater(max_shear(stress), when, node, greatest.max_shear, greatest.max_shear_when);
+      raise(greatest, node, {von_mises_of(stress), first_principal(stress), max_shear(stress)},
+            instant.when);
     }
   }
   for (std::size_t node = 0; node < n_nodes; ++node)
@@ -169,8 +171,7 @@ Swing swing_of(const CycleStress& tensile, const std::vector<CycleFields>& insta
 }
 
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
-                                                const std::size_t at,
-                                                const std::vector<bool>& turning,
+                                                const NodalFields& own, const Envelope& greatest,
                                                 const SeriesOrder& order,
                                                 const std::optional<PressureEnvelope>& pressure,
                                                 const base::UnitSystem units) {
@@ -186,12 +187,12 @@ std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& 
                         instants[i].when * order.factor, name);
   }
   texts[order.files + ".pvd"] = list + "</Collection>\n</VTKFile>\n";
-  std::vector<VtuArray> arrays = envelope_arrays(envelope(instants, at, turning), stress, order);
+  std::vector<VtuArray> arrays = envelope_arrays(greatest, stress, order);
   if (pressure) {
     arrays.push_back(array_of("contact_pressure", pressure->pressure, stress.factor));
     arrays.push_back(array_of("contact_pressure_" + order.name, pressure->when, order.factor));
   }
-  texts["envelope.vtu"] = vtu_text(instants[at].fields, arrays, length.factor);
+  texts[order.envelope] = vtu_text(own, arrays, length.factor);
   return texts;
 }
 

@@ -37,11 +37,22 @@ struct Envelope {
   std::vector<double> tension_least;
 };
 
-/// At the nodes of an instant, from the fields of all at the same material points, interpolated
-/// where the mesh is another one: the wheel stands still, the pin moves along the slot and turns.
-/// @param at index of the instant whose nodes they are
+/// Maxima of a node's stress [Pa].
+struct NodeMaxima {
+  double von_mises;
+  double first_principal;
+  double max_shear;  ///< (s1 - s3)/2
+};
+
+/// Raises the envelope at a node to what is greater there.
+void raise(Envelope& envelope, std::size_t node, const NodeMaxima& stress, double when);
+
+/// At nodes that stand as at an instant, from the fields of all instants at the same material
+/// points, interpolated where the mesh is another one: the wheel stands still, the pin moves along
+/// the slot and turns.
+/// @param own those nodes
 /// @param turning bodies that move with the pin, by the index of the coarse mesh's bodies
-Envelope envelope(const std::vector<CycleFields>& instants, std::size_t at,
+Envelope envelope(const CycleFields& own, const std::vector<CycleFields>& instants,
                   const std::vector<bool>& turning);
 
 /// Over the instants and between engagements, along the direction of a tensile stress of one of
@@ -58,17 +69,18 @@ struct PressureEnvelope {
 
 /// What tells the instants of a series apart.
 struct SeriesOrder {
-  std::string name;   ///< "driver_angle"
-  double factor;      ///< from CycleFields::when to its output unit
-  std::string files;  ///< beginning of the files' names
+  std::string name;      ///< "driver_angle"
+  double factor;         ///< from CycleFields::when to its output unit
+  std::string files;     ///< beginning of the files' names
+  std::string envelope;  ///< file of the envelope
 };
 
 /// Files of a series, as texts by their names: "cycle.pvd", "cycle.N.vtu" for every instant, and
-/// "envelope.vtu".
-/// @param at, turning as envelope() takes them
-/// @param pressure at the nodes of that instant; none: not known
+/// the envelope.
+/// @param own nodes of the envelope
+/// @param pressure at these nodes; none: not known
 std::map<std::string, std::string> cycle_series(const std::vector<CycleFields>& instants,
-                                                std::size_t at, const std::vector<bool>& turning,
+                                                const NodalFields& own, const Envelope& greatest,
                                                 const SeriesOrder& order,
                                                 const std::optional<PressureEnvelope>& pressure,
                                                 base::UnitSystem units);

@@ -18,6 +18,13 @@ Eigen::Matrix3d matrix_of(const std::array<double, 6>& stress) {
 
 }  // namespace
 
+std::vector<unsigned int> bodies_of_nodes(const NodalFields& fields) {
+  std::vector<unsigned int> bodies(fields.places.size(), 0);
+  for (std::size_t cell = 0; cell < fields.cells.size(); ++cell)
+    for (const std::size_t node : fields.cells[cell]) bodies[node] = fields.bodies[cell];
+  return bodies;
+}
+
 NodalFields mirrored(NodalFields fields) {
   for (auto& place : fields.places) place[1] = -place[1];
   for (auto& displacement : fields.displacements) displacement[1] = -displacement[1];

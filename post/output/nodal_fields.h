@@ -23,6 +23,9 @@ struct NodalFields {
   }
 };
 
+/// By node: a body whose cells have it; each node has one.
+std::vector<unsigned int> bodies_of_nodes(const NodalFields& fields);
+
 /// The mirror image about the plane y = 0.
 NodalFields mirrored(NodalFields fields);
 

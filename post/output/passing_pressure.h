@@ -6,13 +6,23 @@
 
 namespace geneva::post {
 
-/// The greatest contact pressure that passes each node of an instant's mesh, of a mechanism in the
-/// plane: a node of a wall has the pressure of the moment when the pin stands
-/// beside it, a node of the pin that when it faces the wall that carries.
-/// @return 0 away from walls and pin, and where nothing passes
+/// The contact that passes each node of an instant's mesh, of a mechanism in the plane.
+struct PassingContact {
+  PressureEnvelope greatest;  ///< peak pressures; 0 where none passes
+  std::vector<double> depth;  ///< of the node below wall or round pin [m], >= 0
+};
+
+/// A node of the wheel has the contact of the moment when the pin stands beside it, a node of the
+/// pin that when it faces the wall that carries.
 /// @param own instant whose nodes they are
 /// @param turning bodies that move with the pin, by index
 /// @param curve of the cycle, in the order of the motion
+/// @param reach greatest depth of a node [m], >= 0: nodes of the two bodies that touch
+PassingContact passing_contact(const CycleFields& own, const std::vector<bool>& turning,
+                               const std::vector<CycleCurvePoint>& curve, double reach);
+
+/// The greatest contact pressure of the nodes of walls and pin.
+/// @return 0 away from them, and where nothing passes
 PressureEnvelope passing_pressure(const CycleFields& own, const std::vector<bool>& turning,
                                   const std::vector<CycleCurvePoint>& curve);
 

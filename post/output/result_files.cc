@@ -39,7 +39,7 @@ const std::vector<ResultFiles>& result_files() {
       {"load_steps",
        "geneva cycle",
        {},
-       {"load_steps.csv", "load_steps.pvd", "envelope.vtu", "load_steps_view.json"},
+       {"load_steps.csv", "load_steps.pvd", "load_steps_envelope.vtu", "load_steps_view.json"},
        true},
       {"sweep", "geneva sweep", {}, {"sweep.csv"}, true},
       {"synthesis", "geneva synthesize", {"synthesis"}, {}, false}};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace geneva::post {
@@ -26,14 +25,6 @@ Place solved(const std::array<Place, 3>& columns, const Place& r, const std::siz
           dim == 2 ? 0. : determinant(a, b, r) / whole};
 }
 
-std::vector<double> weights_at(const Place& reference, const std::size_t corners) {
-  std::vector<double> weights(corners, 1.);
-  for (std::size_t corner = 0; corner < corners; ++corner)
-    for (std::size_t axis = 0; (std::size_t{1} << axis) < corners; ++axis)
-      weights[corner] *= (corner >> axis & 1U) != 0 ? reference[axis] : 1. - reference[axis];
-  return weights;
-}
-
 }  // namespace
 
 StressAt::StressAt(const NodalFields& fields) : fields_(fields) {
@@ -43,28 +34,53 @@ StressAt::StressAt(const NodalFields& fields) : fields_(fields) {
   tree_ = Tree(boxes.begin(), boxes.end());
 }
 
+StressAt::Weights StressAt::weights_at(const Place& reference, const std::size_t corners) {
+  Weights weights{};
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    weights[corner] = 1.;
+    for (std::size_t axis = 0; (std::size_t{1} << axis) < corners; ++axis)
+      weights[corner] *= (corner >> axis & 1U) != 0 ? reference[axis] : 1. - reference[axis];
+  }
+  return weights;
+}
+
 std::array<double, 6> StressAt::operator()(const Place& place, const unsigned int body) const {
   constexpr unsigned int nearest_cells = 12;
-  std::vector<BoxOfCell> near;
-  tree_.query(bg::index::nearest(Point(place[0], place[1], place[2]), nearest_cells) &&
-                  bg::index::satisfies(
-                      [&](const BoxOfCell& value) { return fields_.bodies[value.second] == body; }),
-              std::back_inserter(near));
-  constexpr double inside = 1e-9;  // of the cell
+  if (fields_.bodies[last_] == body) {
+    const Weights weights = clamped_weights(last_, place);
+    if (distance_to(last_, weights, place) < inside(last_)) return stress_in(last_, weights);
+  }
+  const auto near = bg::index::nearest(Point(place[0], place[1], place[2]), nearest_cells) &&
+                    bg::index::satisfies([&](const BoxOfCell& value) {
+                      return fields_.bodies[value.second] == body;
+                    });
   double least = std::numeric_limits<double>::max();
-  std::array<double, 6> stress{};
-  for (const auto& [box, cell] : near) {
-    if (least < inside * bg::distance(box.min_corner(), box.max_corner())) break;
-    const std::vector<double> weights = clamped_weights(cell, place);
+  Weights of_nearest{};
+  for (auto at = tree_.qbegin(near); at != tree_.qend(); ++at) {  // one by one
+    const std::size_t cell = at->second;
+    const Weights weights = clamped_weights(cell, place);
     const double distance = distance_to(cell, weights, place);
     if (distance >= least) continue;
     least = distance;
-    stress = {};
-    for (std::size_t corner = 0; corner < weights.size(); ++corner)
-      for (std::size_t i = 0; i < 6; ++i)
-        stress[i] += weights[corner] * fields_.stress[fields_.cells[cell][corner]][i];
+    last_ = cell;
+    of_nearest = weights;
+    if (distance < inside(cell)) break;
   }
+  return stress_in(last_, of_nearest);
+}
+
+std::array<double, 6> StressAt::stress_in(const std::size_t cell, const Weights& weights) const {
+  std::array<double, 6> stress{};
+  for (std::size_t corner = 0; corner < fields_.cells[cell].size(); ++corner)
+    for (std::size_t i = 0; i < 6; ++i)
+      stress[i] += weights[corner] * fields_.stress[fields_.cells[cell][corner]][i];
   return stress;
+}
+
+double StressAt::inside(const std::size_t cell) const {
+  constexpr double share = 1e-9;
+  const Box box = box_of(cell);
+  return share * bg::distance(box.min_corner(), box.max_corner());
 }
 
 StressAt::Box StressAt::box_of(const std::size_t cell) const {
@@ -80,22 +96,21 @@ StressAt::Box StressAt::box_of(const std::size_t cell) const {
   return {Point(low[0], low[1], low[2]), Point(high[0], high[1], high[2])};
 }
 
-StressAt::Place StressAt::place_at(const std::size_t cell,
-                                   const std::vector<double>& weights) const {
+StressAt::Place StressAt::place_at(const std::size_t cell, const Weights& weights) const {
   Place place{};
-  for (std::size_t corner = 0; corner < weights.size(); ++corner)
+  for (std::size_t corner = 0; corner < fields_.cells[cell].size(); ++corner)
     for (std::size_t i = 0; i < 3; ++i)
       place[i] += weights[corner] * fields_.places[fields_.cells[cell][corner]][i];
   return place;
 }
 
-double StressAt::distance_to(const std::size_t cell, const std::vector<double>& weights,
+double StressAt::distance_to(const std::size_t cell, const Weights& weights,
                              const Place& place) const {
   const Place there = place_at(cell, weights);
   return std::hypot(there[0] - place[0], there[1] - place[1], there[2] - place[2]);
 }
 
-std::vector<double> StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
+StressAt::Weights StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
   constexpr int most_steps = 8;
   constexpr double settled = 1e-10;  // of the reference cell
   constexpr double difference = 1e-6;

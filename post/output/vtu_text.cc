@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstring>
 
 #include "base/base64.h"
 
@@ -11,13 +10,19 @@ namespace geneva::post {
 
 namespace {
 
+template <typename Value>
+void append(std::vector<unsigned char>& bytes, const Value* const values, const std::size_t count) {
+  const auto* const first = reinterpret_cast<const unsigned char*>(values);
+  bytes.insert(bytes.end(), first, first + sizeof(Value) * count);
+}
+
 /// VTK's encoding: a number of bytes, and the bytes.
 template <typename Number>
 std::string vtk_encoded(const std::vector<Number>& numbers) {
-  std::vector<unsigned char> bytes(sizeof(std::uint32_t) + sizeof(Number) * numbers.size());
   const auto size = static_cast<std::uint32_t>(sizeof(Number) * numbers.size());
-  std::memcpy(bytes.data(), &size, sizeof(size));
-  if (!numbers.empty()) std::memcpy(bytes.data() + sizeof(size), numbers.data(), size);
+  std::vector<unsigned char> bytes;
+  append(bytes, &size, 1);
+  append(bytes, numbers.data(), numbers.size());
   return base::encoded_bytes(bytes);
 }
 

@@ -14,8 +14,8 @@ import numpy as np
 
 from geneva import _core
 from geneva._case import Case, CaseOrDirectory, Path, given_of, is_number, path_of, text_or_numbers
-from geneva._results import (Analysis, Communicator, Crown, Cycle, Design, Estimate, Instant, Kinematics, Mesh, Optimum,
-                             Step, Sweep, Synthesis, Written, mesh_of)
+from geneva._results import (Analysis, Communicator, Crown, Cycle, Design, Estimate, Instant, Kinematics, LoadHistory, Mesh,
+                             Optimum, Step, Sweep, Synthesis, Written, mesh_of)
 
 Swept = Union[str, Sequence[Union[str, float]], "np.ndarray[Any, Any]"]
 _Outcome = Tuple[Optional[str], str]
@@ -55,6 +55,20 @@ def cycle(case: CaseOrDirectory, *, comm: Optional[Communicator] = None,
     """
     tell = None if progress is None else lambda *told: progress(Instant(*told))
     return Cycle(_solver().cycle(given_of(case), comm, tell), comm)
+
+
+def load_steps(case: CaseOrDirectory, *, comm: Optional[Communicator] = None,
+               progress: Optional[Callable[[Mesh], object]] = None,
+               on_step: Optional[Callable[[Step], object]] = None) -> LoadHistory:
+    """Solves the contact at every load step of a geometry, as `geneva cycle` does.
+
+    :param comm, progress, on_step: as `run` takes them
+    :raises InputError: if the case has no load steps, or cannot be solved
+    :raises LimitReached: if a limit was reached before there was any result
+    """
+    meshes = None if progress is None else lambda row: progress(mesh_of(row))
+    steps = None if on_step is None else lambda row: on_step(Step(**row))
+    return LoadHistory(_solver().load_steps(given_of(case), comm, meshes, steps), comm)
 
 
 def estimate(case: CaseOrDirectory) -> Estimate:

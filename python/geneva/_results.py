@@ -467,6 +467,34 @@ class Cycle(_Judged, _Noticed):
         return tuple(Fields(**row) for row in self._handle.fields())
 
 
+class LoadHistory(_Judged, _Noticed):
+    """A geometry over its load steps, by finite elements."""
+
+    @property
+    def is_converged(self) -> bool:
+        """Whether the last step has the accuracy that the case asks for."""
+        return self._handle.is_converged  # type: ignore[no-any-return]
+
+    @property
+    def error(self) -> Optional[float]:
+        """Of the last step's peak pressure, estimated, relative; None: not known."""
+        return self._handle.error  # type: ignore[no-any-return]
+
+    @property
+    def contacts(self) -> Mapping[str, Curves]:
+        """By contact pair, "source -> target": what it carries, a row for each step."""
+        return {name: Curves(columns) for name, columns in self._handle.contacts().items()}
+
+    @property
+    def stresses(self) -> Mapping[str, Curves]:
+        """By body: its maximum stresses, with the contact's own field, a row for each step."""
+        return {name: Curves(columns) for name, columns in self._handle.stresses().items()}
+
+    def fields(self) -> Tuple[Fields, ...]:
+        """After every step, on one mesh; on rank 0."""
+        return tuple(Fields(**row) for row in self._handle.fields())
+
+
 @dataclasses.dataclass(frozen=True, repr=False)
 class SweepPoint:
     """A combination of values, and what was found."""

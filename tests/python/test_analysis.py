@@ -168,6 +168,26 @@ def test_a_cycle_is_solved_instant_by_instant(case, tmp_path):
         geneva.cycle(case, progress=lambda instant: 1 / 0)
 
 
+def test_a_geometry_has_its_load_steps(tmp_path):
+    case = geneva.read_case(os.path.join(os.environ["GENEVA_SOURCE"], "cases", "mindlin-sphere")).with_({
+        "Accuracy": "20 %", "Maximum refinement levels": 3})
+    meshes = []
+    found = geneva.load_steps(case, progress=meshes.append)
+    (contact,) = found.contacts.values()
+    assert len(meshes) == 4 and list(found.contacts) == ["sphere surface -> block top"]
+    np.testing.assert_allclose(np.abs(contact["force y"]), 60, rtol=1e-6)
+    np.testing.assert_allclose(np.abs(contact["friction force x"]), [0, 6.75, 13.5], atol=1e-6)
+    assert contact.to("mm-N").units["peak pressure"] == "MPa"
+    assert np.all(np.diff(contact["heat of friction"]) >= 0)
+    fields = found.fields()
+    assert len(fields) == 3 and fields[0].von_mises.max() == pytest.approx(
+        max(found.stresses[body]["von Mises"][0] for body in ("sphere", "block")))
+    found.write(tmp_path)
+    assert (tmp_path / "load_steps.pvd").exists()
+    with pytest.raises(geneva.InputError, match="Load steps"):
+        geneva.load_steps(os.path.join(os.environ["GENEVA_SOURCE"], "cases", "hertz-line-contact"))
+
+
 def test_a_sweep_of_runs_has_their_figures(case, result):
     told = []
     found = geneva.sweep(case, {"Mechanism/Wheel diameter": ["4.53 in", "5 in"]}, with_="run",

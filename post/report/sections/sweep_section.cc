@@ -139,11 +139,11 @@ std::string values_tables(const json& sweep, const std::vector<Quantity>& quanti
   const std::size_t room = most_columns - std::min(n_leading, most_columns - 3);
   const std::size_t n_tables = (quantities.size() + room - 1) / room;
   if (n_tables == 0) return "";
-  const std::size_t n_figures = (quantities.size() + n_tables - 1) / n_tables;
   std::string text;
-  for (std::size_t first = 0; first < quantities.size(); first += n_figures) {
-    HtmlTable table = points_table(sweep, first == 0 ? caption : caption + ", continued");
-    for (std::size_t i = first; i < std::min(first + n_figures, quantities.size()); ++i) {
+  for (std::size_t part = 0; part < n_tables; ++part) {  // of equal widths, up to a column
+    HtmlTable table = points_table(sweep, part == 0 ? caption : caption + ", continued");
+    const std::size_t end = (part + 1) * quantities.size() / n_tables;
+    for (std::size_t i = part * quantities.size() / n_tables; i < end; ++i) {
       const bool is_factor = quantities[i].name.rfind(begin_of_factors, 0) == 0;
       table.headings.push_back(
           escaped(is_factor ? quantities[i].name.substr(std::string(begin_of_factors).size())

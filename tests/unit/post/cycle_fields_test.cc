@@ -59,7 +59,7 @@ TEST(FirstPrincipal, IsTheGreatestEigenvalue) {
 TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
   const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5),
                                           instant(0.6, 1.2, 1.1, 0.5)};
-  const Envelope greatest = envelope(instants, 0, {false, true});
+  const Envelope greatest = envelope(instants[0], instants, {false, true});
   const NodalFields& own = instants[0].fields;
   for (std::size_t node = 0; node < own.places.size(); ++node) {
     const double here = own.stress[node][0];
@@ -95,7 +95,7 @@ TEST(Swing, FollowsTheDirectionOfTheTensionAsItsMaterialTurns) {
     EXPECT_NEAR(swing.least, -30., 1e-9) << body;
     EXPECT_EQ(swing.driver_angle, -0.5);
   }
-  const Envelope greatest = envelope(instants, 0, turning);
+  const Envelope greatest = envelope(instants[0], instants, turning);
   for (const double least : greatest.tension_least) EXPECT_NEAR(least, -30., 1e-9);
 }
 
@@ -110,10 +110,11 @@ TEST(Swing, IsNothingBetweenEngagements) {
 TEST(CycleSeries, NamesEveryInstantAtItsAngle) {
   const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5)};
   const auto units = base::UnitSystem::mm_newton;
-  const auto texts = cycle_series(
-      instants, 1, {false, true},
-      {"driver_angle", base::output_unit(units, base::Dimension::angle).factor, "cycle"}, {},
-      units);
+  const auto texts =
+      cycle_series(instants, instants[1].fields, envelope(instants[1], instants, {false, true}),
+                   {"driver_angle", base::output_unit(units, base::Dimension::angle).factor,
+                    "cycle", "envelope.vtu"},
+                   {}, units);
   EXPECT_EQ(texts.size(), 4U);
   const std::string& list = texts.at("cycle.pvd");
   EXPECT_NE(list.find("timestep=\"-28.6478898\" part=\"0\" file=\"cycle.0.vtu\""),

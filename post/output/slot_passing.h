@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "post/output/cycle_fields.h"
+
+namespace geneva::post {
+
+/// Which nodes belong to bodies that move with the pin.
+/// @param turning those bodies, by index
+std::vector<bool> nodes_that_turn(const NodalFields& fields, const std::vector<bool>& turning);
+
+/// A contact as it passes a place.
+struct Pass {
+  double pressure;  ///< peak [Pa]
+  double when;      ///< see CycleFields
+};
+
+/// A round pin between the walls of a slot, of a mechanism in the plane, as the nodes of an instant
+/// have them.
+class SlotPassing {
+ public:
+  using Place = std::array<double, 3>;
+
+  /// Nodes are on a wall or round the pin up to the chords of the mesh, over the pin's radius.
+  static constexpr double near = 1e-3;
+
+  SlotPassing(const CycleFields& own, const std::vector<bool>& turning);
+
+  [[nodiscard]] double pin_radius() const { return pin_radius_; }
+
+  /// Below the wall, or the round pin's surface; negative outside of the body [m].
+  /// @param turns whether the place is in a body that moves with the pin
+  [[nodiscard]] double depth(const Place& place, bool turns) const;
+
+  /// The place moved away from the pin's axis, or to it, onto the circle.
+  [[nodiscard]] Place on_pin(const Place& place) const;
+
+  /// The contact of greatest pressure that passes a place of the wheel, when the pin stands beside
+  /// it, or of the pin, when it faces the wall that carries; none if none does.
+  /// @param curve of the cycle, in the order of the motion
+  [[nodiscard]] std::optional<Pass> greatest(const Place& place, bool turns,
+                                             const std::vector<CycleCurvePoint>& curve) const;
+
+ private:
+  [[nodiscard]] std::optional<double> share_at_wall(const Place& place, const CycleCurvePoint& from,
+                                                    const CycleCurvePoint& to) const;
+  [[nodiscard]] std::optional<double> share_at_pin(const Place& place, const CycleCurvePoint& from,
+                                                   const CycleCurvePoint& to) const;
+
+  double pin_distance_;
+  double pin_turn_;
+  double axis_y_;
+  double pin_radius_;
+  double half_width_;
+};
+
+}  // namespace geneva::post
