@@ -20,6 +20,7 @@
 #include "api/cycle_curve.h"
 #include "api/cycle_instant.h"
 #include "api/cycle_rim.h"
+#include "api/gathered_objects.h"
 #include "api/limits.h"
 #include "api/mechanism_picture.h"
 #include "api/mesher_on_rank_zero.h"
@@ -90,7 +91,8 @@ std::vector<post::CycleFields> solve_shared(
     post::take_over(points[i], dealii::Utilities::MPI::broadcast(
                                    communicator, post::solved_text(points[i]), solver[i]));
   std::vector<NumberedFields> all;
-  for (std::vector<NumberedFields>& of_rank : dealii::Utilities::MPI::gather(communicator, solved))
+  for (std::vector<NumberedFields>& of_rank :
+       api::gathered_objects(communicator, std::move(solved)))
     std::move(of_rank.begin(), of_rank.end(), std::back_inserter(all));
   std::sort(all.begin(), all.end(), [](const NumberedFields& one, const NumberedFields& other) {
     return one.point < other.point;
@@ -217,10 +219,10 @@ std::map<std::string, std::string> series_of(const std::vector<post::CycleFields
   const post::CycleFields fine =
       post::divided_where_passed(at, turning, report.curve, per_pressure, reach);
   post::Envelope greatest = post::envelope(fine, fields, turning);
-  post::raise_to_passing_field(
-      greatest, fine.fields, post::passing_contact(fine, turning, report.curve, reach), materials);
+  post::PassingContact passing = post::passing_contact(fine, turning, report.curve, reach);
+  post::raise_to_passing_field(greatest, fine.fields, passing, materials);
   return post::cycle_series(fields, fine.fields, greatest, order,
-                            post::passing_pressure(fine, turning, report.curve), given.units);
+                            post::surface_pressure(std::move(passing)), given.units);
 }
 
 }  // namespace

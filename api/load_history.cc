@@ -16,6 +16,7 @@
 
 #include "api/analysis_fields.h"
 #include "api/analysis_notices.h"
+#include "api/gathered_objects.h"
 #include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
 #include "api/told_together.h"
@@ -314,7 +315,7 @@ LoadHistory history_of(const Case& given, const MPI_Comm communicator, mesh::Mes
   LoadHistory history{
       given, fem::is_success(found.solution.stop.outcome), report_of(given, model, found), {}, {}};
   for (FoundStep& step : found.steps) {
-    const auto parts = dealii::Utilities::MPI::gather(communicator, std::exchange(step.fields, {}));
+    const auto parts = api::gathered_objects(communicator, std::exchange(step.fields, {}));
     const double number = static_cast<double>(history.fields.size() + 1);
     if (!parts.empty()) history.fields.push_back({number, 0., 0., joined(parts)});
   }

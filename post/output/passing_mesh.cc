@@ -24,9 +24,8 @@ class Division {
   Division(const CycleFields& own, const std::vector<bool>& turning,
            const std::vector<CycleCurvePoint>& curve, const double half_width_per_pressure,
            const double reach)
-      : passing_(own, turning),
+      : passing_(own, turning, curve),
         turning_(turning),
-        curve_(curve),
         half_width_per_pressure_(half_width_per_pressure),
         reach_(reach),
         least_(least_size * passing_.pin_radius()),
@@ -67,7 +66,7 @@ class Division {
     divide({middle, right, above, d}, body);
   }
 
-  [[nodiscard]] bool is_too_large(const Corners& corners, const unsigned int body) const {
+  [[nodiscard]] bool is_too_large(const Corners& corners, const unsigned int body) {
     const bool turns = turning_[body];
     const double size = size_of(corners);
     if (size < least_) return false;
@@ -77,9 +76,16 @@ class Division {
     if (depth >= reach_ || size < of_depth * depth) return false;
     double pressure = 0.;
     for (const std::size_t node : corners)
-      if (const auto pass = passing_.greatest(place(node), turns, curve_))
-        pressure = std::max(pressure, pass->pressure);
+      pressure = std::max(pressure, passing_pressure(node, turns));
     return pressure > 0. && size > of_half_width * half_width_per_pressure_ * pressure;
+  }
+
+  /// 0 where none passes.
+  [[nodiscard]] double passing_pressure(const std::size_t node, const bool turns) {
+    const auto [known, is_new] = pressures_.try_emplace(node, 0.);
+    if (!is_new) return known->second;
+    if (const auto pass = passing_.greatest(place(node), turns)) known->second = pass->pressure;
+    return known->second;
   }
 
   [[nodiscard]] double size_of(const Corners& corners) const {
@@ -126,12 +132,12 @@ class Division {
 
   SlotPassing passing_;
   std::vector<bool> turning_;
-  std::vector<CycleCurvePoint> curve_;
   double half_width_per_pressure_;
   double reach_;
   double least_;
   CycleFields result_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> of_edges_;
+  std::map<std::size_t, double> pressures_;
 };
 
 }  // namespace

@@ -8,8 +8,9 @@ namespace geneva::post {
 
 /// The contact that passes each node of an instant's mesh, of a mechanism in the plane.
 struct PassingContact {
-  PressureEnvelope greatest;  ///< peak pressures; 0 where none passes
-  std::vector<double> depth;  ///< of the node below wall or round pin [m], >= 0
+  PressureEnvelope greatest;     ///< peak pressures; 0 where none passes
+  std::vector<double> depth;     ///< of the node below wall or round pin [m], >= 0
+  std::vector<bool> is_surface;  ///< whether the node is on the wall or round the pin
 };
 
 /// A node of the wheel has the contact of the moment when the pin stands beside it, a node of the
@@ -21,9 +22,7 @@ struct PassingContact {
 PassingContact passing_contact(const CycleFields& own, const std::vector<bool>& turning,
                                const std::vector<CycleCurvePoint>& curve, double reach);
 
-/// The greatest contact pressure of the nodes of walls and pin.
-/// @return 0 away from them, and where nothing passes
-PressureEnvelope passing_pressure(const CycleFields& own, const std::vector<bool>& turning,
-                                  const std::vector<CycleCurvePoint>& curve);
+/// The pressure at the nodes of walls and pin alone.
+PressureEnvelope surface_pressure(PassingContact passing);
 
 }  // namespace geneva::post

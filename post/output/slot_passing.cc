@@ -45,8 +45,9 @@ std::vector<bool> nodes_that_turn(const NodalFields& fields, const std::vector<b
   return found;
 }
 
-SlotPassing::SlotPassing(const CycleFields& own, const std::vector<bool>& turning)
-    : pin_distance_(own.pin_distance), pin_turn_(own.pin_turn) {
+SlotPassing::SlotPassing(const CycleFields& own, const std::vector<bool>& turning,
+                         const std::vector<CycleCurvePoint>& curve)
+    : pin_distance_(own.pin_distance) {
   const std::vector<bool> turns = nodes_that_turn(own.fields, turning);
   double low = std::numeric_limits<double>::max();
   double high = -low;
@@ -58,6 +59,16 @@ SlotPassing::SlotPassing(const CycleFields& own, const std::vector<bool>& turnin
   axis_y_ = (low + high) / 2.;
   pin_radius_ = (high - low) / 2.;
   half_width_ = half_width_of(own, turns, pin_radius_);
+  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+    const CycleCurvePoint& from = curve[i];
+    const CycleCurvePoint& to = curve[i + 1];
+    if ((from.force > 0.) != (to.force > 0.) || to.driver_angle <= from.driver_angle) continue;
+    const double wall = from.force > 0. ? quarter_turn : -quarter_turn;
+    const auto facing = [&](const CycleCurvePoint& at) {
+      return at.pin_turn - own.pin_turn + wall;
+    };
+    ways_.push_back({from, to, {facing(from), facing(to)}});
+  }
 }
 
 double SlotPassing::depth(const Place& place, const bool turns) const {
@@ -72,15 +83,13 @@ SlotPassing::Place SlotPassing::on_pin(const Place& place) const {
   return {pin_distance_ + factor * x, axis_y_ + factor * y, place[2]};
 }
 
-std::optional<Pass> SlotPassing::greatest(const Place& place, const bool turns,
-                                          const std::vector<CycleCurvePoint>& curve) const {
+std::optional<Pass> SlotPassing::greatest(const Place& place, const bool turns) const {
+  const double angle = std::atan2(place[1] - axis_y_, place[0] - pin_distance_);
   std::optional<Pass> found;
-  for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-    const CycleCurvePoint& from = curve[i];
-    const CycleCurvePoint& to = curve[i + 1];
-    if ((from.force > 0.) != (to.force > 0.) || to.driver_angle <= from.driver_angle) continue;
-    const auto share = turns ? share_at_pin(place, from, to) : share_at_wall(place, from, to);
+  for (const Way& way : ways_) {
+    const auto share = share_of(way, place, turns, angle);
     if (!share) continue;
+    const auto& [from, to, facing] = way;
     const double pressure = from.peak_pressure + *share * (to.peak_pressure - from.peak_pressure);
     if (!(pressure > (found ? found->pressure : 0.))) continue;
     found = {pressure, from.driver_angle + *share * (to.driver_angle - from.driver_angle)};
@@ -88,21 +97,17 @@ std::optional<Pass> SlotPassing::greatest(const Place& place, const bool turns,
   return found;
 }
 
-std::optional<double> SlotPassing::share_at_wall(const Place& place, const CycleCurvePoint& from,
-                                                 const CycleCurvePoint& to) const {
-  if ((place[1] > 0.) != (from.force > 0.)) return std::nullopt;
-  return share_of_way(from.pin_distance, to.pin_distance, place[0]);
-}
-
-std::optional<double> SlotPassing::share_at_pin(const Place& place, const CycleCurvePoint& from,
-                                                const CycleCurvePoint& to) const {
-  const double wall = from.force > 0. ? quarter_turn : -quarter_turn;
-  const double now = std::atan2(place[1] - axis_y_, place[0] - pin_distance_);
-  const auto beside = [&](const CycleCurvePoint& at) {
-    return std::remainder(now - (at.pin_turn - pin_turn_) - wall, 4. * quarter_turn);
-  };
-  if (std::abs(beside(from) - beside(to)) > quarter_turn) return std::nullopt;
-  return share_of_way(beside(from), beside(to), 0.);
+std::optional<double> SlotPassing::share_of(const Way& way, const Place& place, const bool turns,
+                                            const double angle) const {
+  const auto& [from, to, facing] = way;
+  if (!turns) {
+    if ((place[1] > 0.) != (from.force > 0.)) return std::nullopt;
+    return share_of_way(from.pin_distance, to.pin_distance, place[0]);
+  }
+  const double turn = facing[1] - facing[0];
+  if (std::abs(turn) > quarter_turn) return std::nullopt;
+  const double beside = std::remainder(angle - facing[0], 4. * quarter_turn);
+  return share_of_way(0., turn, beside);
 }
 
 }  // namespace geneva::post

@@ -27,7 +27,10 @@ class SlotPassing {
   /// Nodes are on a wall or round the pin up to the chords of the mesh, over the pin's radius.
   static constexpr double near = 1e-3;
 
-  SlotPassing(const CycleFields& own, const std::vector<bool>& turning);
+  /// @param turning bodies that move with the pin, by index
+  /// @param curve of the cycle, in the order of the motion
+  SlotPassing(const CycleFields& own, const std::vector<bool>& turning,
+              const std::vector<CycleCurvePoint>& curve);
 
   [[nodiscard]] double pin_radius() const { return pin_radius_; }
 
@@ -40,21 +43,25 @@ class SlotPassing {
 
   /// The contact of greatest pressure that passes a place of the wheel, when the pin stands beside
   /// it, or of the pin, when it faces the wall that carries; none if none does.
-  /// @param curve of the cycle, in the order of the motion
-  [[nodiscard]] std::optional<Pass> greatest(const Place& place, bool turns,
-                                             const std::vector<CycleCurvePoint>& curve) const;
+  [[nodiscard]] std::optional<Pass> greatest(const Place& place, bool turns) const;
 
  private:
-  [[nodiscard]] std::optional<double> share_at_wall(const Place& place, const CycleCurvePoint& from,
-                                                    const CycleCurvePoint& to) const;
-  [[nodiscard]] std::optional<double> share_at_pin(const Place& place, const CycleCurvePoint& from,
-                                                   const CycleCurvePoint& to) const;
+  /// From one point of the curve to the next, on one wall.
+  struct Way {
+    CycleCurvePoint from;
+    CycleCurvePoint to;
+    std::array<double, 2> facing;  ///< angles of the pin's own place that faces the wall [rad]
+  };
+
+  [[nodiscard]] std::optional<double> share_of(const Way& way, const Place& place, bool turns,
+                                               double angle) const;
 
   double pin_distance_;
   double pin_turn_;
   double axis_y_;
   double pin_radius_;
   double half_width_;
+  std::vector<Way> ways_;
 };
 
 }  // namespace geneva::post

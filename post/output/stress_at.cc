@@ -11,18 +11,19 @@ namespace {
 namespace bg = boost::geometry;
 using Place = StressAt::Place;
 
-/// Solves J x = r of size two or three by Cramer's rule.
-Place solved(const std::array<Place, 3>& columns, const Place& r, const std::size_t dim) {
-  const auto determinant = [&](const Place& a, const Place& b, const Place& c) {
-    if (dim == 2) return a[0] * b[1] - a[1] * b[0];
+constexpr int most_steps = 8;      // of Newton's method
+constexpr double settled = 1e-10;  // of the reference cell
+
+/// Solves J x = r by Cramer's rule.
+Place solved(const std::array<Place, 3>& columns, const Place& r) {
+  const auto determinant = [](const Place& a, const Place& b, const Place& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) +
            c[0] * (a[1] * b[2] - a[2] * b[1]);
   };
   const auto& [a, b, c] = columns;
   const double whole = determinant(a, b, c);
   if (whole == 0.) return {};
-  return {determinant(r, b, c) / whole, determinant(a, r, c) / whole,
-          dim == 2 ? 0. : determinant(a, b, r) / whole};
+  return {determinant(r, b, c) / whole, determinant(a, r, c) / whole, determinant(a, b, r) / whole};
 }
 
 }  // namespace
@@ -111,12 +112,47 @@ double StressAt::distance_to(const std::size_t cell, const Weights& weights,
 }
 
 StressAt::Weights StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
-  constexpr int most_steps = 8;
-  constexpr double settled = 1e-10;  // of the reference cell
+  return fields_.cells[cell].size() == 4 ? clamped_in_plane(cell, place)
+                                         : clamped_in_space(cell, place);
+}
+
+StressAt::Weights StressAt::clamped_in_plane(const std::size_t cell, const Place& place) const {
+  const auto corner = [&](const std::size_t i) -> const Place& {
+    return fields_.places[fields_.cells[cell][i]];
+  };
+  const auto along = [&](const std::size_t axis) {  // p = constant + x a + y b + x y c
+    return std::array<double, 4>{
+        corner(0)[axis] - place[axis], corner(1)[axis] - corner(0)[axis],
+        corner(2)[axis] - corner(0)[axis],
+        corner(0)[axis] - corner(1)[axis] - corner(2)[axis] + corner(3)[axis]};
+  };
+  const std::array<double, 4> first = along(0);
+  const std::array<double, 4> second = along(1);
+  double x = 0.5;
+  double y = 0.5;
+  double largest = 1.;
+  for (int step = 0; step < most_steps && largest > settled; ++step) {
+    const auto value = [&](const std::array<double, 4>& p) {
+      return p[0] + x * p[1] + y * p[2] + x * y * p[3];
+    };
+    const double by_x[] = {first[1] + y * first[3], second[1] + y * second[3]};
+    const double by_y[] = {first[2] + x * first[3], second[2] + x * second[3]};
+    const double whole = by_x[0] * by_y[1] - by_x[1] * by_y[0];
+    if (whole == 0.) break;
+    const double change_x = (value(second) * by_y[0] - value(first) * by_y[1]) / whole;
+    const double change_y = (value(first) * by_x[1] - value(second) * by_x[0]) / whole;
+    x = std::clamp(x + change_x, -1., 2.);
+    y = std::clamp(y + change_y, -1., 2.);
+    largest = std::max(std::abs(change_x), std::abs(change_y));
+  }
+  return weights_at({std::clamp(x, 0., 1.), std::clamp(y, 0., 1.), 0.}, 4);
+}
+
+StressAt::Weights StressAt::clamped_in_space(const std::size_t cell, const Place& place) const {
   constexpr double difference = 1e-6;
-  const std::size_t corners = fields_.cells[cell].size();
-  const std::size_t dim = corners == 4 ? 2 : 3;
-  Place reference{0.5, 0.5, dim == 2 ? 0. : 0.5};
+  constexpr std::size_t corners = 8;
+  constexpr std::size_t dim = 3;
+  Place reference{0.5, 0.5, 0.5};
   double largest = 1.;
   for (int step = 0; step < most_steps && largest > settled; ++step) {
     const Place there = place_at(cell, weights_at(reference, corners));
@@ -128,7 +164,7 @@ StressAt::Weights StressAt::clamped_weights(const std::size_t cell, const Place&
       for (std::size_t i = 0; i < 3; ++i) columns[axis][i] = (moved[i] - there[i]) / difference;
     }
     const Place change =
-        solved(columns, {place[0] - there[0], place[1] - there[1], place[2] - there[2]}, dim);
+        solved(columns, {place[0] - there[0], place[1] - there[1], place[2] - there[2]});
     largest = 0.;
     for (std::size_t axis = 0; axis < dim; ++axis) {
       reference[axis] = std::clamp(reference[axis] + change[axis], -1., 2.);

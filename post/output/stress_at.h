@@ -34,9 +34,11 @@ class StressAt {
   [[nodiscard]] Place place_at(std::size_t cell, const Weights& weights) const;
   [[nodiscard]] double distance_to(std::size_t cell, const Weights& weights,
                                    const Place& place) const;
-  /// Weights of the corners at the place's reference coordinates (Newton's method, with the
-  /// Jacobian by differences), kept within the cell.
+  /// Weights of the corners at the place's reference coordinates (Newton's method, in space with
+  /// the Jacobian by differences), kept within the cell.
   [[nodiscard]] Weights clamped_weights(std::size_t cell, const Place& place) const;
+  [[nodiscard]] Weights clamped_in_plane(std::size_t cell, const Place& place) const;
+  [[nodiscard]] Weights clamped_in_space(std::size_t cell, const Place& place) const;
 
   [[nodiscard]] std::array<double, 6> stress_in(std::size_t cell, const Weights& weights) const;
   /// Distance from a cell up to which a place is within it [m].

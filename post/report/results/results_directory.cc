@@ -95,12 +95,13 @@ ResultsDirectory read_results(const fs::path& directory) try {
     results.documents[files.document] = std::move(document);
   }
   if (results.documents.empty())
-    throw base::InputError(
-        fmt::format("{} holds no results: there is none of summary.json ('geneva run'), "
-                    "estimate.json ('geneva estimate'), kinematics.json ('geneva kinematics'), "
-                    "design.json ('geneva design'), crown.json ('geneva design --crown'), "
-                    "optimum.json ('geneva optimise') and sweep.json ('geneva sweep')",
-                    directory.string()));
+    throw base::InputError(fmt::format(
+        "{} holds no results: there is none of summary.json ('geneva run'), "
+        "estimate.json ('geneva estimate'), kinematics.json ('geneva kinematics'), "
+        "design.json ('geneva design'), crown.json ('geneva design --crown'), "
+        "optimum.json ('geneva optimise'), cycle.json and load_steps.json ('geneva cycle') "
+        "and sweep.json ('geneva sweep')",
+        directory.string()));
   for (const char* const name :
        {"view", "mechanism", "cycle_view", "load_steps_view"}) {  // not of all of them
     const fs::path file = directory / (std::string(name) + ".json");

@@ -52,7 +52,7 @@ std::vector<CycleCurvePoint> curve() {
 
 TEST(PassingPressure, IsOnAWallThatOfThePinBesideIt) {
   const CycleFields own = nodes_of_slot(0.);
-  const PressureEnvelope found = passing_pressure(own, {false, true}, curve());
+  const PressureEnvelope found = surface_pressure(passing_contact(own, {false, true}, curve(), 0.));
   for (std::size_t node = 0; node < 15; ++node) {
     const double x = own.fields.places[node][0];
     const double y = own.fields.places[node][1];
@@ -69,7 +69,7 @@ TEST(PassingPressure, IsOnAWallThatOfThePinBesideIt) {
 TEST(PassingPressure, IsOnThePinThatOfTheMomentWhenItFacesTheWall) {
   const double own_turn = 0.3;
   const CycleFields own = nodes_of_slot(own_turn);
-  const PressureEnvelope found = passing_pressure(own, {false, true}, curve());
+  const PressureEnvelope found = surface_pressure(passing_contact(own, {false, true}, curve(), 0.));
   int faced = 0;
   for (std::size_t node = 18; node < 26; ++node) {
     const double angle = std::atan2(own.fields.places[node][1] - axis_y,
