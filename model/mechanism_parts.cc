@@ -124,9 +124,11 @@ double held_diameter(const MechanismCase& given, const Layout& layout) {
 std::vector<SolidPart> pin_parts(const MechanismCase& given, const Layout& layout,
                                  const loads::Placement& placement) {
   const double half = layout.sizes.thickness / 2.;
-  SolidPart pin{given.roller ? "stud" : "pin",
-                {{disc("pin", held_diameter(given, layout)), layout.bottom, layout.top}},
-                placement};
+  Outline section = disc("pin", held_diameter(given, layout));
+  if (const auto bore = given.pin_holding.bore_diameter)
+    section.loops.push_back(loads::circle({0., 0.}, *bore / 2., true, "pin bore"));
+  SolidPart pin{
+      given.roller ? "stud" : "pin", {{std::move(section), layout.bottom, layout.top}}, placement};
   if (!given.roller) return {pin};
   Outline ring = disc("pin", layout.sizes.pin_diameter);
   ring.loops.push_back(loads::circle({0., 0.}, given.roller->diameter / 2., true, "roller bore"));

@@ -99,7 +99,8 @@ mesh::MeshData<dim> mechanism_mesh(const MechanismCase& mechanism, const Mechani
   if constexpr (dim == 2) {
     return plane;
   } else {
-    if (mechanism.pin_holding.hold != PinHolding::Hold::core)
+    if (mechanism.pin_holding.hold != PinHolding::Hold::core &&
+        !mechanism.pin_holding.bore_diameter)
       plane = mesh::with_filled_hole(plane, "pin core");
     return mesh::extruded(plane,
                           extrusions(plane.bodies, mechanism, state, geometry.sizing.at_contact),

@@ -125,7 +125,8 @@ std::optional<loads::PinBeam> pin_beam(const MechanismCase& mechanism,
                         lengths.overhang,
                         hold == Hold::both_ends,
                         material.youngs_modulus,
-                        material.poissons_ratio};
+                        material.poissons_ratio,
+                        is_stud ? 0. : mechanism.pin_holding.bore_diameter.value_or(0.)};
 }
 
 loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& state) {
@@ -145,7 +146,7 @@ loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& st
           wheel_twist(mechanism, state),
           mechanism.pin_holding.hold == Hold::core
               ? block_dimensions(mechanism, state.sizes).pin_core_radius
-              : 0.};
+              : mechanism.pin_holding.bore_diameter.value_or(0.) / 2.};
 }
 
 std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,

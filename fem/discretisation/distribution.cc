@@ -29,12 +29,12 @@ Flags flags_of(const Triangulation<dim>& triangulation) {
   return flags;
 }
 
+/// Also takes away what smoothing has set on cells of other ranks.
 template <int dim>
 void set_flags(const Triangulation<dim>& triangulation, const Flags& flags) {
   for (const auto& cell : triangulation.active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
     cell->clear_refine_flag();
-    if (flags[cell->active_cell_index()] == 1) cell->set_refine_flag();
+    if (cell->is_locally_owned() && flags[cell->active_cell_index()] == 1) cell->set_refine_flag();
   }
 }
 

@@ -9,17 +9,31 @@ namespace geneva::loads {
 
 namespace {
 
+/// A ring, or a full circle.
+struct CrossSection {
+  double area;    ///< A [m^2]
+  double second;  ///< I [m^4]
+  double share;   ///< of the bore in the diameter
+};
+
+CrossSection cross_section(const PinBeam& pin) {
+  const double d = pin.diameter;
+  const double share = pin.bore / d;
+  return {pi * d * d / 4. * (1. - share * share),
+          pi * std::pow(d, 4) / 64. * (1. - std::pow(share, 4)), share};
+}
+
 struct Stiffness {
   double bending;  ///< E I [N m^2]
   double shear;    ///< kappa G A [N]
 };
 
 Stiffness stiffness_of(const PinBeam& pin) {
-  const double d = pin.diameter;
   const double nu = pin.poissons_ratio;
-  const double area = pi * d * d / 4.;
-  return {pin.youngs_modulus * pi * std::pow(d, 4) / 64.,
-          shear_coefficient(nu) * pin.youngs_modulus / (2. * (1. + nu)) * area};
+  const CrossSection section = cross_section(pin);
+  return {
+      pin.youngs_modulus * section.second,
+      shear_coefficient(nu, section.share) * pin.youngs_modulus / (2. * (1. + nu)) * section.area};
 }
 
 /// Cantilever of length `tip` held at s = 0, loaded by w from s = a to s = b.
@@ -66,14 +80,19 @@ BeamBending beam_bending(const PinBeam& pin, const double force) {
   require_not_negative("overhang", pin.overhang, "m");
   require_positive("pin force", force, "N");
   require_positive("Young's modulus", pin.youngs_modulus, "Pa");
+  require_not_negative("bore diameter", pin.bore, "m");
+  require_positive_length("wall of the hollow pin", (pin.diameter - pin.bore) / 2.);
   const double w = force / pin.thickness;
   const double end = pin.root_gap + pin.thickness;
   const Stiffness stiffness = stiffness_of(pin);
   BeamBending bending = pin.held_at_both_ends
                             ? clamped(stiffness, w, end + pin.root_gap, pin.thickness)
                             : cantilever(stiffness, w, pin.root_gap, end, end + pin.overhang);
-  bending.root_stress = 32. * bending.root_moment / (pi * std::pow(pin.diameter, 3));
-  bending.root_shear = 16. * bending.root_force / (3. * pi * pin.diameter * pin.diameter);
+  const CrossSection section = cross_section(pin);
+  const double s = section.share;
+  bending.root_stress = bending.root_moment * pin.diameter / (2. * section.second);
+  bending.root_shear =
+      4. / 3. * (1. + s + s * s) / (1. + s * s) * bending.root_force / section.area;
   return bending;
 }
 

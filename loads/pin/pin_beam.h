@@ -11,6 +11,7 @@ struct PinBeam {
   bool held_at_both_ends;  ///< on both sides of the wheel, at the same root gap
   double youngs_modulus;   ///< E [Pa]
   double poissons_ratio;   ///< nu
+  double bore = 0.;        ///< diameter of a hollow pin's bore [m], >= 0, less than d
 };
 
 /// Shear coefficient kappa of a round beam with a bore: 6 (1 + nu)(1 + m)^2/((7 + 6 nu)(1 + m)^2 +
@@ -23,14 +24,16 @@ struct BeamBending {
   double tip_deflection;  ///< of the free end; held twice: of the middle [m]
   double slope;           ///< of the cross-sections in the middle of the wheel [rad]; held twice: 0
   double root_moment;     ///< [N m]
-  double root_stress;     ///< maximum bending stress at the root, 32 M/(pi d^3) [Pa]
+  double root_stress;     ///< maximum bending stress at the root, M d/(2 I) [Pa]
   double root_force;      ///< Q across the pin at its root, held twice at each one [N]
-  double root_shear;      ///< maximum shear stress there, 16 Q/(3 pi d^2) [Pa]
+  /// Maximum shear stress there, Q S/(I b) across the middle: 4/3 (1 + s + s^2)/(1 + s^2) Q/A, s
+  /// the bore's share of the diameter [Pa]
+  double root_shear;
 };
 
 /// @param force F > 0 [N]
-/// @throws base::InputError unless diameter, thickness, force and E are positive, the gaps not
-/// negative, all finite
+/// @throws base::InputError unless diameter, thickness, force and E are positive, gaps and bore not
+/// negative, the bore less than the diameter, all finite
 BeamBending beam_bending(const PinBeam& pin, double force);
 
 }  // namespace geneva::loads

@@ -65,7 +65,8 @@ struct PinHolding {
   enum class Hold { one_end, both_ends, core };
 
   Hold hold;
-  std::optional<double> root_gap;  ///< [m]
+  std::optional<double> root_gap;       ///< [m]
+  std::optional<double> bore_diameter;  ///< of a hollow pin [m]
 };
 
 /// The pin along its length, of a mechanism in 3-D.

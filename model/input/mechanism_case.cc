@@ -290,6 +290,16 @@ std::optional<loads::NeedleBearing> read_needles(const CaseSection& section) {
   return loads::NeedleBearing{static_cast<int>(*count), *diameter, length.value_or(0.)};
 }
 
+/// @throws base::InputError if a bore leaves nothing of the pin
+void check_bore(const CaseValues& values, const MechanismCase& given) {
+  const auto bore = given.pin_holding.bore_diameter;
+  const double pin = sizes_of(given).pin_diameter;
+  if (!bore || *bore < pin) return;
+  CaseSection(values, {names::mechanism, names::pin})
+      .refuse("Bore diameter",
+              fmt::format("nothing is left of the pin, whose diameter is {:.6g} mm", 1e3 * pin));
+}
+
 /// A roller has friction in its bore, a fixed pin on the wall.
 std::optional<loads::RollerBore> read_roller(const CaseSection& section) {
   if (section.text("Pin type") != names::roller) {
@@ -355,8 +365,12 @@ MechanismCase read_mechanism(const CaseValues& values, const std::filesystem::pa
   result.stud = read_material({values, {names::mechanism, names::stud_material}});
   result.wheel = read_material({values, {names::mechanism, names::wheel_material}});
   result.pin_holding = read_pin_holding(values);
-  if (CaseSection(values, {}).text("Dimension") == "3")
+  check_bore(values, result);
+  if (CaseSection(values, {}).text("Dimension") == "3") {
     result.space = read_pin(values, result.pin_holding.hold, directory);
+    if (const auto bore = result.pin_holding.bore_diameter)
+      result.dimensions.pin_core_radius = *bore / 2.;
+  }
   if (result.space && result.bore_clearance)
     section.refuse("Roller bore clearance",
                    "the contact in a roller's bore is known in the plane; leave it away, or give "

@@ -171,6 +171,10 @@ std::vector<Parameter> pin_parameters() {
        "diameter; with Held at = core there is none. With Dimension = 2 for the root's force, "
        "moment and "
        "stresses only."},
+      {section, "Bore diameter", "", length,
+       "Of a hollow pin, that is fixed, from end to end; with Dimension = 2 for the root's "
+       "stresses "
+       "only. Not with Held at = core."},
       {section, "Overhang", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
        "Length beyond the wheel at every free end; none with Held at = both ends. Default: a "

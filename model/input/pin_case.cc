@@ -90,7 +90,24 @@ loads::EdgeBreak read_edge(const CaseSection& section) {
 
 PinHolding read_pin_holding(const CaseValues& values) {
   const CaseSection section(values, {names::mechanism, names::pin});
-  const PinHolding holding{read_hold(section), section.optional_value("Root gap")};
+  const PinHolding holding{read_hold(section), section.optional_value("Root gap"),
+                           section.optional_value("Bore diameter")};
+  if (holding.bore_diameter) {
+    const CaseSection mechanism(values, {names::mechanism});
+    if (mechanism.text("Pin type") == names::roller)
+      section.refuse(
+          "Bore diameter",
+          "a roller has 'Roller bore diameter': this is the bore of a pin that is fixed");
+    if (holding.hold == Hold::core)
+      section.refuse("Bore diameter",
+                     "with Held at = core the bore is the core: give 'Pin core "
+                     "radius', at which the pin is held");
+    if (mechanism.optional_value("Pin core radius") &&
+        CaseSection(values, {}).text("Dimension") == "3")
+      section.refuse("Bore diameter",
+                     "'Pin core radius' is for a pin that is held at its core: give "
+                     "one of the two");
+  }
   if (holding.hold == Hold::core && holding.root_gap)
     section.refuse("Root gap", "this has no effect with Held at = core: the pin has no root");
   return holding;
@@ -123,7 +140,7 @@ PinCase read_pin(const CaseValues& values, const Hold hold,
 }
 
 void check_no_pin(const CaseValues& values) {
-  static const std::set<std::string> plane_parameters{"Held at", "Root gap"};
+  static const std::set<std::string> plane_parameters{"Held at", "Root gap", "Bore diameter"};
   const CaseSection section(values, {names::mechanism, names::pin});
   for (const Parameter& parameter : mechanism_parameters())
     if (parameter.section == SectionPath{names::mechanism, names::pin} &&

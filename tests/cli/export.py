@@ -39,6 +39,17 @@ class Export(CliTest):
             self.assertLessEqual(float(deviation), 1e-9)
         return target, run.out
 
+    def test_a_hollow_pin_has_its_bore(self):
+        areas = []
+        for bore in (None, "5 mm"):
+            case = self.copy_case("indexing-table", f"bore-{bore}")
+            if bore:
+                change_case(case, {"Mechanism/Pin/Bore diameter": bore})
+            run = self.geneva("export", case)
+            self.assertEqual(run.code, 0, run.describe())
+            areas.append(float(re.search(r"pin\.dxf +([0-9.]+) mm", run.out).group(1)))
+        self.assertAlmostEqual(areas[0] - areas[1], math.pi * 25 / 4, delta=2e-3)
+
     def test_every_part_is_written_as_step_and_dxf(self):
         for name, parts in (("indexing-table", ["wheel", "driver", "pin"]),
                             ("internal-six-station", ["wheel", "driver", "pin"]),

@@ -248,6 +248,31 @@ class Space(CliTest):
                 self.assertAlmostEqual(row["line_load [N/mm]"] / row["line_load_half_space_and_beam [N/mm]"], 1.,
                                        delta=0.05)
 
+    def test_a_hollow_pin_gives_way_more(self):
+        """By finite elements as by line contacts: a ring also bends across."""
+        peaks = {}
+        for bore in ((), ("Bore diameter = 9 mm",)):
+            summary = self.run_case(self.write(f"bore-{len(bore)}", ["Profile = crown", "Crown radius = 3 m", *bore],
+                                               modulus="207 GPa"))
+            error = summary["contact"]["peak_pressure_error"]
+            model = self.value(summary, "pin.half_space_and_beam.peak_pressure")
+            self.assertAlmostEqual(self.value(summary, "contact.peak_pressure") / model, 1., delta=error + 0.01)
+            self.assertAlmostEqual(self.value(summary, "pin.tip_deflection") / self.value(summary, "pin.half_space_and_beam.tip_deflection"),
+                                   1., delta=0.03 + summary["pin"]["tip_deflection_error"])
+            peaks[len(bore)] = model
+        self.assertLess(peaks[1], 0.99 * peaks[0])
+
+    def test_a_bore_that_no_pin_has_is_refused(self):
+        for pin, words in (({"pin": ["Bore diameter = 17 mm"]}, "nothing is left of the pin"),
+                           ({"pin": ["Bore diameter = 5 mm", "Held at = core"]}, "Pin core radius"),
+                           ({"pin": ["Bore diameter = 5 mm"], "more": "  set Pin core radius = 3 mm\n"}, "give one of the two"),
+                           ({"pin": ["Bore diameter = 5 mm"], "more": "  set Pin type = roller\n  set Roller bore diameter = 8 mm\n"},
+                            "Roller bore diameter")):
+            run = self.geneva("run", self.write("refused" + str(len(words)), **pin))
+            self.assertEqual(run.code, 1, run.describe())
+            self.assertIn(words, run.err)
+            self.assertIn("Bore diameter", run.err)
+
     def test_a_soft_wheel_under_a_stiff_pin_is_solved(self):
         case = self.write("soft", ["Held at = core", "Profile = crown", "Crown radius = 60 mm"], modulus="20 GPa")
         text = (case / "case.prm").read_text()

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.h"
 #include "loads/pi.h"
 #include "tests/support/refusal.h"
 
@@ -63,6 +64,21 @@ TEST(PinBeam, RootBearsTheWholeForceOrHalfOfItWithFourThirdsOfTheMeanShear) {
   pin.held_at_both_ends = true;
   EXPECT_NEAR(beam_bending(pin, 1000.).root_force, 500., 1e-9);
   EXPECT_NEAR(beam_bending(pin, 1000.).root_shear, 4. / 3. * 500. / area, 1e-3);
+}
+
+TEST(PinBeam, HollowOneHasTheMomentsOfARing) {
+  PinBeam pin = cantilever();
+  const BeamBending solid = beam_bending(pin, 1000.);
+  pin.bore = 4e-3;
+  const BeamBending hollow = beam_bending(pin, 1000.);
+  EXPECT_NEAR(hollow.root_stress / solid.root_stress, 1. / (1. - std::pow(0.8, 4)), 1e-12);
+  // Q S/(I b) with S = (d^3 - d_i^3)/12 and b = d - d_i.
+  const double first = (std::pow(5e-3, 3) - std::pow(4e-3, 3)) / 12.;
+  const double second = pi * (std::pow(5e-3, 4) - std::pow(4e-3, 4)) / 64.;
+  EXPECT_NEAR(hollow.root_shear, 1000. * first / (second * 1e-3), 1e-6 * hollow.root_shear);
+  EXPECT_GT(hollow.tip_deflection, solid.tip_deflection / (1. - std::pow(0.8, 4)));
+  pin.bore = 5e-3;
+  EXPECT_THROW(beam_bending(pin, 1000.), base::InputError) << "nothing is left";
 }
 
 TEST(PinBeam, LongCantileverUnderAForceAtItsTipDeflectsByFL3Over3EI) {
