@@ -15,8 +15,9 @@ namespace geneva::loads {
 
 namespace {
 
-/// In half-widths; A is then a logarithm to 4e-5.
+/// In half-widths; A is then the integral of (1 - b^2/(8 s^2))/s over the section, to (b/s)^4/21.
 constexpr double far_from_load = 40.;
+constexpr double beyond_any_width = 1e3;
 
 PinInside inside_of(const PinLine& pin) {
   if (pin.hold == PinHold::core) return PinInside::held_core;
@@ -58,7 +59,15 @@ CoupledSections::CoupledSections(const PinLine& pin, const SectionEdges& edges)
   }
   append_pin(pin);
   append_wheel(pin);
-  for (const Source source : sources) logarithms_.push_back(logarithms_of(source));
+  for (const Source source : sources) far_.push_back(far_influence_of(source));
+}
+
+double CoupledSections::half_width(const double line_load) const {
+  return std::sqrt(4. * line_load * relative_radius_ / (pi * modulus_));
+}
+
+void CoupledSections::choose_far(const double line_load) {
+  far_distance_ = far_from_load * half_width(line_load);
 }
 
 void CoupledSections::find_displacements(const Eigen::VectorXd& loads,
@@ -114,21 +123,24 @@ void CoupledSections::append_wheel(const PinLine& pin) {
                                    pin.wheel_twist * places_[i] * places_[j]);
 }
 
-/// A of sections far from their loads, whatever the contact's width.
-Eigen::MatrixXd CoupledSections::logarithms_of(const Source source) const {
-  Eigen::MatrixXd result(n_, n_);
+CoupledSections::Far CoupledSections::far_influence_of(const Source source) const {
+  Far far{Eigen::MatrixXd::Zero(n_, n_), Eigen::MatrixXd::Zero(n_, n_)};
   for (Eigen::Index j = 0; j < n_; ++j)
     for (Eigen::Index i = 0; i < n_; ++i) {
       const double distance = std::abs(places_[i] - place_of(source, j));
-      const double half = widths_[j] / 2.;
-      result(i, j) = distance > half ? std::log((distance + half) / (distance - half)) : 0.;
+      const double upper = distance + widths_[j] / 2.;
+      const double lower = distance - widths_[j] / 2.;
+      if (lower <= 0.) continue;
+      far.logarithm(i, j) = std::log(upper / lower);
+      far.by_width(i, j) = (1. / (upper * upper) - 1. / (lower * lower)) / 16.;
     }
-  return result;
+  return far;
 }
 
 /// What the load of a section does to all, in half-spaces.
 void CoupledSections::find_column(const Eigen::Index j, const double load) {
-  const double b = std::sqrt(4. * load * relative_radius_ / (pi * modulus_));
+  const double b = half_width(load);
+  const double far = std::min(far_distance_, beyond_any_width * b);
   fast_.col(j).setZero();
   tangent_.col(j).setZero();
   for (std::size_t s = 0; s < sources.size(); ++s) {
@@ -136,9 +148,10 @@ void CoupledSections::find_column(const Eigen::Index j, const double load) {
     const double share = share_of(sources[s]) / (pi * modulus_);
     for (Eigen::Index i = 0; i < n_; ++i) {
       const double distance = std::abs(places_[i] - place);
-      if (distance - widths_[j] / 2. > far_from_load * b) {
-        fast_(i, j) += share * logarithms_[s](i, j);
-        tangent_(i, j) += share * logarithms_[s](i, j);
+      if (distance - widths_[j] / 2. > far) {
+        const double of_width = b * b * far_[s].by_width(i, j);
+        fast_(i, j) += share * (far_[s].logarithm(i, j) + of_width);
+        tangent_(i, j) += share * (far_[s].logarithm(i, j) + 2. * of_width);  // b^2 goes with q
       } else {
         const StripInfluence influence = of_strip(distance / b, widths_[j] / (2. * b));
         fast_(i, j) += share * influence.value;

@@ -24,6 +24,11 @@ class CoupledSections {
   [[nodiscard]] const Eigen::VectorXd& widths() const { return widths_; }
   [[nodiscard]] const Eigen::VectorXd& clearance() const { return clearance_; }
 
+  /// Which sections are far from each other, from now on: a choice that followed the loads would
+  /// let their displacements jump, and Newton's method go to and fro.
+  /// @param line_load about the greatest one [N/m], > 0
+  void choose_far(double line_load);
+
   /// Displacements under the loads, and their derivatives.
   void find_displacements(const Eigen::VectorXd& loads, Eigen::VectorXd& displacements);
   /// Of the columns of sections with a load.
@@ -39,7 +44,14 @@ class CoupledSections {
   [[nodiscard]] double share_of(Source source) const;
   void append_pin(const PinLine& pin);
   void append_wheel(const PinLine& pin);
-  [[nodiscard]] Eigen::MatrixXd logarithms_of(Source source) const;
+  /// Of a load far away by its width: its logarithm, and what b^2 is multiplied with.
+  struct Far {
+    Eigen::MatrixXd logarithm;
+    Eigen::MatrixXd by_width;  ///< [1/m^2]
+  };
+
+  [[nodiscard]] Far far_influence_of(Source source) const;
+  [[nodiscard]] double half_width(double line_load) const;
   void find_column(Eigen::Index j, double load);
   [[nodiscard]] static StripInfluence of_strip(double distance, double half);
 
@@ -54,7 +66,8 @@ class CoupledSections {
   Eigen::MatrixXd slow_;       ///< displacement by line load of beam, cylinder and plate [m^2/N]
   Eigen::MatrixXd fast_;       ///< the same of half-spaces
   Eigen::MatrixXd tangent_;    ///< d displacement/d line load of all
-  std::vector<Eigen::MatrixXd> logarithms_;  ///< by source
+  std::vector<Far> far_;       ///< by source
+  double far_distance_ = 0.;   ///< from a load on [m]
 };
 
 }  // namespace geneva::loads

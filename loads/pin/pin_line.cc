@@ -40,7 +40,9 @@ class Search {
         system_(n_ + 1, n_ + 1),
         rest_(n_ + 1),
         step_(n_ + 1),
-        factors_(n_ + 1) {}
+        factors_(n_ + 1) {
+    sections_.choose_far(loads_.maxCoeff());
+  }
 
   /// @throws base::InputError if it does not end
   void run() {

@@ -44,7 +44,8 @@ class Export(CliTest):
         for bore in (None, "5 mm"):
             case = self.copy_case("indexing-table", f"bore-{bore}")
             if bore:
-                change_case(case, {"Mechanism/Pin/Bore diameter": bore})
+                with open(case / "case.prm", "a") as file:
+                    file.write(f"\nsubsection Mechanism\nsubsection Pin\nset Bore diameter = {bore}\nend\nend\n")
             run = self.geneva("export", case)
             self.assertEqual(run.code, 0, run.describe())
             areas.append(float(re.search(r"pin\.dxf +([0-9.]+) mm", run.out).group(1)))
