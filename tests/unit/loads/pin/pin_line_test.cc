@@ -322,24 +322,25 @@ RC_GTEST_PROP(PinLine, FindsTheBalanceOfAnyPin, ()) {
   RC_ASSERT(contact.peak_place >= contact.begin && contact.peak_place <= contact.end);
 }
 
+double at(const double least, const double most, const int millionths) {
+  return least + (most - least) * 1e-6 * millionths;
+}
+
 /// Newton's method went to and fro where a section was now far from another one and now near.
 TEST(PinLine, FindsTheBalanceWhereASectionIsJustFarFromAnother) {
   PinLine pin = johnson();
   const double radius = pin.radius;
-  pin.pin.poissons_ratio = 0.393046;
-  pin.wheel.poissons_ratio = 0.330430;
-  pin.wheel.youngs_modulus *= std::pow(10., -1.229249);
-  pin.clearance.wall_half = radius * std::pow(10., 0.076898);
+  pin.pin.poissons_ratio = at(0., 0.49, 802134);
+  pin.wheel.poissons_ratio = at(0., 0.49, 674346);
+  pin.wheel.youngs_modulus *= std::pow(10., at(-2., 1., 256917));
+  pin.clearance.wall_half = radius * std::pow(10., at(-0.5, 0.7, 480748));
   pin.clearance.lower_end = -pin.clearance.wall_half;
-  pin.clearance.upper_end = pin.clearance.wall_half + 0.088934 * radius;
-  pin.clearance.profile = Crown{radius * std::pow(10., 2.135280)};
-  pin.clearance.tilt = -0.060142 * degree;
-  pin.wheel_twist *= 0.704700;
-  const double force = pin_force * std::pow(10., 0.513682);
-  for (int i = 0; i <= 100; ++i) {
-    const double near = force * (1. + 1e-4 * (i - 50));
-    EXPECT_NEAR(force_of(pin_line_contact(pin, near, 1e-3)) / near, 1., 1e-8);
-  }
+  pin.clearance.upper_end = pin.clearance.wall_half + radius * at(0., 2., 44467);
+  pin.clearance.profile = Crown{radius * std::pow(10., at(1.7, 5., 131903))};
+  pin.clearance.tilt = at(-0.3, 0.3, 399763) * degree;
+  pin.wheel_twist *= at(0., 3., 234900);
+  const double force = pin_force * std::pow(10., at(-2., 1., 837894));
+  EXPECT_NEAR(force_of(pin_line_contact(pin, force, 1e-3)) / force, 1., 1e-8);
 }
 
 TEST(PinLine, RefusesWhatItCannotCarry) {
