@@ -122,7 +122,7 @@ std::string sentence_of(const loads::PeakDoubt doubt) {
   switch (doubt) {
     case loads::PeakDoubt::reaches_edge:
       return "the pressure at the ends: the contact reaches the wall's edge, where line contacts "
-             "have no peak";
+             "have no peak (of a rounded one they have)";
     case loads::PeakDoubt::at_profile_end:
       return "the peak pressure: it is at the end of the logarithmic profile, which falls within "
              "the contact's width";
@@ -167,7 +167,8 @@ void append_left_out(post::EstimateReport& report, const model::MechanismCase& m
   if (mechanism.space && !report.line)
     sentences.emplace_back(
         "bending, profile and edges: no model without finite elements for a pin in the round "
-        "bottom of its slot, or with a negative Poisson's ratio");
+        "bottom of its slot, with a bore of more than 0.7 of its diameter, or with a negative "
+        "Poisson's ratio");
   if (report.doubt != loads::PeakDoubt::none) sentences.push_back(sentence_of(report.doubt));
   if (mechanism.roller) leave_out_stud(report);
   if (has_friction)

@@ -155,7 +155,9 @@ std::optional<KnownPinLine> pin_line_contact(const MechanismCase& mechanism,
   if (!mechanism.space) return std::nullopt;
   try {
     const loads::PinLine pin = pin_line(mechanism, state);
-    return KnownPinLine{pin, loads::pin_line_contact(pin, state.load.force, accuracy)};
+    const double force = state.load.force;
+    return KnownPinLine{
+        pin, loads::resolved_edges(pin, force, loads::pin_line_contact(pin, force, accuracy))};
   } catch (const base::InputError&) {
     return std::nullopt;
   }

@@ -62,16 +62,21 @@ CoupledSections::CoupledSections(const PinLine& pin, const SectionEdges& edges)
   for (const Source source : sources) far_.push_back(far_influence_of(source));
 }
 
-double CoupledSections::half_width(const double line_load) const {
-  return std::sqrt(4. * line_load * relative_radius_ / (pi * modulus_));
+double CoupledSections::square_per_load() const { return 4. * relative_radius_ / (pi * modulus_); }
+
+double CoupledSections::half_width(const Eigen::Index section, const double line_load) const {
+  return bending_ ? bending_->half_widths()[section] : std::sqrt(square_per_load() * line_load);
 }
 
 void CoupledSections::choose_far(const double line_load) {
-  far_distance_ = far_from_load * half_width(line_load);
+  far_distance_ = far_from_load * std::sqrt(square_per_load() * line_load);
 }
+
+void CoupledSections::widen_by_bending() { bending_.emplace(places_, widths_, square_per_load()); }
 
 void CoupledSections::find_displacements(const Eigen::VectorXd& loads,
                                          Eigen::VectorXd& displacements) {
+  if (bending_) bending_->follow(loads);
   displacements.setZero();
   for (Eigen::Index j = 0; j < n_; ++j) {
     if (loads[j] <= 0.) continue;
@@ -139,7 +144,8 @@ CoupledSections::Far CoupledSections::far_influence_of(const Source source) cons
 
 /// What the load of a section does to all, in half-spaces.
 void CoupledSections::find_column(const Eigen::Index j, const double load) {
-  const double b = half_width(load);
+  const double b = half_width(j, load);
+  const double of_own_width = bending_ ? 0. : 1.;  // b^2 goes with q
   const double far = std::min(far_distance_, beyond_any_width * b);
   fast_.col(j).setZero();
   tangent_.col(j).setZero();
@@ -151,11 +157,11 @@ void CoupledSections::find_column(const Eigen::Index j, const double load) {
       if (distance - widths_[j] / 2. > far) {
         const double of_width = b * b * far_[s].by_width(i, j);
         fast_(i, j) += share * (far_[s].logarithm(i, j) + of_width);
-        tangent_(i, j) += share * (far_[s].logarithm(i, j) + 2. * of_width);  // b^2 goes with q
+        tangent_(i, j) += share * (far_[s].logarithm(i, j) + (1. + of_own_width) * of_width);
       } else {
         const StripInfluence influence = of_strip(distance / b, widths_[j] / (2. * b));
         fast_(i, j) += share * influence.value;
-        tangent_(i, j) += share * influence.derivative;
+        tangent_(i, j) += share * (bending_ ? influence.value : influence.derivative);
       }
     }
   }

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "loads/pin/bending_width.h"
 #include "loads/pin/pin_line.h"
 #include "loads/pin/strip_influence.h"
 
@@ -29,6 +31,12 @@ class CoupledSections {
   /// @param line_load about the greatest one [N/m], > 0
   void choose_far(double line_load);
 
+  /// From now on the contact's half-widths are those of BendingWidths, whose steps the search for
+  /// the loads takes along, instead of those of the sections' own loads.
+  void widen_by_bending();
+  /// Of a section's contact under its load [m].
+  [[nodiscard]] double half_width(Eigen::Index section, double line_load) const;
+
   /// Displacements under the loads, and their derivatives.
   void find_displacements(const Eigen::VectorXd& loads, Eigen::VectorXd& displacements);
   /// Of the columns of sections with a load.
@@ -51,7 +59,7 @@ class CoupledSections {
   };
 
   [[nodiscard]] Far far_influence_of(Source source) const;
-  [[nodiscard]] double half_width(double line_load) const;
+  [[nodiscard]] double square_per_load() const;
   void find_column(Eigen::Index j, double load);
   [[nodiscard]] static StripInfluence of_strip(double distance, double half);
 
@@ -68,6 +76,7 @@ class CoupledSections {
   Eigen::MatrixXd tangent_;    ///< d displacement/d line load of all
   std::vector<Far> far_;       ///< by source
   double far_distance_ = 0.;   ///< from a load on [m]
+  std::optional<BendingWidths> bending_;
 };
 
 }  // namespace geneva::loads

@@ -207,7 +207,7 @@ PinLineContact contact_of(const PinLine& pin, const CoupledSections& sections,
     const double place = sections.places()[i];
     const double width = sections.widths()[i];
     const double load = search.loads()[i];
-    contact.sections.push_back({place, width, load});
+    contact.sections.push_back({place, width, load, sections.half_width(i, load)});
     const double from_root = pin.clearance.upper_end - place;
     contact.root_moment += load * width * beam.moment(from_root);
     contact.deflection += load * width * beam.flexibility(observed, from_root);
@@ -290,9 +290,6 @@ bool begins_at_end(const PinLineContact& contact, const double wall_half) {
 bool ends_at_end(const PinLineContact& contact, const double wall_half) {
   return contact.end >= wall_half * (1. - rounding_of_ends);
 }
-bool reaches_end(const PinLineContact& contact, const double wall_half) {
-  return begins_at_end(contact, wall_half) || ends_at_end(contact, wall_half);
-}
 
 double change(const double value, const double before) {
   return before == 0. ? 0. : std::abs(value / before - 1.);
@@ -313,6 +310,85 @@ bool has_settled(PinLineContact& contact, const PinLineContact& coarse, const do
          moved <= most_moved * (contact.end - contact.begin);
 }
 
+/// Whether a contact reaches where the wall begins to be broken, or its end.
+struct Reached {
+  bool lower;
+  bool upper;
+};
+
+Reached reached_edges(const PinLine& pin, const PinLineContact& contact) {
+  const double flank = pin.clearance.wall_half - pin.clearance.wall_edge.size;
+  return {contact.begin<width_at(contact, contact.begin) - flank, contact.end> flank -
+          width_at(contact, contact.end)};
+}
+
+/// Relative radius of the line contact that has the peak's load and half-width [m].
+double edge_radius(const PinLine& pin, const PinLineContact& contact) {
+  const double b = contact.edge_half_width;
+  return b * b * pi * contact_modulus(pin.pin, pin.wheel) / (4. * contact.peak_line_load);
+}
+
+/// From the middle of the contact to an end of it: sections that become thinner towards the edge
+/// where they have the size of its round, over which they go on; even ones to an end without.
+/// @param end where the edge begins, or the contact ends [m], from the middle, > 0
+/// @param fine at the edge [m]
+std::vector<double> half_of_edges(const double end, const double even, const bool is_edge,
+                                  const double fine, const double wall) {
+  constexpr double growth = 1.25;
+  constexpr int on_round = 16;
+  std::vector<double> places{end};
+  for (double size = is_edge ? fine : even; places.back() > size;
+       size = std::min(growth * size, even))
+    places.push_back(places.back() - size);
+  std::reverse(places.begin(), places.end());
+  if (places.size() > 1) places.front() = 0.;
+  for (int i = 1; is_edge && i <= on_round && end + i * fine < wall; ++i)
+    places.push_back(end + i * fine);
+  return places;
+}
+
+SectionEdges edges_on_rounds(const PinLine& pin, const PinLineContact& known, const double fine) {
+  constexpr double even_sections = 24.;
+  const double wall = pin.clearance.wall_half;
+  const double flank = wall - pin.clearance.wall_edge.size;
+  const Reached reached = reached_edges(pin, known);
+  const auto [begin, end] = window(known, wall);
+  const double low = reached.lower ? -flank : begin;
+  const double high = reached.upper ? flank : end;
+  const double middle = (low + high) / 2.;
+  const double even = (high - low) / even_sections;
+  const auto half = [&](const bool is_edge, const double wall_end) {
+    return half_of_edges((high - low) / 2., even, is_edge, fine, wall_end);
+  };
+  SectionEdges edges;
+  for (const double place : half(reached.lower, wall + middle)) edges.push_back(middle - place);
+  std::reverse(edges.begin(), edges.end());
+  const std::vector<double> upper = half(reached.upper, wall - middle);
+  for (std::size_t i = 1; i < upper.size(); ++i) edges.push_back(middle + upper[i]);
+  return edges;
+}
+
+/// With the pressure 2 q/(pi b) of the sections' own half-widths.
+PinLineContact solved_on_rounds(const PinLine& pin, const double force, const SectionEdges& edges,
+                                const PinLineContact& known) {
+  CoupledSections sections(pin, edges);
+  sections.widen_by_bending();
+  Search search(sections, force, loads_at(known, sections.places()));
+  search.run();
+  PinLineContact contact = contact_of(pin, sections, search);
+  const auto pressure = [](const PinSection& section) {
+    return section.line_load / section.half_width;
+  };
+  const auto top = std::max_element(
+      contact.sections.begin(), contact.sections.end(),
+      [&](const PinSection& a, const PinSection& b) { return pressure(a) < pressure(b); });
+  contact.peak_place = top->place;
+  contact.peak_line_load = top->line_load;
+  contact.edge_half_width = top->half_width;
+  contact.peak_pressure = peak_contact(pin, contact).peak_pressure;
+  return contact;
+}
+
 void require(const PinLine& pin, const double force) {
   require_positive_length("pin radius", pin.radius);
   require_positive_length("relative radius", pin.relative_radius);
@@ -323,6 +399,9 @@ void require(const PinLine& pin, const double force) {
 }  // namespace
 
 HertzLine peak_contact(const PinLine& pin, const PinLineContact& contact) {
+  if (const double b = contact.edge_half_width; b > 0.)
+    return hertz_line(contact.peak_line_load, edge_radius(pin, contact),
+                      contact_modulus(pin.pin, pin.wheel));
   HertzLine hertz = line_contact(pin, contact.peak_line_load);
   const double factor = ellipse_over_line(2. * hertz.half_width / (contact.end - contact.begin));
   hertz.peak_pressure *= factor;
@@ -352,6 +431,8 @@ bool is_beam(const PinLine& pin) {
 
 double expected_error(const PinLine& pin, const PinLineContact& contact) {
   constexpr double beside_finite_elements = 0.01;
+  constexpr double at_rounded_edges = 0.05;
+  if (contact.edge_half_width > 0.) return contact.error + at_rounded_edges;
   const double of_line = line_contact(pin, contact.peak_line_load).peak_pressure;
   return contact.error + (contact.peak_pressure / of_line - 1.) / 2. + beside_finite_elements;
 }
@@ -359,10 +440,11 @@ double expected_error(const PinLine& pin, const PinLineContact& contact) {
 PeakDoubt peak_doubt(const PinLine& pin, const PinLineContact& contact) {
   constexpr double widths_from_end = 8.;
   constexpr double most_error = 0.01;
-  const double flank = pin.clearance.wall_half - pin.clearance.wall_edge.size;
-  if (contact.begin < width_at(contact, contact.begin) - flank ||
-      contact.end > flank - width_at(contact, contact.end))
-    return PeakDoubt::reaches_edge;
+  constexpr double most_error_on_rounds = 0.03;
+  if (contact.edge_half_width > 0.)
+    return contact.error > most_error_on_rounds ? PeakDoubt::not_settled : PeakDoubt::none;
+  const Reached reached = reached_edges(pin, contact);
+  if (reached.lower || reached.upper) return PeakDoubt::reaches_edge;
   const double b = peak_contact(pin, contact).half_width;
   if (const auto* const profile = std::get_if<LogarithmicProfile>(&pin.clearance.profile))
     if (std::abs(contact.peak_place) > profile->length / 2. - widths_from_end * b)
@@ -384,9 +466,24 @@ PinLineContact pin_line_contact(const PinLine& pin, const double force, const do
     PinLineContact contact = solved(pin, force, edges_between(pin, begin, end, n), &coarse);
     const bool is_settled = n > fewest && has_settled(contact, coarse, wall_half, accuracy);
     coarse = std::move(contact);
-    if (is_settled || (n >= most_at_edges && reaches_end(coarse, wall_half))) break;
+    const Reached reached = reached_edges(pin, coarse);
+    if (is_settled || (n >= most_at_edges && (reached.lower || reached.upper))) break;
   }
   return coarse;
+}
+
+PinLineContact resolved_edges(const PinLine& pin, const double force, PinLineContact contact) {
+  const EdgeBreak& edge = pin.clearance.wall_edge;
+  const Reached reached = reached_edges(pin, contact);
+  if (edge.kind != EdgeBreak::Kind::rounded || !(reached.lower || reached.upper)) return contact;
+  const double even = force / (2. * pin.clearance.wall_half);
+  const double c = std::sqrt(2. * edge.size * even / (pi * contact_modulus(pin.pin, pin.wheel)));
+  const PinLineContact coarse =
+      solved_on_rounds(pin, force, edges_on_rounds(pin, contact, c / 2.), contact);
+  PinLineContact fine = solved_on_rounds(pin, force, edges_on_rounds(pin, contact, c / 4.), coarse);
+  fine.error = std::max(change(fine.peak_pressure, coarse.peak_pressure),
+                        change(fine.root_moment, coarse.root_moment));
+  return fine;
 }
 
 }  // namespace geneva::loads

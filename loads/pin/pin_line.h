@@ -29,9 +29,10 @@ struct PinLine {
 
 /// The contact of one section of the pin.
 struct PinSection {
-  double place;      ///< z of its middle [m], 0 in the middle of the wheel's thickness
-  double width;      ///< [m]
-  double line_load;  ///< q >= 0 [N/m]
+  double place;            ///< z of its middle [m], 0 in the middle of the wheel's thickness
+  double width;            ///< [m]
+  double line_load;        ///< q >= 0 [N/m]
+  double half_width = 0.;  ///< b [m], >= 0
 };
 
 /// A pin that carries a force.
@@ -48,6 +49,9 @@ struct PinLineContact {
   double deflection = 0.;  ///< of the free end; held twice: of the wheel's middle plane [m]
   double slope = 0.;       ///< of the cross-section in the wheel's middle plane [rad]
   double error = 1.;       ///< of the sections, relative, of peak pressure and root moment
+  /// Half-width at the peak where that stands on a rounded edge, see resolved_edges() [m]; 0
+  /// elsewhere
+  double edge_half_width = 0.;
 };
 
 /// Sections of a pin, each in Hertz's line contact, that are coupled by half-spaces (Love 1929),
@@ -61,10 +65,17 @@ struct PinLineContact {
 /// below 0, if bore or core are not within the table's range, or if the sections find no balance
 PinLineContact pin_line_contact(const PinLine& pin, double force, double accuracy);
 
+/// A contact that reaches the rounded edge of the wall, with sections as fine there as the round:
+/// of half of c = sqrt(2 r F/(pi t E*)), with which it falls off by F/(pi t E*), and of a quarter.
+/// The width of the contact cannot follow its load there, see BendingWidths.
+/// @param contact of pin_line_contact()
+/// @return the contact itself where it reaches no edge, or no rounded one
+PinLineContact resolved_edges(const PinLine& pin, double force, PinLineContact contact);
+
 /// Why line contacts do not know the peak pressure.
 enum class PeakDoubt {
   none,
-  reaches_edge,    ///< of the wall, or where it begins to be broken
+  reaches_edge,    ///< of the wall, or where it begins to be broken, unless that is resolved
   at_profile_end,  ///< the peak is where a logarithmic profile falls within the contact's width
   not_settled      ///< it still changes with the number of sections
 };

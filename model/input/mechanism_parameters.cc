@@ -172,9 +172,9 @@ std::vector<Parameter> pin_parameters() {
        "moment and "
        "stresses only."},
       {section, "Bore diameter", "", length,
-       "Of a hollow pin, that is fixed, from end to end; with Dimension = 2 for the root's "
-       "stresses "
-       "only. Not with Held at = core."},
+       "Of a hollow pin that is fixed, from end to end; with Dimension = 2 for the root's stresses "
+       "only. Line contacts along the pin ('geneva estimate') know it up to 0.7 of the pin's "
+       "diameter. Not with Held at = core."},
       {section, "Overhang", names::default_word,
        quantity(Dimension::length, zero_or_greater(), {names::default_word}),
        "Length beyond the wheel at every free end; none with Held at = both ends. Default: a "

@@ -322,6 +322,50 @@ RC_GTEST_PROP(PinLine, FindsTheBalanceOfAnyPin, ()) {
   RC_ASSERT(contact.peak_place >= contact.begin && contact.peak_place <= contact.end);
 }
 
+/// Finite elements find 326 to 328 ksi (doc/theory.md, 3.7), a grid of Love's rectangles 319 ksi.
+TEST(PinLine, FindsThePeakAtARoundedEdge) {
+  PinLine pin = johnson();
+  pin.clearance.wall_edge = {EdgeBreak::Kind::rounded, 0.01 * inch};
+  const PinLineContact known = pin_line_contact(pin, pin_force, 5e-4);
+  EXPECT_EQ(peak_doubt(pin, known), PeakDoubt::reaches_edge);
+  const PinLineContact contact = resolved_edges(pin, pin_force, known);
+  EXPECT_EQ(peak_doubt(pin, contact), PeakDoubt::none);
+  EXPECT_NEAR(contact.peak_pressure / psi, 326e3, 0.05 * 326e3);
+  EXPECT_LE(std::abs(contact.peak_pressure / psi / 326e3 - 1.), expected_error(pin, contact));
+  EXPECT_NEAR(std::abs(contact.peak_place), pin.clearance.wall_half - 0.01 * inch, 1e-3 * inch);
+  EXPECT_NEAR(force_of(contact) / pin_force, 1., 1e-8);
+  EXPECT_NEAR(peak_contact(pin, contact).peak_pressure, contact.peak_pressure,
+              1e-12 * contact.peak_pressure);
+}
+
+TEST(PinLine, FindsTheSamePeakAtEitherRoundedEdge) {
+  PinLine pin = johnson();
+  pin.clearance.lower_end = -pin.clearance.upper_end;
+  pin.hold = PinHold::both_ends;
+  pin.clearance.wall_edge = {EdgeBreak::Kind::rounded, 0.02 * inch};
+  double upper = 0.;
+  for (const double tilt : {0.05, -0.05}) {
+    pin.clearance.tilt = tilt * degree;
+    const PinLineContact contact =
+        resolved_edges(pin, pin_force, pin_line_contact(pin, pin_force, 5e-4));
+    if (upper != 0.) {
+      EXPECT_NEAR(contact.peak_pressure, upper, 1e-4 * upper);
+    }
+    upper = contact.peak_pressure;
+  }
+}
+
+TEST(PinLine, LeavesAContactThatReachesNoRoundedEdge) {
+  PinLine pin = crowned();
+  pin.clearance.wall_edge = {EdgeBreak::Kind::rounded, 0.01 * inch};
+  const PinLineContact contact = pin_line_contact(pin, pin_force, 1e-3);
+  EXPECT_EQ(resolved_edges(pin, pin_force, contact).peak_pressure, contact.peak_pressure);
+  const PinLine sharp = johnson();
+  EXPECT_EQ(
+      peak_doubt(sharp, resolved_edges(sharp, pin_force, pin_line_contact(sharp, pin_force, 1e-3))),
+      PeakDoubt::reaches_edge);
+}
+
 double at(const double least, const double most, const int millionths) {
   return least + (most - least) * 1e-6 * millionths;
 }
