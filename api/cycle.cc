@@ -72,10 +72,13 @@ std::vector<post::CycleFields> solve_shared(
     post::NodalFields fields =
         api::solve_instant(points[i], given, MPI_COMM_SELF, own.get(), i + ranks < points.size());
     const loads::PinLoad& load = points[i].instant.load;
+    // A block of wall and its pin stand where they touch, whatever the instant.
+    const bool is_local = given.mechanism->is_local;
     if (points[i].contact)
-      solved.push_back({i,
-                        {load.driver_angle, load.pin_distance,
-                         driven.at_time(load.time).pin_turn.value, std::move(fields)}});
+      solved.push_back(
+          {i,
+           {load.driver_angle, is_local ? 0. : load.pin_distance,
+            is_local ? 0. : driven.at_time(load.time).pin_turn.value, std::move(fields)}});
     try {
       if (tell) tell(points[i], i + 1, points.size());
     } catch (...) {
@@ -163,23 +166,57 @@ std::vector<bool> bodies_that_turn(const std::vector<post::CycleFields>& fields)
   return turning;
 }
 
+/// Of a pin on a block of wall those instants that have the block on the same side, the ones of the
+/// same wall; nothing of a whole wheel, whose instants all stand beside each other.
+std::optional<std::vector<post::CycleFields>> of_same_block(
+    const std::vector<post::CycleFields>& fields, const post::CycleFields& at,
+    const std::vector<CyclePoint>& points, const Case& given) {
+  if (!given.mechanism->is_local) return std::nullopt;
+  const auto wall_of = [&](const post::CycleFields& one) {
+    return std::find_if(
+               points.begin(), points.end(),
+               [&](const CyclePoint& point) { return point.instant.load.driver_angle == one.when; })
+        ->instant.load.wall;
+  };
+  std::vector<post::CycleFields> of_wall;
+  std::copy_if(fields.begin(), fields.end(), std::back_inserter(of_wall),
+               [&](const post::CycleFields& one) { return wall_of(one) == wall_of(at); });
+  return of_wall;
+}
+
 /// What the greatest tensile stresses go through, the same on all ranks.
 /// @param fields on rank 0
-std::vector<post::Swing> swings_of(const post::CycleReport& report,
+std::vector<post::Swing> swings_of(const post::CycleReport& report, const Case& given,
                                    const std::vector<post::CycleFields>& fields,
                                    const MPI_Comm communicator) {
   std::vector<post::Swing> swings;
-  if (!fields.empty()) {
-    const std::vector<bool> turning = bodies_that_turn(fields);
-    for (const post::CycleStressRange& range : post::stress_ranges(report)) {
-      const auto at = std::find_if(fields.begin(), fields.end(),
-                                   [&](const auto& one) { return one.when == range.driver_angle; });
-      if (range.greatest.name == "tensile stress" && at != fields.end())
-        swings.push_back(post::swing_of(range.greatest, fields,
-                                        static_cast<std::size_t>(at - fields.begin()), turning));
-    }
+  const auto is_at = [](const post::CycleStressRange& range) {
+    return [&](const post::CycleFields& one) { return one.when == range.driver_angle; };
+  };
+  for (const post::CycleStressRange& range : post::stress_ranges(report)) {
+    const auto at = std::find_if(fields.begin(), fields.end(), is_at(range));
+    if (range.greatest.name != "tensile stress" || at == fields.end()) continue;
+    const auto of_block = of_same_block(fields, *at, report.points, given);
+    const std::vector<post::CycleFields>& others = of_block ? *of_block : fields;
+    const auto own = std::find_if(others.begin(), others.end(), is_at(range));
+    swings.push_back(post::swing_of(range.greatest, others,
+                                    static_cast<std::size_t>(own - others.begin()),
+                                    bodies_that_turn(fields)));
   }
   return dealii::Utilities::MPI::broadcast(communicator, swings, 0);
+}
+
+/// See post::missed_depth(), of both walls.
+double missed_depth_of(const post::CycleReport& report, const double half_width) {
+  double depth = 0.;
+  for (const loads::Wall wall : {loads::Wall::driving, loads::Wall::braking}) {
+    std::vector<double> distances;
+    for (const CyclePoint& point : report.points)
+      if (point.contact && point.instant.load.wall == wall)
+        distances.push_back(point.instant.load.pin_distance);
+    depth = std::max(depth, post::missed_depth(std::move(distances), half_width));
+  }
+  return depth;
 }
 
 /// Of pin and wall.
@@ -201,8 +238,8 @@ double greatest_of(const std::vector<post::CycleCurvePoint>& curve) {
   return greatest;
 }
 
-/// What ParaView plays, with the envelope at the nodes of an instant; in the plane it also has what
-/// passes between the instants, on a mesh that shows it.
+/// What ParaView plays, with the envelope at the nodes of an instant; of a whole wheel in the plane
+/// it also has what passes between the instants, on a mesh that shows it.
 std::map<std::string, std::string> series_of(const std::vector<post::CycleFields>& fields,
                                              const post::CycleFields& at,
                                              const post::CycleReport& report, const Case& given) {
@@ -210,12 +247,15 @@ std::map<std::string, std::string> series_of(const std::vector<post::CycleFields
   const post::SeriesOrder order{"driver_angle",
                                 base::output_unit(given.units, base::Dimension::angle).factor,
                                 "cycle", "envelope.vtu"};
-  if (given.dimension == 3 || report.curve.empty())
-    return post::cycle_series(fields, at.fields, post::envelope(at, fields, turning), order, {},
+  if (given.dimension == 3 || given.mechanism->is_local || report.curve.empty()) {
+    const auto of_block = of_same_block(fields, at, report.points, given);
+    return post::cycle_series(fields, at.fields,
+                              post::envelope(at, of_block ? *of_block : fields, turning), order, {},
                               given.units);
+  }
   const post::PassingMaterials materials = passing_materials(*given.mechanism, turning.size());
   const double per_pressure = materials.half_width_per_pressure;
-  const double reach = post::missed_depth(fields, per_pressure * greatest_of(report.curve));
+  const double reach = missed_depth_of(report, per_pressure * greatest_of(report.curve));
   const post::CycleFields fine =
       post::divided_where_passed(at, turning, report.curve, per_pressure, reach);
   post::Envelope greatest = post::envelope(fine, fields, turning);
@@ -250,7 +290,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
       report.points.push_back(
           {instant, loads::hertz_pressure(contact, instant.load.force), std::nullopt, ""});
     result.fields = solve_shared(report.points, given, dynamics.driven, communicator, mesher, tell);
-    report.swings = swings_of(report, result.fields, communicator);
+    report.swings = swings_of(report, given, result.fields, communicator);
     report.curve = api::curve_of(report.points, dynamics.driven, dynamics.train, contact);
     report.work = api::work_of(dynamics.driven, dynamics.train);
     report.limits = api::cycle_limits(given, contact, report);

@@ -119,16 +119,19 @@ class StepCollector {
 
   /// The mesh is solved.
   void take(const fem::Solution<dim>& on_mesh) {
-    const std::vector<FoundStep> before = std::exchange(steps_, {});
-    for (std::size_t i = 0; i < pending_.size(); ++i) {
-      pending_[i].displacement.update_ghost_values();  // a copy has none
-      for (fem::ContactResult<dim>& contact : pending_[i].contacts)
+    std::vector<fem::Solution<dim>> pending = std::exchange(pending_, {});
+    std::vector<FoundStep> steps;
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      fem::Solution<dim>& at_step = pending[i];
+      at_step.displacement.update_ghost_values();  // a copy has none
+      at_step.edge = on_mesh.edge;
+      for (fem::ContactResult<dim>& contact : at_step.contacts)
         contact.peak_pressure *= 1. + on_mesh.correction;
-      steps_.push_back(
-          found_step(pending_[i], on_mesh.instants[i], given_, on_mesh.problem.steps[i].time));
-      if (!before.empty()) compare(steps_.back().point, before[i].point);
+      steps.push_back(
+          found_step(at_step, on_mesh.instants[i], given_, on_mesh.problem.steps[i].time));
+      if (!steps_.empty()) compare(steps.back().point, steps_[i].point);
     }
-    pending_.clear();
+    steps_ = std::move(steps);
   }
 
   std::vector<FoundStep> found() { return std::move(steps_); }
@@ -240,30 +243,53 @@ void find_tension(LoadStepPoint& point, const post::NodalFields& fields,
     point.stresses[body].first_principal = greatest[body];
 }
 
-/// Every limit at the step where it is nearest.
-std::vector<post::LimitRow> nearest_limits(const std::vector<FoundStep>& steps) {
-  std::vector<post::LimitRow> limits;
-  for (std::size_t row = 0; row < steps.front().limits.size(); ++row) {
-    std::size_t nearest = 0;
-    for (std::size_t step = 1; step < steps.size(); ++step)
-      if (steps[step].limits[row].computed.value_or(0.) >
-          steps[nearest].limits[row].computed.value_or(0.))
-        nearest = step;
-    const post::SafetyRow& found = steps[nearest].limits[row];
-    if (!found.computed) continue;
-    limits.push_back({fmt::format("{} (load step {})", found.quantity, nearest + 1),
-                      found.dimension, *found.computed, found.allowed, std::nullopt,
-                      found.meaning});
-  }
-  return limits;
-}
-
 /// The last mesh's steps.
 template <int dim>
 struct SolvedSteps {
   fem::Solution<dim> solution;
   std::vector<FoundStep> steps;
 };
+
+/// Every limit at the step where it is nearest.
+/// @param of_steps rows by step, which need not be the same ones
+std::vector<post::LimitRow> nearest_limits(
+    const std::vector<std::vector<post::SafetyRow>>& of_steps) {
+  std::vector<post::LimitRow> limits;
+  std::vector<std::string> names;  // of the limits, without their steps
+  for (std::size_t step = 0; step < of_steps.size(); ++step)
+    for (const post::SafetyRow& row : of_steps[step]) {
+      if (!row.computed) continue;
+      const post::LimitRow here{fmt::format("{} (load step {})", row.quantity, step + 1),
+                                row.dimension,
+                                *row.computed,
+                                row.allowed,
+                                std::nullopt,
+                                row.meaning};
+      const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), row.quantity) -
+                                               names.begin());
+      if (at == names.size()) {
+        names.push_back(row.quantity);
+        limits.push_back(here);
+      } else if (here.factor() < limits[at].factor()) {
+        limits[at] = here;
+      }
+    }
+  return limits;
+}
+
+/// Those of the steps; stresses away from the contact are known of the last one alone, and where a
+/// pressure is not bounded nothing else is.
+template <int dim>
+std::vector<post::LimitRow> limits_of(const Case& given, const SolvedSteps<dim>& found) {
+  std::vector<std::vector<post::SafetyRow>> of_steps;
+  for (const FoundStep& step : found.steps)
+    of_steps.push_back(post::is_bounded(found.solution) ? step.limits
+                                                        : std::vector<post::SafetyRow>());
+  post::RunReport report{};
+  report.allowed = given.allowed;
+  of_steps.back() = post::safety(found.solution, post::analyse(found.solution), report);
+  return nearest_limits(of_steps);
+}
 
 template <int dim>
 SolvedSteps<dim> solved_steps(const Case& given, const MPI_Comm communicator,
@@ -279,7 +305,13 @@ SolvedSteps<dim> solved_steps(const Case& given, const MPI_Comm communicator,
   fem::Solution<dim> solution = model::naming(given, [&] {
     return fem::solve_contact(communicator, model.mesh, model.problem, given.settings, watch);
   });
-  return {std::move(solution), collector.found()};
+  std::vector<FoundStep> steps = collector.found();
+  if (steps.size() != model.problem.steps.size())
+    throw LimitReached(
+        "memory ran out before the load steps of a mesh were kept; give less to 'Maximum "
+        "unknowns', "
+        "or fewer 'Load steps'");
+  return {std::move(solution), std::move(steps)};
 }
 
 template <int dim>
@@ -294,7 +326,15 @@ post::LoadHistoryReport report_of(const Case& given, const model::Model<dim>& mo
   report.notices.insert(report.notices.end(), given.notices.begin(), given.notices.end());
   const std::string shortfall = api::shortfall(found.solution, report.accuracy);
   if (!shortfall.empty()) report.notices.push_back(shortfall);
-  report.limits = nearest_limits(found.steps);
+  report.is_bounded = post::is_bounded(found.solution);
+  if (!report.is_bounded)
+    report.notices.emplace_back(
+        "the pressure is not bounded: it grows with every mesh where the contact reaches a sharp "
+        "edge, and no limit of it is judged");
+  if (!given.allowed.yield_strengths.empty() || !given.allowed.fatigue_strengths.empty())
+    report.notices.emplace_back(
+        "stresses away from the contact are judged at the last load step alone");
+  report.limits = limits_of(given, found);
   for (const FoundStep& step : found.steps) report.steps.push_back(step.point);
   return report;
 }
@@ -330,16 +370,23 @@ LoadHistory history_of(const Case& given, const MPI_Comm communicator, mesh::Mes
 void check_that_it_has_steps(const Case& given) {
   if (!given.geometry)
     model::refuse_model(given, "there are no load steps", "geneva cycle", "geometry");
-  const bool has_steps = std::visit(
-      [](const auto& problem) { return !problem.steps.empty() && fem::has_contact(problem); },
+  std::visit(
+      [&](const auto& problem) {
+        model::naming(given, [&] {
+          if (problem.steps.empty())
+            throw InputError(
+                "'geneva cycle' goes through the load steps of a geometry, and there are none: "
+                "give "
+                "'Load steps', a table of the shares of the loads against time, or use 'geneva "
+                "run' "
+                "for all loads at once");
+          if (!fem::has_contact(problem))
+            throw InputError(
+                "'geneva cycle' goes through the load steps of a contact, and there is none: give "
+                "'Contact pairs', or use 'geneva run' for the last step");
+        });
+      },
       given.geometry->problem);
-  if (!has_steps)
-    model::naming(given, [] {
-      throw InputError(
-          "'geneva cycle' goes through the load steps of a geometry's contact, and there are none: "
-          "give 'Load steps', a table of the shares of the loads against time, or use 'geneva run' "
-          "for all loads at once");
-    });
 }
 
 /// What the report plays.

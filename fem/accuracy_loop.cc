@@ -112,8 +112,9 @@ bool AccuracyLoop<dim>::advance() {
 template <int dim>
 void AccuracyLoop<dim>::tell_load_step(const std::size_t step, const LevelState& found) {
   Solution<dim> at_step = solution_;
-  at_step.strength.clear();  // of the mesh before
+  at_step.strength.clear();  // these are of the mesh before
   at_step.singular.clear();
+  at_step.instants.clear();
   put_result(at_step, equilibrium_->level(), found);
   progress_.load_step(step, at_step);
 }

@@ -24,8 +24,8 @@ struct Progress {
   std::function<void(const Solution<dim>&)> solution;
   /// After those; collects the mesh and the displacement.
   std::function<void(const Checkpoint<dim>&)> checkpoint;
-  /// Before those, after each load step: the solution as if it were the last one, without strength;
-  /// of a mesh that gives no equilibrium, or is left for memory, of the first steps only.
+  /// Before those, after each load step: the solution as if it were the last one, without strength
+  /// and instants; of a mesh that gives no equilibrium, or is left for memory, of the first steps only.
   std::function<void(std::size_t step, const Solution<dim>&)> load_step = {};
 };
 

@@ -218,9 +218,13 @@ State<dim> RefinementPass<dim>::refine_open_contact(Equilibrium<dim>& equilibriu
       std::abs(gap - state_.open_gap) < same * gap ? state_.same_open_gaps + 1 : 0;
   if (state_.same_open_gaps == settled || state_.n_refinements >= settings_.max_levels)
     throw base::InputError(fmt::format(
-        "contact pair {} stays open under this load, by {:.3g} m where it is nearest: there is no "
-        "contact to analyse; check the load and the distance of the bodies",
-        quoted(problem_.pairs[pair]), gap * length));
+        "contact pair {} stays open under {}, by {:.3g} m where it is nearest: there is no contact "
+        "to analyse; check the load and the distance of the bodies{}",
+        quoted(problem_.pairs[pair]),
+        problem_.steps.empty() ? std::string("this load")
+                               : fmt::format("load step {}, the last one", problem_.steps.size()),
+        gap * length,
+        problem_.steps.empty() ? "" : ", and let the load steps end with one that presses"));
   state_.open_gap = gap;
   equilibrium.touch_first();
   refined_ = Refined::zone;

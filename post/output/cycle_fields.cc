@@ -57,9 +57,18 @@ void keep_greater(const double value, const double when, const std::size_t node,
 double least_tension(const std::vector<CycleFields>& instants,
                      const std::vector<std::vector<SixStresses>>& all, const std::size_t node,
                      const bool turns) {
-  std::size_t at = 0;
-  for (std::size_t i = 1; i < all.size(); ++i)
-    if (first_principal(all[i][node]) > first_principal(all[at][node])) at = i;
+  constexpr double round_off = 1e-9;  // where an instant has no stress, of those that have some
+  const auto size = [&](const std::size_t i) {
+    return std::max(von_mises_of(all[i][node]), std::abs(first_principal(all[i][node])));
+  };
+  double greatest = 0.;
+  for (std::size_t i = 0; i < all.size(); ++i) greatest = std::max(greatest, size(i));
+  if (greatest == 0.) return 0.;
+  std::size_t at = all.size();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (size(i) < round_off * greatest) continue;
+    if (at == all.size() || first_principal(all[i][node]) > first_principal(all[at][node])) at = i;
+  }
   const Place direction = direction_of_first_principal(all[at][node]);
   double least = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -134,14 +143,15 @@ Envelope envelope(const CycleFields& own, const std::vector<CycleFields>& instan
   std::vector<std::vector<SixStresses>> all;  // by instant and node
   for (const CycleFields& instant : instants) {
     const bool is_same_mesh = is_of_same_mesh(instant, own);
-    const StressAt stress_at(instant.fields);
+    std::optional<StressAt> stress_at;
+    if (!is_same_mesh) stress_at.emplace(instant.fields);
     std::vector<SixStresses>& here = all.emplace_back();
     for (std::size_t node = 0; node < n_nodes; ++node) {
       const Place& place = own.fields.places[node];
       const SixStresses stress =
           is_same_mesh
               ? instant.fields.stress[node]
-              : stress_at(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
+              : (*stress_at)(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
       here.push_back(stress);
       raise(greatest, node, {von_mises_of(stress), first_principal(stress), max_shear(stress)},
             instant.when);

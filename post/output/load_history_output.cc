@@ -101,6 +101,7 @@ json load_history_summary(const LoadHistoryReport& report) {
           {"versions", base::versions_section(report.geneva_version)},
           {"accuracy", report.accuracy},
           {"error_of_last_step", report.error ? json(*report.error) : json()},
+          {"bounded", report.is_bounded},
           {"greatest", greatest_json(report)},
           {"safety", limits_section(report.limits)},
           {"steps", steps},
@@ -158,11 +159,13 @@ std::string load_history_table(const LoadHistoryReport& report, const UnitSystem
   if (const auto greatest = greatest_pressure(report)) {
     const ContactAtStep& contact = report.steps[greatest->step].contacts[greatest->contact];
     const bool is_last = greatest->step + 1 == report.steps.size();
-    text += fmt::format(
-        "greatest peak pressure: {:.6g} {}{} at step {} of {}, {} -> {}\n",
-        contact.peak_pressure * stress.factor, stress.name,
-        is_last && report.error ? fmt::format(" +- {:.2g} %", 100. * *report.error) : "",
-        greatest->step + 1, report.steps.size(), contact.source, contact.target);
+    text += fmt::format("greatest peak pressure{}: {:.6g} {}{} at step {} of {}, {} -> {}\n",
+                        report.is_bounded ? "" : ", not bounded, on the last mesh",
+                        contact.peak_pressure * stress.factor, stress.name,
+                        report.is_bounded && is_last && report.error
+                            ? fmt::format(" +- {:.2g} %", 100. * *report.error)
+                            : "",
+                        greatest->step + 1, report.steps.size(), contact.source, contact.target);
   }
   return text + limit_lines(report.limits, units);
 }

@@ -51,6 +51,7 @@ struct LoadHistoryReport {
   std::string geneva_version;
   double accuracy;                   ///< wanted of the last step, relative
   std::optional<double> error;       ///< of its peak pressure, estimated, relative; none: not known
+  bool is_bounded = true;            ///< whether the pressure is, see post::is_bounded()
   std::vector<LoadStepPoint> steps;  ///< the first one is step 1
   std::vector<LimitRow> limits;      ///< at the step where each is nearest
   std::vector<std::string> notices;

@@ -76,13 +76,11 @@ double deepest(const PassingContact& passing, const double half_width_per_pressu
 
 }  // namespace
 
-double missed_depth(const std::vector<CycleFields>& instants, const double half_width) {
-  std::vector<double> distances;
-  for (const CycleFields& instant : instants) distances.push_back(instant.pin_distance);
-  std::sort(distances.begin(), distances.end());
+double missed_depth(std::vector<double> pin_distances, const double half_width) {
+  std::sort(pin_distances.begin(), pin_distances.end());
   double way = 0.;
-  for (std::size_t i = 0; i + 1 < distances.size(); ++i)
-    way = std::max(way, distances[i + 1] - distances[i]);
+  for (std::size_t i = 0; i + 1 < pin_distances.size(); ++i)
+    way = std::max(way, pin_distances[i + 1] - pin_distances[i]);
   return std::max(4. * half_width, 1.5 * way);
 }
 

@@ -18,8 +18,9 @@ struct PassingMaterials {
 /// [m]: beside an instant by delta a load's stress at the depth z is 1/(1 + (delta/z)^2) of that
 /// below it, nine tenths at three times half of the greatest way between two instants; at least
 /// four half-widths.
+/// @param pin_distances of the instants of one wall, in any order [m]
 /// @param half_width greatest b [m]
-double missed_depth(const std::vector<CycleFields>& instants, double half_width);
+double missed_depth(std::vector<double> pin_distances, double half_width);
 
 /// Raises the envelope at every node to what the contact's own field is there at most while it
 /// passes: the stress of a half-space in plane strain under Hertz's pressure that slides, see

@@ -57,7 +57,6 @@ class SlotPassing {
                                                double angle) const;
 
   double pin_distance_;
-  double pin_turn_;
   double axis_y_;
   double pin_radius_;
   double half_width_;

@@ -117,6 +117,16 @@ class Cycle(CliTest):
         for i in passed:
             self.assertGreater(von_mises[i], 0.385 * pressure[i])
 
+    def test_a_block_of_wall_keeps_its_contact_where_it_is(self):
+        """Its nodes are not those of a wall along which the pin passes."""
+        case = self.changed("johnson-optimum-wheel", {"Mechanism/Instants": 5, "Accuracy": "2 %", "Structural accuracy": "off",
+                                                      "Mechanism/Contact model": "local"})
+        cycle = self.cycle(case)
+        self.assertNotIn("contact_pressure", (case / "results" / "envelope.vtu").read_text())
+        greatest = cycle["greatest"]["contact"]["peak_pressure"]["value"]
+        found = 6894.757293168362 * max(vtk_array(case / "results" / "envelope.vtu", "von_mises"))
+        self.assert_close(found / greatest, 0.557, 0.05, "Hertz's line contact, at the instant of the greatest pressure")
+
     def test_ranks_share_the_instants(self):
         case = self.changed("irregular-two-pin", {"Accuracy": "2 %", "Structural accuracy": "off"})
         self.cycle(case)

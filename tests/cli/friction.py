@@ -363,12 +363,38 @@ class StickAndSlip(CliTest):
 
     def test_ranks_change_no_load_step(self):
         case = self.case("ranks", "4.5e-5", [0, 1, 0])
-        alone, together = self.history(case), self.history(case, ranks=2)
+        histories, fields = [], []
+        for ranks in (None, 2):
+            histories.append(self.history(case, ranks=ranks))
+            envelope = case / "results" / "load_steps_envelope.vtu"
+            fields.append({name: sorted(set(vtk_array(envelope, name))) for name in ("von_mises", "principal_stress_1_least")})
+        alone, together = histories
         for one, other in zip(alone["steps"], together["steps"]):
             for key in ("peak_pressure", "half_width", "dissipated"):
                 self.assert_close(1e-9 + number(other["contacts"][0][key]), 1e-9 + number(one["contacts"][0][key]), 1e-7, key)
             for mine, theirs in zip(one["stresses"], other["stresses"]):
                 self.assert_close(number(theirs["first_principal"]), number(mine["first_principal"]), 1e-7, "tension")
+        for name in ("von_mises", "principal_stress_1_least"):
+            self.assert_close(sum(fields[1][name]), sum(fields[0][name]), 1e-4, f"{name}, whatever the order of the nodes")
+
+    def test_every_limit_is_judged_at_the_step_where_it_is_nearest(self):
+        """Pressed in full first."""
+        case = self.case("limits", "0", [0])
+        (case / "steps.csv").write_text("time [s], cylinder core\n0, 1\n1, 0.25\n2, 0.5\n")
+        change_case(case, {"Structural accuracy": "5 %"})
+        with open(case / "case.prm", "a") as file:
+            for body in ("cylinder", "block"):
+                file.write(f"\nsubsection Geometry\nsubsection Body {body}\nset Yield strength = 300 MPa\nend\nend\n")
+            file.write("\nsubsection Allowable\nset Contact pressure = 200 MPa\nend\n")
+        history = self.history(case)
+        rows = {row["quantity"]: row for row in history["safety"]}
+        pressed = rows["peak contact pressure (load step 1)"]
+        self.assert_close(number(pressed["computed"]), self.peak, 0.01, "Hertz")
+        self.assert_close(pressed["factor"], 200e6 / number(pressed["computed"]), 1e-12, "factor")
+        self.assertTrue([name for name in rows if name.startswith("contact, first yield")])
+        judged = {re.sub(r" \(load step \d\)$", "", name) for name in rows}
+        self.assertEqual({row["quantity"] for row in self.run_case(case)["safety"]} - judged, set(), "those of a run")
+        self.assertEqual(history["greatest"]["step"], 1)
 
     def test_a_geometry_without_load_steps_has_no_cycle(self):
         run = self.geneva("cycle", self.copy_case("hertz-line-contact", "none"))

@@ -19,6 +19,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr double round_off = 1e-9;  // of a force that is none, beside another one
+
 double length_of(const json& vector) {
   return std::hypot(number_of(vector[0]), number_of(vector[1]), number_of(vector[2]));
 }
@@ -54,7 +56,8 @@ json greatest_friction(const json& history) {
   for (const json& step : history.at("steps"))
     for (const json& contact : step.at("contacts")) {
       const json& friction = contact.at("friction_force");
-      if (length_of(friction) > (greatest.is_null() ? 0. : length_of(greatest)))
+      const double least = round_off * length_of(contact.at("force"));
+      if (length_of(friction) > (greatest.is_null() ? least : length_of(greatest)))
         greatest = friction;
     }
   return greatest;
@@ -95,7 +98,6 @@ std::vector<Chart> charts_of(const json& history, const UnitSystem units) {
 
 /// Without the round-off of a force that is none beside another one.
 std::string force_text(const json& vector, const double beside, const UnitSystem units) {
-  constexpr double round_off = 1e-9;
   const double length = length_of(vector);
   return shown(base::quantity(length > round_off * beside ? length : 0., Dimension::force),
                Dimension::force, units);
@@ -130,7 +132,9 @@ std::string head(const json& history, const UnitSystem units) {
   if (!greatest.is_null()) {
     const bool is_last = greatest.at("step") == n_steps;
     text = answer("greatest peak pressure",
-                  shown_with_unit(greatest.at("peak_pressure"), Dimension::stress, units),
+                  history.at("bounded").get<bool>()
+                      ? shown_with_unit(greatest.at("peak_pressure"), Dimension::stress, units)
+                      : "not bounded",
                   fmt::format("{}at load step {} of {}",
                               is_last ? shown_error(history.at("error_of_last_step")) + " " : "",
                               greatest.at("step").get<int>(), n_steps));

@@ -194,12 +194,8 @@ TEST(PassingMesh, IsFineBelowTheWallAndAsItWasElsewhere) {
 }
 
 TEST(MissedDepth, IsThreeTimesHalfOfTheGreatestWayBetweenInstants) {
-  std::vector<CycleFields> instants(3);
-  instants[0].pin_distance = 0.06;
-  instants[1].pin_distance = 0.04;
-  instants[2].pin_distance = 0.05;
-  EXPECT_NEAR(missed_depth(instants, 1e-4), 0.015, 1e-12);
-  EXPECT_NEAR(missed_depth(instants, 0.01), 0.04, 1e-12);
+  EXPECT_NEAR(missed_depth({0.06, 0.04, 0.05}, 1e-4), 0.015, 1e-12);
+  EXPECT_NEAR(missed_depth({0.06, 0.04, 0.05}, 0.01), 0.04, 1e-12);
 }
 
 }  // namespace
