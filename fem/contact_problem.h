@@ -25,7 +25,7 @@ struct Progress {
   /// After those; collects the mesh and the displacement.
   std::function<void(const Checkpoint<dim>&)> checkpoint;
   /// Before those, after each load step: the solution as if it were the last one, without strength
-  /// and instants; of a mesh that gives no equilibrium, or is left for memory, of the first steps only.
+  /// and instants; of a mesh without an equilibrium, or left for memory, of the first steps only.
   std::function<void(std::size_t step, const Solution<dim>&)> load_step = {};
 };
 
