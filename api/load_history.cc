@@ -8,17 +8,17 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "api/analysis_fields.h"
 #include "api/analysis_notices.h"
+#include "api/found_steps.h"
 #include "api/gathered_objects.h"
 #include "api/mesher_on_rank_zero.h"
 #include "api/output_directory.h"
+#include "api/source_pressure.h"
 #include "api/told_together.h"
 #include "api/version.h"
 #include "fem/contact_problem.h"
@@ -26,129 +26,14 @@
 #include "model/model.h"
 #include "model/naming.h"
 #include "post/analysis/safety.h"
-#include "post/analysis/surface_body.h"
 #include "post/view/cycle_view.h"
 
 namespace geneva {
 
 namespace {
 
-using post::ContactAtStep;
+using api::FoundStep;
 using post::LoadStepPoint;
-
-template <std::size_t dim>
-Vector vector_of(const std::array<double, dim>& components) {
-  Vector vector{};
-  std::copy(components.begin(), components.end(), vector.begin());
-  return vector;
-}
-
-/// A contact's source nodes and what they carry at one step.
-struct SourceNode {
-  Vector place;
-  unsigned int body;
-  double pressure;
-};
-
-/// One load step of a mesh.
-struct FoundStep {
-  LoadStepPoint point;
-  std::vector<post::SafetyRow> limits;
-  std::vector<SourceNode> sources;
-  post::NodalFields fields;  ///< of this rank
-};
-
-template <int dim>
-std::vector<ContactAtStep> contacts_of(const fem::Solution<dim>& at_step,
-                                       const post::Results<dim>& results,
-                                       const fem::Instant<dim>& instant) {
-  std::vector<ContactAtStep> contacts;
-  for (std::size_t i = 0; i < at_step.contacts.size(); ++i) {
-    const fem::ContactResult<dim>& contact = at_step.contacts[i];
-    const fem::PairAtInstant<dim>& pair = instant.pairs[i];
-    contacts.push_back({contact.source, contact.target, vector_of(contact.force),
-                        vector_of(contact.friction_force), contact.peak_pressure,
-                        post::half_width(contact, results.contacts[i]), std::nullopt, pair.sticking,
-                        pair.slipping, pair.dissipated});
-  }
-  return contacts;
-}
-
-template <int dim>
-std::vector<SourceNode> source_nodes(const fem::Solution<dim>& at_step) {
-  std::vector<SourceNode> nodes;
-  for (const fem::ContactResult<dim>& contact : at_step.contacts) {
-    const unsigned int body = post::body_of(at_step, contact.source);
-    for (const fem::ContactNode<dim>& node : contact.nodes)
-      nodes.push_back({vector_of(node.position), body, node.pressure});
-  }
-  return nodes;
-}
-
-/// @param at_step its peak pressures corrected as the last step's are
-template <int dim>
-FoundStep found_step(const fem::Solution<dim>& at_step, const fem::Instant<dim>& instant,
-                     const Case& given, const double time) {
-  const post::Results<dim> results = post::analyse(at_step);
-  post::RunReport report{};
-  report.allowed = given.allowed;
-  FoundStep found{{time,
-                   contacts_of(at_step, results, instant),
-                   {},
-                   instant.energy.work,
-                   instant.energy.stored},
-                  post::safety(at_step, results, report),
-                  source_nodes(at_step),
-                  api::fields_of(at_step, results.nodal)};
-  for (std::size_t body = 0; body < at_step.problem.bodies.size(); ++body)
-    found.point.stresses.push_back(
-        {at_step.problem.bodies[body].name, results.max_von_mises[body].value, 0.});
-  return found;
-}
-
-/// What was found of every load step on the last mesh that has them all.
-template <int dim>
-class StepCollector {
- public:
-  explicit StepCollector(const Case& given) : given_(given) {}
-
-  void add(const std::size_t step, const fem::Solution<dim>& at_step) {
-    if (step == 0) pending_.clear();
-    pending_.push_back(at_step);
-  }
-
-  /// The mesh is solved.
-  void take(const fem::Solution<dim>& on_mesh) {
-    std::vector<fem::Solution<dim>> pending = std::exchange(pending_, {});
-    std::vector<FoundStep> steps;
-    for (std::size_t i = 0; i < pending.size(); ++i) {
-      fem::Solution<dim>& at_step = pending[i];
-      at_step.displacement.update_ghost_values();  // a copy has none
-      at_step.edge = on_mesh.edge;
-      for (fem::ContactResult<dim>& contact : at_step.contacts)
-        contact.peak_pressure *= 1. + on_mesh.correction;
-      steps.push_back(
-          found_step(at_step, on_mesh.instants[i], given_, on_mesh.problem.steps[i].time));
-      if (!steps_.empty()) compare(steps.back().point, steps_[i].point);
-    }
-    steps_ = std::move(steps);
-  }
-
-  std::vector<FoundStep> found() { return std::move(steps_); }
-
- private:
-  static void compare(LoadStepPoint& now, const LoadStepPoint& before) {
-    for (std::size_t i = 0; i < now.contacts.size(); ++i) {
-      const double pressure = now.contacts[i].peak_pressure;
-      if (const double last = before.contacts[i].peak_pressure; last > 0. && pressure > 0.)
-        now.contacts[i].change = pressure / last - 1.;
-    }
-  }
-
-  const Case& given_;
-  std::vector<fem::Solution<dim>> pending_;
-  std::vector<FoundStep> steps_;
-};
 
 /// The parts of all ranks as one.
 post::NodalFields joined(const std::vector<post::NodalFields>& parts) {
@@ -169,64 +54,6 @@ post::NodalFields joined(const std::vector<post::NodalFields>& parts) {
     }
   }
   return all;
-}
-
-/// Nodes of a field by body and place, which is the same to a billionth of the model wherever it
-/// was computed.
-class NodesByPlace {
- public:
-  explicit NodesByPlace(const post::NodalFields& fields) {
-    double extent = 0.;
-    for (const Vector& place : fields.places)
-      for (const double component : place) extent = std::max(extent, std::abs(component));
-    cell_ = 1e-8 * extent;
-    const std::vector<unsigned int> bodies = post::bodies_of_nodes(fields);
-    for (std::size_t node = 0; node < fields.places.size(); ++node)
-      nodes_[key(fields.places[node], bodies[node], {})].push_back(node);
-  }
-
-  [[nodiscard]] std::vector<std::size_t> at(const SourceNode& source) const {
-    std::vector<std::size_t> found;
-    for (int neighbour = 0; neighbour < 27; ++neighbour) {
-      const auto there =
-          nodes_.find(key(source.place, source.body,
-                          {neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1}));
-      if (there != nodes_.end())
-        found.insert(found.end(), there->second.begin(), there->second.end());
-    }
-    return found;
-  }
-
- private:
-  using Key = std::array<long, 4>;
-
-  [[nodiscard]] Key key(const Vector& place, const unsigned int body,
-                        const std::array<int, 3>& offset) const {
-    Key result{0, 0, 0, static_cast<long>(body)};
-    for (std::size_t i = 0; i < 3; ++i) result[i] = std::lround(place[i] / cell_) + offset[i];
-    return result;
-  }
-
-  double cell_;
-  std::map<Key, std::vector<std::size_t>> nodes_;
-};
-
-post::PressureEnvelope pressure_envelope(const std::vector<FoundStep>& steps,
-                                         const post::NodalFields& fields) {
-  const std::size_t n_nodes = fields.places.size();
-  post::PressureEnvelope greatest{std::vector<double>(n_nodes, 0.),
-                                  std::vector<double>(n_nodes, 0.)};
-  const NodesByPlace nodes(fields);
-  for (std::size_t step = 0; step < steps.size(); ++step)
-    for (const SourceNode& source : steps[step].sources) {
-      if (source.pressure <= 0.) continue;
-      for (const std::size_t node : nodes.at(source)) {
-        if (source.pressure <= greatest.pressure[node]) continue;
-        greatest.pressure[node] = source.pressure;
-        greatest.when[node] = static_cast<double>(step + 1);
-      }
-    }
-  return greatest;
 }
 
 /// Maximum first principal stress of the bodies, over all ranks.
@@ -294,7 +121,7 @@ std::vector<post::LimitRow> limits_of(const Case& given, const SolvedSteps<dim>&
 template <int dim>
 SolvedSteps<dim> solved_steps(const Case& given, const MPI_Comm communicator,
                               const model::Model<dim>& model, const Progress& progress) {
-  StepCollector<dim> collector(given);
+  api::StepCollector<dim> collector(given);
   fem::Progress<dim> watch;
   watch.step = told_together(communicator, progress.step);
   watch.level = told_together(communicator, progress.mesh);
@@ -360,7 +187,7 @@ LoadHistory history_of(const Case& given, const MPI_Comm communicator, mesh::Mes
     if (!parts.empty()) history.fields.push_back({number, 0., 0., joined(parts)});
   }
   if (!history.fields.empty())
-    history.contact_pressure = pressure_envelope(found.steps, history.fields.front().fields);
+    history.contact_pressure = api::pressure_envelope(found.steps, history.fields.front().fields);
   history.report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   history.report.seconds = timer.wall_time();
   return history;

@@ -1,6 +1,6 @@
 #include "loads/pin/pin_line.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -13,116 +13,17 @@
 #include "loads/pi.h"
 #include "loads/pin/coupled_sections.h"
 #include "loads/pin/held_beam.h"
+#include "loads/pin/section_search.h"
 #include "loads/require.h"
 
 namespace geneva::loads {
 
 namespace {
 
-using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 /// Less than that from an end of the wall, over its half-length, is at it.
 constexpr double rounding_of_ends = 1e-9;
-
-/// Newton's iterations with an active set for
-/// c + (K(q) + M) q - delta >= 0, q >= 0, and sum q h = F.
-class Search {
- public:
-  /// @param start first guess of the loads, whose sum is scaled; some positive
-  Search(CoupledSections& sections, const double force, const Vector& start)
-      : sections_(sections),
-        n_(sections.size()),
-        force_(force),
-        mean_(force / sections.widths().sum()),
-        loads_(start * (force / start.dot(sections.widths()))),
-        displacements_(n_),
-        system_(n_ + 1, n_ + 1),
-        rest_(n_ + 1),
-        step_(n_ + 1),
-        factors_(n_ + 1) {
-    sections_.choose_far(loads_.maxCoeff());
-  }
-
-  /// @throws base::InputError if it does not end
-  void run() {
-    constexpr int most_steps = 200;
-    constexpr double enough = 1e-10;
-    constexpr double settled = 1e-3;  // sections are added only then, or they come and go for ever
-    double change = 1.;
-    for (int i = 0; i < most_steps; ++i) {
-      sections_.find_displacements(loads_, displacements_);
-      if (change < settled && !load_overlapping() && change < enough) return;
-      change = advance();
-    }
-    throw base::InputError("the line contacts along the pin find no balance");
-  }
-
-  [[nodiscard]] const Vector& loads() const { return loads_; }
-  [[nodiscard]] double approach() const { return approach_; }
-
- private:
-  /// One step of Newton.
-  /// @return greatest change of a line load over the greatest load
-  double advance() {
-    assemble();
-    factors_.compute(system_);
-    step_.noalias() = factors_.solve(rest_);
-    double change = 0.;
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      const double before = loads_[i];
-      if (before <= 0.) continue;
-      loads_[i] = std::max(before + step_[i], 0.);
-      change = std::max(change, std::abs(loads_[i] - before));
-    }
-    approach_ += step_[n_];
-    return change / loads_.maxCoeff();
-  }
-
-  void assemble() {
-    system_.setZero();
-    rest_.setZero();
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      if (loads_[i] <= 0.) {
-        system_(i, i) = 1.;
-        continue;
-      }
-      for (Eigen::Index j = 0; j < n_; ++j)
-        if (loads_[j] > 0.) system_(i, j) = sections_.tangent()(i, j);
-      system_(i, n_) = -1.;
-      system_(n_, i) = sections_.widths()[i];
-      rest_[i] = approach_ - sections_.clearance()[i] - displacements_[i];
-    }
-    rest_[n_] = force_ - loads_.dot(sections_.widths());
-  }
-
-  /// Gives the sections that overlap a load.
-  /// @return whether there are any
-  bool load_overlapping() {
-    bool has_changed = false;
-    for (Eigen::Index i = 0; i < n_; ++i)
-      if (loads_[i] <= 0. && sections_.clearance()[i] + displacements_[i] < approach_) {
-        loads_[i] = first_load * mean_;
-        has_changed = true;
-      }
-    if (has_changed) sections_.find_displacements(loads_, displacements_);
-    return has_changed;
-  }
-
-  static constexpr double first_load = 1e-6;  // of a section that is loaded anew, over the mean
-
-  CoupledSections& sections_;
-  Eigen::Index n_;
-  double force_;
-  double mean_;
-  Vector loads_;
-  Vector displacements_;
-  double approach_ = 0.;
-  Matrix system_;
-  Vector rest_;
-  Vector step_;
-  Eigen::PartialPivLU<Matrix> factors_;
-};
 
 /// The vertex of a parabola through three places around the greatest load.
 void find_peak(PinLineContact& contact) {
@@ -198,7 +99,7 @@ double width_at(const PinLineContact& contact, const double place) {
 }
 
 PinLineContact contact_of(const PinLine& pin, const CoupledSections& sections,
-                          const Search& search) {
+                          const SectionSearch& search) {
   PinLineContact contact;
   const HeldBeam beam(pin);
   const bool has_free_end = pin.hold == PinHold::one_end;
@@ -247,7 +148,7 @@ PinLineContact solved(const PinLine& pin, const double force, const SectionEdges
   CoupledSections sections(pin, edges);
   const Vector start =
       known ? loads_at(*known, sections.places()) : Vector::Ones(sections.size()).eval();
-  Search search(sections, force, start);
+  SectionSearch search(sections, force, start);
   search.run();
   return contact_of(pin, sections, search);
 }
@@ -373,7 +274,7 @@ PinLineContact solved_on_rounds(const PinLine& pin, const double force, const Se
                                 const PinLineContact& known) {
   CoupledSections sections(pin, edges);
   sections.widen_by_bending();
-  Search search(sections, force, loads_at(known, sections.places()));
+  SectionSearch search(sections, force, loads_at(known, sections.places()));
   search.run();
   PinLineContact contact = contact_of(pin, sections, search);
   const auto pressure = [](const PinSection& section) {
