@@ -171,7 +171,7 @@ CycleField field_of(const json& view, const Played& played) {
 
 CycleField cycle_field(const ResultsDirectory& results) {
   for (const auto& [name, played_of] :
-       {std::pair{"cycle", instants_played}, std::pair{"load_steps", steps_played}}) {
+       {std::pair{"cycle", &instants_played}, std::pair{"load_steps", &steps_played}}) {
     const json* const document = results.document(name);
     const json* const view = results.document(std::string(name) + "_view");
     if (document == nullptr || view == nullptr || document->at("greatest").is_null()) continue;
