@@ -16,7 +16,7 @@ namespace geneva::loads {
 namespace {
 
 /// In half-widths; A is then the integral of (1 - b^2/(8 s^2))/s over the section, to (b/s)^4/21.
-constexpr double far_from_load = 40.;
+constexpr double far_from_load = 16.;
 constexpr double beyond_any_width = 1e3;
 
 PinInside inside_of(const PinLine& pin) {
