@@ -14,6 +14,7 @@
 #include "api/mechanism_results.h"
 #include "api/mesher_on_rank_zero.h"
 #include "api/told_together.h"
+#include "api/vector_of.h"
 #include "api/version.h"
 #include "base/allocation.h"
 #include "fem/adaptivity/resource_limits.h"
@@ -31,6 +32,7 @@ namespace {
 
 using api::AnalysedModel;
 using api::AnalysisState;
+using api::vector_of;
 
 bool is_first(const MPI_Comm communicator) {
   return dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -114,13 +116,6 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given,
   report.ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   report.peak_memory = fem::peak_memory(communicator);
   return report;
-}
-
-template <std::size_t dim>
-Vector vector_of(const std::array<double, dim>& components) {
-  Vector vector{};
-  std::copy(components.begin(), components.end(), vector.begin());
-  return vector;
 }
 
 template <int dim>

@@ -28,6 +28,7 @@
 #include "api/shared_counter.h"
 #include "api/told_together.h"
 #include "api/version.h"
+#include "api/view_text.h"
 #include "loads/pi.h"
 #include "model/case_header.h"
 #include "model/mechanism_state.h"
@@ -35,7 +36,6 @@
 #include "post/output/passing_field.h"
 #include "post/output/passing_mesh.h"
 #include "post/output/passing_pressure.h"
-#include "post/view/cycle_view.h"
 
 namespace geneva {
 
@@ -146,15 +146,6 @@ loads::CycleInstants instants_of(const Case& given, const model::MechanismDynami
   const std::optional<int> wanted = given.mechanism->instants;
   if (wanted) return loads::even_instants(dynamics.driven, dynamics.train, *wanted);
   return loads::cycle_instants(dynamics.driven, dynamics.train, contact, given.settings.accuracy);
-}
-
-/// What the report plays.
-std::string view_text(const std::vector<post::CycleFields>& instants,
-                      const base::UnitSystem units) {
-  std::vector<post::InstantField> fields;
-  for (const post::CycleFields& instant : instants)
-    fields.push_back({instant.fields.places, instant.fields.von_mises, instant.fields.cells});
-  return post::cycle_view(fields, units).dump() + "\n";
 }
 
 /// All but the wheel move with the pin.
@@ -318,7 +309,7 @@ Written write(const Cycle& cycle, const std::filesystem::path& directory) {
       return one.when == greatest->instant.load.driver_angle;
     });
     if (at != fields.end() && given.dimension == 2)
-      texts["cycle_view.json"] = view_text(fields, given.units);
+      texts["cycle_view.json"] = api::view_text(fields, given.units);
     if (at != fields.end()) texts.merge(series_of(fields, *at, report, given));
   }
   return api::write_results(directory, given, "cycle", texts);

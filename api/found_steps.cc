@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "api/analysis_fields.h"
+#include "api/vector_of.h"
 #include "post/analysis/results.h"
 #include "post/analysis/surface_body.h"
 
@@ -14,13 +15,6 @@ namespace {
 
 using post::ContactAtStep;
 using post::LoadStepPoint;
-
-template <std::size_t dim>
-Vector vector_of(const std::array<double, dim>& components) {
-  Vector vector{};
-  std::copy(components.begin(), components.end(), vector.begin());
-  return vector;
-}
 
 template <int dim>
 std::vector<ContactAtStep> contacts_of(const fem::Solution<dim>& at_step,

@@ -21,12 +21,12 @@
 #include "api/source_pressure.h"
 #include "api/told_together.h"
 #include "api/version.h"
+#include "api/view_text.h"
 #include "fem/contact_problem.h"
 #include "model/case_header.h"
 #include "model/model.h"
 #include "model/naming.h"
 #include "post/analysis/safety.h"
-#include "post/view/cycle_view.h"
 
 namespace geneva {
 
@@ -216,14 +216,6 @@ void check_that_it_has_steps(const Case& given) {
       given.geometry->problem);
 }
 
-/// What the report plays.
-std::string view_text(const LoadHistory& history) {
-  std::vector<post::InstantField> fields;
-  for (const post::CycleFields& step : history.fields)
-    fields.push_back({step.fields.places, step.fields.von_mises, step.fields.cells});
-  return post::cycle_view(fields, history.given.units).dump() + "\n";
-}
-
 }  // namespace
 
 LoadHistory load_history(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher,
@@ -249,7 +241,7 @@ Written write(const LoadHistory& history, const std::filesystem::path& directory
     texts.merge(post::cycle_series(
         fields, fields.front().fields, post::envelope(fields.front(), fields, turning),
         {"load_step", 1., "load_steps", "load_steps_envelope.vtu"}, contact_pressure, given.units));
-    if (given.dimension == 2) texts["load_steps_view.json"] = view_text(history);
+    if (given.dimension == 2) texts["load_steps_view.json"] = api::view_text(fields, given.units);
   }
   return api::write_results(directory, given, "load_steps", texts);
 }

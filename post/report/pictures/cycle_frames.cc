@@ -44,14 +44,15 @@ Frame frame_of(const json& instant) {
                         frame.cells.size() % 4 == 0 &&
                         std::all_of(frame.cells.begin(), frame.cells.end(),
                                     [&](const auto point) { return point < frame.n_points(); });
-  if (!is_whole) throw base::InputError("cycle_view.json is damaged: points and cells do not fit");
+  if (!is_whole)
+    throw base::InputError("the fields to play are damaged: points and cells do not fit");
   return frame;
 }
 
 std::vector<Frame> frames_of(const json& view) {
   std::vector<Frame> frames;
   for (const json& instant : view.at("instants")) frames.push_back(frame_of(instant));
-  if (frames.empty()) throw base::InputError("cycle_view.json is damaged: it has no instants");
+  if (frames.empty()) throw base::InputError("the fields to play are damaged: it has no instants");
   return frames;
 }
 
