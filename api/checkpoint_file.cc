@@ -13,12 +13,14 @@
 #include <sstream>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "api/version.h"
 #include "base/checksum.h"
 #include "base/directory_replacement.h"
 #include "base/errors.h"
 #include "base/input_file.h"
+#include "fem/discretisation/gather.h"
 #include "model/input/parameters.h"
 #include "model/together.h"
 
@@ -257,7 +259,7 @@ std::string read_checkpoint(const MPI_Comm communicator, const fs::path& results
       throw base::InputError(fmt::format("{}: {}", file.string(), error.what()));
     }
   });
-  return dealii::Utilities::MPI::broadcast(communicator, text);
+  return fem::text_of(communicator, 0, std::move(text));
 }
 
 template <int dim>

@@ -69,8 +69,7 @@ std::vector<post::CycleFields> solve_shared(
   std::exception_ptr thrown;
   for (std::size_t i = counter.next(); i < points.size(); i = counter.next()) {
     solver[i] = rank;
-    post::NodalFields fields =
-        api::solve_instant(points[i], given, MPI_COMM_SELF, own.get(), i + ranks < points.size());
+    post::NodalFields fields = api::solve_instant(points[i], given, MPI_COMM_SELF, own.get());
     const loads::PinLoad& load = points[i].instant.load;
     // A block of wall and its pin stand where they touch, whatever the instant.
     const bool is_local = given.mechanism->is_local;
@@ -91,8 +90,7 @@ std::vector<post::CycleFields> solve_shared(
   });
   dealii::Utilities::MPI::max(solver, communicator, solver);
   for (std::size_t i = 0; i < points.size() && ranks > 1; ++i)
-    post::take_over(points[i], dealii::Utilities::MPI::broadcast(
-                                   communicator, post::solved_text(points[i]), solver[i]));
+    post::take_over(points[i], fem::text_of(communicator, solver[i], post::solved_text(points[i])));
   std::vector<NumberedFields> all;
   for (std::vector<NumberedFields>& of_rank :
        api::gathered_objects(communicator, std::move(solved)))

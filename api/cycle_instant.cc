@@ -63,10 +63,8 @@ struct SolvedInstant {
 };
 
 template <int dim>
-SolvedInstant solved(const Case& at, const MPI_Comm communicator, mesh::Mesher* const mesher,
-                     const bool others_follow) {
+SolvedInstant solved(const Case& at, const MPI_Comm communicator, mesh::Mesher* const mesher) {
   const model::Model<dim> model = model::make_model<dim>(communicator, at, mesher);
-  if (mesher != nullptr && others_follow) mesher->get_ready();
   const fem::Solution<dim> solution =
       fem::solve_contact(communicator, model.mesh, model.problem, at.settings, {}, {});
   const double sign = at.mechanism->is_mirrored ? -1. : 1.;
@@ -99,14 +97,13 @@ bool touches_wall(const Case& given, const loads::PinLoad& load) {
 }
 
 post::NodalFields solve_instant(post::CyclePoint& point, const Case& given,
-                                const MPI_Comm communicator, mesh::Mesher* const mesher,
-                                const bool others_follow) {
+                                const MPI_Comm communicator, mesh::Mesher* const mesher) {
   const dealii::Timer timer;
   try {
     const Case at = case_at(given, point.instant.load);
     SolvedInstant found = model::naming(at, [&] {
-      return at.dimension == 3 ? solved<3>(at, communicator, mesher, others_follow)
-                               : solved<2>(at, communicator, mesher, others_follow);
+      return at.dimension == 3 ? solved<3>(at, communicator, mesher)
+                               : solved<2>(at, communicator, mesher);
     });
     point.contact = std::move(found.contact);
     point.contact->seconds = timer.wall_time();

@@ -20,10 +20,9 @@ bool touches_wall(const Case& given, const loads::PinLoad& load);
 /// Solves the contact at an instant, on the wall that carries, as `geneva run` does; what cannot be
 /// solved says why.
 /// @param mesher on rank 0
-/// @param others_follow whether the mesher will be asked again
 /// @return the fields on this rank, of the wheel as it stands, in whichever wall's sense it turns;
 /// empty without a contact
 post::NodalFields solve_instant(post::CyclePoint& point, const Case& given, MPI_Comm communicator,
-                                mesh::Mesher* mesher, bool others_follow);
+                                mesh::Mesher* mesher);
 
 }  // namespace geneva::api

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -97,20 +96,14 @@ std::filesystem::path installed_mesher() {
                   places));
 }
 
-Mesher::Mesher(std::filesystem::path program)
-    : program_(std::move(program)), waiting_(std::in_place, program_) {}
-
-void Mesher::get_ready() {
-  if (!waiting_) waiting_.emplace(program_);
-}
+Mesher::Mesher(const std::filesystem::path& program)
+    : server_(std::make_unique<MesherServer>(program)) {}
 
 MesherAnswer Mesher::answer_to(const json& task, const MesherLimits& limits) {
-  MesherProcess process = waiting_ ? MesherProcess(std::move(*waiting_)) : MesherProcess(program_);
-  waiting_.reset();
   const json request{{"task", task},
                      {"limits", {{"memory", limits.memory}, {"seconds", limits.seconds}}}};
-  const ProcessEnd end =
-      process.ask(request.dump(), limits.seconds, static_cast<std::size_t>(limits.memory));
+  const ProcessEnd end = server_->process().ask(request.dump(), limits.seconds,
+                                                static_cast<std::size_t>(limits.memory));
   if (end.took_too_long || end.signal == SIGXCPU) too_long(limits);
   json said = json::parse(end.output, nullptr, false);
   if (said.is_object()) {

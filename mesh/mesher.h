@@ -1,12 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "mesh/mesher_exchange.h"
-#include "mesh/mesher_process.h"
+#include "mesh/mesher_server.h"
 
 namespace geneva::mesh {
 
@@ -17,13 +17,12 @@ std::filesystem::path installed_mesher();
 /// Gmsh in a process of its own: it runs what a stranger may have written, and may crash, run on or
 /// lie without harm to this one.
 ///
-/// One process serves one task. The first one is started at once, others when they are needed or
-/// get_ready() asks for them, so that they get ready while this program does. Used on one rank,
-/// without MPI.
+/// One process serves one task, a copy of one that is started at once and gets ready while this
+/// program does. Used on one rank, without MPI.
 class Mesher {
  public:
   /// @param program see installed_mesher()
-  explicit Mesher(std::filesystem::path program);
+  explicit Mesher(const std::filesystem::path& program);
 
   /// The mesh of outlines or of a geometry.
   /// @return what it says in place of a mesh, if it refuses, fails or crashes: Gmsh's errors, or
@@ -35,10 +34,6 @@ class Mesher {
     return answer_to(json_of(task), limits);
   }
 
-  /// Starts the process of the next task while this program does something else.
-  /// @throws base::InputError if it cannot be started
-  void get_ready();
-
   /// Of the last answer: whether the system kept the mesher from files, processes and networks.
   [[nodiscard]] bool was_enclosed() const { return was_enclosed_; }
   /// Of the last answer.
@@ -47,8 +42,7 @@ class Mesher {
  private:
   MesherAnswer answer_to(const nlohmann::json& task, const MesherLimits& limits);
 
-  std::filesystem::path program_;
-  std::optional<MesherProcess> waiting_;
+  std::unique_ptr<MesherServer> server_;
   bool was_enclosed_ = true;
   std::string gmsh_version_;
 };

@@ -1,10 +1,8 @@
 #include "mesh/mesher_process.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,10 +12,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 #include "base/errors.h"
 #include "base/printable.h"
@@ -30,66 +26,6 @@ using Clock = std::chrono::steady_clock;
 
 /// Of what a program prints no more than the end is kept.
 constexpr std::size_t kept_messages = 4096;
-
-[[noreturn]] void fail(const std::string& what) {
-  throw base::InputError(fmt::format("{}: {}", what, std::strerror(errno)));
-}
-
-/// What finds and tries out the program's libraries, and nothing that a user has set for others.
-std::vector<std::string> environment() {
-  std::vector<std::string> variables{"LC_ALL=C", "OMP_NUM_THREADS=1", "OPENBLAS_NUM_THREADS=1"};
-  for (const char* const name : {"LD_LIBRARY_PATH", "LD_PRELOAD", "ASAN_OPTIONS", "UBSAN_OPTIONS"})
-    if (const char* const value = std::getenv(name))
-      variables.push_back(std::string(name) + "=" + value);
-  return variables;
-}
-
-/// Ends of a connection that children do not inherit unless they are given one.
-struct Ends {
-  int own;
-  int others;
-};
-
-Ends new_socket() {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-    fail("cannot make a socket for the mesher");
-  return {ends[0], ends[1]};
-}
-
-Ends new_pipe() {
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe for the mesher");
-  return {ends[0], ends[1]};
-}
-
-pid_t spawn(const std::filesystem::path& program, const int input, const int messages) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, messages, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, messages, STDERR_FILENO);
-  sigset_t none;
-  sigset_t all;
-  sigemptyset(&none);
-  sigfillset(&all);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setsigdefault(&attributes, &all);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  std::string name = program.string();
-  std::vector<std::string> variables = environment();
-  std::vector<char*> pointers;
-  for (std::string& variable : variables) pointers.push_back(variable.data());
-  pointers.push_back(nullptr);
-  std::array<char*, 2> arguments{name.data(), nullptr};
-  pid_t id = -1;
-  errno = posix_spawn(&id, name.c_str(), &actions, &attributes, arguments.data(), pointers.data());
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  return errno == 0 ? id : -1;
-}
 
 /// Milliseconds until then, at least 0, at most what poll() takes.
 int milliseconds_until(const Clock::time_point end) {
@@ -107,6 +43,8 @@ bool read_some(const int from, std::string& to) {
   return count > 0;
 }
 
+}  // namespace
+
 std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of("\r\n \t");
   if (end == text.npos) return "";
@@ -114,24 +52,6 @@ std::string last_line(const std::string& text) {
   std::string line = text.substr(begin == text.npos ? 0 : begin + 1, end + 1);
   line = line.substr(0, line.find_last_not_of("\r\n \t") + 1);
   return base::printable(line);
-}
-
-}  // namespace
-
-MesherProcess::MesherProcess(const std::filesystem::path& program) {
-  const Ends talk = new_socket();
-  socket_ = talk.own;
-  const Ends print = new_pipe();
-  messages_ = print.own;
-  id_ = spawn(program, talk.others, print.others);
-  const int error = errno;
-  close(talk.others);
-  close(print.others);
-  if (id_ > 0) return;
-  close_all();
-  errno = error;
-  fail(fmt::format("the mesher {}, which belongs beside geneva, cannot be started",
-                   program.string()));
 }
 
 MesherProcess::MesherProcess(MesherProcess&& other) noexcept
@@ -174,7 +94,8 @@ ProcessEnd MesherProcess::ask(const std::string& request, const double seconds,
         pollfd{socket_, static_cast<short>(sent < request.size() ? POLLIN | POLLOUT : POLLIN), 0},
         pollfd{prints ? messages_ : -1, POLLIN, 0}};
     const int ready = poll(watched.data(), watched.size(), milliseconds_until(deadline));
-    if (ready < 0 && errno != EINTR) fail("cannot wait for the mesher");
+    if (ready < 0 && errno != EINTR)
+      throw base::InputError(fmt::format("cannot wait for the mesher: {}", std::strerror(errno)));
     result.took_too_long = Clock::now() >= deadline;
     if (result.took_too_long) break;
     if (ready <= 0) continue;

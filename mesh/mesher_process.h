@@ -2,7 +2,7 @@
 
 #include <sys/types.h>
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
 
 namespace geneva::mesh {
@@ -15,13 +15,17 @@ struct ProcessEnd {
   bool took_too_long;
 };
 
-/// A program that reads a request from one end of a socket, answers to it and ends; what it prints
+/// The last line of what a program printed that is not empty, without control characters.
+std::string last_line(const std::string& text);
+
+/// A process that reads a request from one end of a socket, answers to it and ends; what it prints
 /// is kept apart.
 class MesherProcess {
  public:
-  /// Starts it with nothing but the socket and few variables of the environment.
-  /// @throws base::InputError if it cannot be started
-  explicit MesherProcess(const std::filesystem::path& program);
+  /// @param id of a child of this process; negative: there is none
+  /// @param socket, messages own ends, which are closed with it
+  MesherProcess(pid_t id, int socket, int messages)
+      : id_(id), socket_(socket), messages_(messages) {}
   /// Ends it.
   ~MesherProcess();
   MesherProcess(MesherProcess&& other) noexcept;
@@ -29,7 +33,7 @@ class MesherProcess {
   MesherProcess(const MesherProcess&) = delete;
   MesherProcess& operator=(const MesherProcess&) = delete;
 
-  /// Sends the request, waits for the whole answer and ends the program.
+  /// Sends the request, waits for the whole answer and ends the process.
   /// @param seconds that it may take at most
   /// @param longest answer [byte]; a longer one is cut there
   ProcessEnd ask(const std::string& request, double seconds, std::size_t longest);
@@ -38,9 +42,9 @@ class MesherProcess {
   void close_all();
   int end();
 
-  pid_t id_ = -1;
-  int socket_ = -1;
-  int messages_ = -1;
+  pid_t id_;
+  int socket_;
+  int messages_;
 };
 
 }  // namespace geneva::mesh

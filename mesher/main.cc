@@ -1,7 +1,9 @@
 #include <fcntl.h>
 #include <gmsh.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -12,13 +14,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "mesh/descriptor_exchange.h"
 #include "mesh/mesher_exchange.h"
 #include "mesher/enclosure.h"
 #include "mesher/geometry_reader.h"
 #include "mesher/outline_mesher.h"
 
-// Reads one task from its standard input, a socket, and answers there: it may have to run what a
-// stranger has written, so it gives up every right that it does not need before.
+// Waits on its standard input, a socket, for tasks and makes a copy of itself for each: that one
+// may have to run what a stranger has written, so it gives up every right that it does not need
+// before.
 
 namespace {
 
@@ -88,18 +92,39 @@ json answer_to(const json& request) {
   return answer;
 }
 
-}  // namespace
+/// A copy of this process with the same parent, which can wait for it and learns how it ended.
+/// @return 0 in the copy, there its number
+pid_t copied_process() {
+  return static_cast<pid_t>(
+      syscall(SYS_clone, CLONE_PARENT | SIGCHLD, nullptr, nullptr, nullptr, nullptr));
+}
 
-// What escapes ends the process, and geneva says so.
-int main() {  // NOLINT(bugprone-exception-escape)
+/// What escapes ends the process, and geneva says so.
+[[noreturn]] void serve(const mesh::TaskDescriptors& task) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int socket = own_socket();
+  dup2(task.messages, STDOUT_FILENO);
+  dup2(task.messages, STDERR_FILENO);
+  const int socket = dup2(task.talk, STDERR_FILENO + 1);
   close_range(static_cast<unsigned int>(socket) + 1, ~0U, 0);
-  (void)setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   const std::string request = all_of(socket);
-  if (request.empty()) return 0;  // nothing was to be meshed
   const json answer = answer_to(json::parse(request));
   send(socket, answer.dump(-1, ' ', false, json::error_handler_t::replace));
   // Gmsh's own end takes time, and may not work any more.
   _exit(0);
+}
+
+}  // namespace
+
+int main() {  // NOLINT(bugprone-exception-escape)
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int control = own_socket();
+  close_range(static_cast<unsigned int>(control) + 1, ~0U, 0);
+  (void)setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  while (const auto task = mesh::receive_descriptors(control)) {
+    const pid_t copy = copied_process();
+    if (copy == 0) serve(*task);
+    close(task->talk);
+    close(task->messages);
+    if (!mesh::send_process_id(control, copy)) return 1;
+  }
 }

@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -86,6 +87,21 @@ inline std::vector<std::string> gathered_texts(const MPI_Comm communicator,
     begin += static_cast<std::ptrdiff_t>(size);
   }
   return texts;
+}
+
+/// The text of one rank, on every rank.
+inline std::string text_of(const MPI_Comm communicator, const unsigned int rank, std::string text) {
+  using Block = std::array<char, 64>;  // MPI counts elements in an int
+  std::size_t size = text.size();
+  const int root = static_cast<int>(rank);
+  MPI_Bcast(&size, sizeof(size), MPI_BYTE, root, communicator);
+  const std::size_t blocks = (size + sizeof(Block) - 1) / sizeof(Block);
+  text.resize(blocks * sizeof(Block));
+  with_type_of<Block>([&](const MPI_Datatype block) {
+    MPI_Bcast(text.data(), static_cast<int>(blocks), block, root, communicator);
+  });
+  text.resize(size);
+  return text;
 }
 
 }  // namespace geneva::fem

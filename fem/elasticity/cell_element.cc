@@ -37,6 +37,16 @@ Eigen::Matrix<double, dim * dim, 9> by_derivatives(const Tangent<dim>& tangent) 
   return result;
 }
 
+/// What is left of a stiffness, of which the lower triangle is given and kept, when the force of
+/// its last displacement is none: K_ij - K_ni K_nj/K_nn for i, j < n.
+template <class Matrix>
+void eliminate(const int last, Matrix& stiffness) {
+  for (int j = 0; j < last; ++j) {
+    const double share = stiffness(last, j) / stiffness(last, last);
+    for (int i = j; i < last; ++i) stiffness(i, j) -= share * stiffness(last, i);
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -53,22 +63,13 @@ CellElement<dim>::CellElement(const dealii::FiniteElement<dim>& element,
 
 template <int dim>
 dealii::FullMatrix<double> CellElement<dim>::stiffness(const Cell& cell) {
-  const Stiffness whole = whole_stiffness(cell);
-  Eigen::Matrix<double, n_own, n_own> condensed = whole.template topLeftCorner<n_own, n_own>();
-  const auto condense = [&](const auto& mixed, const auto& modes) {
-    condensed -= mixed.transpose() * modes.llt().solve(mixed);
-  };
-  constexpr int most_modes = dim * dim + 1;
-  if (dim == 2 && is_axisymmetric())
-    condense(whole.template block<most_modes, n_own>(n_own, 0).eval(),
-             whole.template block<most_modes, most_modes>(n_own, n_own).eval());
-  else
-    condense(whole.template block<dim * dim, n_own>(n_own, 0).eval(),
-             whole.template block<dim * dim, dim * dim>(n_own, n_own).eval());
+  Stiffness condensed = whole_stiffness(cell);
+  for (int mode = n_own + n_modes() - 1; mode >= n_own; --mode) eliminate(mode, condensed);
   dealii::FullMatrix<double> result(n_own);
-  for (unsigned int i = 0; i < result.m(); ++i)
-    for (unsigned int j = 0; j < result.n(); ++j)
-      result(i, j) = condensed(std::max(i, j), std::min(i, j));
+  for (int i = 0; i < n_own; ++i)
+    for (int j = 0; j < n_own; ++j)
+      result(static_cast<unsigned int>(i), static_cast<unsigned int>(j)) =
+          condensed(std::max(i, j), std::min(i, j));
   return result;
 }
 

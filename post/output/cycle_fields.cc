@@ -32,18 +32,22 @@ Place moved(const Place& place, const CycleFields& from, const CycleFields& to) 
   return {to.pin_distance + arm[0], arm[1], arm[2]};
 }
 
-/// Maximum shear (s1 - s3)/2.
-double max_shear(const std::array<double, 6>& stress) {
-  std::array<double, 6> opposite = stress;
-  for (double& component : opposite) component = -component;
-  return 0.5 * (first_principal(stress) + first_principal(opposite));
-}
-
 double von_mises_of(const std::array<double, 6>& s) {
   const double normal =
       std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
   return std::sqrt(0.5 * normal + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
+
+NodeMaxima maxima_of(const SixStresses& stress) {
+  const PrincipalRange range = principal_range(stress);
+  return {von_mises_of(stress), range.first, 0.5 * (range.first - range.third)};
+}
+
+/// What a node is under at an instant.
+struct NodeStress {
+  SixStresses stress;
+  NodeMaxima maxima;
+};
 
 void keep_greater(const double value, const double when, const std::size_t node,
                   std::vector<double>& values, std::vector<double>& times) {
@@ -53,13 +57,14 @@ void keep_greater(const double value, const double when, const std::size_t node,
 }
 
 /// Least stress along the direction in which the greatest tension of a node acts, at most 0.
-/// @param all stress by instant and node
+/// @param all by instant and node
 double least_tension(const std::vector<CycleFields>& instants,
-                     const std::vector<std::vector<SixStresses>>& all, const std::size_t node,
+                     const std::vector<std::vector<NodeStress>>& all, const std::size_t node,
                      const bool turns) {
   constexpr double round_off = 1e-9;  // where an instant has no stress, of those that have some
+  const auto first = [&](const std::size_t i) { return all[i][node].maxima.first_principal; };
   const auto size = [&](const std::size_t i) {
-    return std::max(von_mises_of(all[i][node]), std::abs(first_principal(all[i][node])));
+    return std::max(all[i][node].maxima.von_mises, std::abs(first(i)));
   };
   double greatest = 0.;
   for (std::size_t i = 0; i < all.size(); ++i) greatest = std::max(greatest, size(i));
@@ -67,13 +72,13 @@ double least_tension(const std::vector<CycleFields>& instants,
   std::size_t at = all.size();
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (size(i) < round_off * greatest) continue;
-    if (at == all.size() || first_principal(all[i][node]) > first_principal(all[at][node])) at = i;
+    if (at == all.size() || first(i) > first(at)) at = i;
   }
-  const Place direction = direction_of_first_principal(all[at][node]);
+  const Place direction = direction_of_first_principal(all[at][node].stress);
   double least = 0.;
   for (std::size_t i = 0; i < all.size(); ++i)
     least = std::min(least, along(turns ? turned(direction, instants[at], instants[i]) : direction,
-                                  all[i][node]));
+                                  all[i][node].stress));
   return least;
 }
 
@@ -140,21 +145,21 @@ Envelope envelope(const CycleFields& own, const std::vector<CycleFields>& instan
   const std::vector<double> least(n_nodes, std::numeric_limits<double>::lowest());
   const std::vector<double> zeros(n_nodes, 0.);
   Envelope greatest{least, zeros, least, zeros, least, zeros, zeros};
-  std::vector<std::vector<SixStresses>> all;  // by instant and node
+  std::vector<std::vector<NodeStress>> all;  // by instant and node
   for (const CycleFields& instant : instants) {
     const bool is_same_mesh = is_of_same_mesh(instant, own);
     std::optional<StressAt> stress_at;
     if (!is_same_mesh) stress_at.emplace(instant.fields);
-    std::vector<SixStresses>& here = all.emplace_back();
+    std::vector<NodeStress>& here = all.emplace_back();
+    here.reserve(n_nodes);
     for (std::size_t node = 0; node < n_nodes; ++node) {
       const Place& place = own.fields.places[node];
       const SixStresses stress =
           is_same_mesh
               ? instant.fields.stress[node]
               : (*stress_at)(turning[body[node]] ? moved(place, own, instant) : place, body[node]);
-      here.push_back(stress);
-      raise(greatest, node, {von_mises_of(stress), first_principal(stress), max_shear(stress)},
-            instant.when);
+      here.push_back({stress, maxima_of(stress)});
+      raise(greatest, node, here.back().maxima, instant.when);
     }
   }
   for (std::size_t node = 0; node < n_nodes; ++node)

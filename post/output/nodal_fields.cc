@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace geneva::post {
@@ -40,11 +42,17 @@ NodalFields mirrored(NodalFields fields) {
   return fields;
 }
 
-double first_principal(const std::array<double, 6>& stress) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
-      .computeDirect(matrix_of(stress), Eigen::EigenvaluesOnly)
-      .eigenvalues()
-      .maxCoeff();
+PrincipalRange principal_range(const std::array<double, 6>& stress) {
+  const auto& [xx, yy, zz, xy, yz, zx] = stress;
+  if (yz == 0. && zx == 0.) {  // in the plane, and around an axis
+    const double middle = 0.5 * (xx + yy);
+    const double shear = std::hypot(0.5 * (xx - yy), xy);
+    return {std::max(middle + shear, zz), std::min(middle - shear, zz)};
+  }
+  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>()
+                                     .computeDirect(matrix_of(stress), Eigen::EigenvaluesOnly)
+                                     .eigenvalues();
+  return {values.maxCoeff(), values.minCoeff()};
 }
 
 /// Eigenvalues ascend.

@@ -29,8 +29,18 @@ std::vector<unsigned int> bodies_of_nodes(const NodalFields& fields);
 /// The mirror image about the plane y = 0.
 NodalFields mirrored(NodalFields fields);
 
+/// The greatest and the least principal stress [Pa].
+struct PrincipalRange {
+  double first;
+  double third;
+};
+
+PrincipalRange principal_range(const std::array<double, 6>& stress);
+
 /// Maximum tensile stress at a node: the first principal stress [Pa].
-double first_principal(const std::array<double, 6>& stress);
+inline double first_principal(const std::array<double, 6>& stress) {
+  return principal_range(stress).first;
+}
 
 /// Unit vector along which the first principal stress acts.
 std::array<double, 3> direction_of_first_principal(const std::array<double, 6>& stress);

@@ -15,7 +15,8 @@ unsigned char channel(const std::string& colour, const std::size_t index) {
   return static_cast<unsigned char>(std::stoi(colour.substr(2 * index, 2), nullptr, 16));
 }
 
-constexpr std::size_t n_shades = 1024;
+/// What one byte can name beside the background.
+constexpr std::size_t n_shades = 255;
 
 /// The palette, linearly between its colours.
 std::array<Colour, n_shades> all_shades() {
@@ -32,6 +33,17 @@ std::array<Colour, n_shades> all_shades() {
     }
   }
   return shades;
+}
+
+const std::array<Colour, n_shades>& shades() {
+  static const std::array<Colour, n_shades> known = all_shades();
+  return known;
+}
+
+/// The nearest to a value between 0 and 1.
+std::size_t shade_of(const double value) {
+  return static_cast<std::size_t>(
+      std::lround(std::clamp(value, 0., 1.) * static_cast<double>(n_shades - 1)));
 }
 
 }  // namespace
@@ -52,26 +64,22 @@ std::string colour_gradient(const std::string& id) {
   return fmt::format("<defs><linearGradient id=\"{}\">{}</linearGradient></defs>\n", id, stops);
 }
 
-Colour colour_of(const double value) {
-  static const std::array<Colour, n_shades> shades = all_shades();
-  return shades[static_cast<std::size_t>(
-      std::lround(std::clamp(value, 0., 1.) * static_cast<double>(n_shades - 1)))];
-}
+Colour colour_of(const double value) { return shades()[shade_of(value)]; }
 
 Picture::Picture(const int width, const int height, const Colour background)
-    : width_(width), height_(height) {
-  for (int i = 0; i < width * height; ++i)
-    pixels_.insert(pixels_.end(), background.begin(), background.end());
-}
+    : width_(width),
+      height_(height),
+      background_(background),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), unpainted) {}
 
 std::size_t Picture::place_of(const int column, const int row) const {
-  const auto width = static_cast<std::size_t>(width_);
-  return 3 * (static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column));
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+         static_cast<std::size_t>(column);
 }
 
 Colour Picture::at(const int column, const int row) const {
-  const std::size_t first = place_of(column, row);
-  return {pixels_.at(first), pixels_.at(first + 1), pixels_.at(first + 2)};
+  const unsigned char pixel = pixels_.at(place_of(column, row));
+  return pixel == unpainted ? background_ : shades()[pixel];
 }
 
 void Picture::paint(const std::array<Corner, 3>& corners) {
@@ -92,9 +100,8 @@ void Picture::paint(const std::array<Corner, 3>& corners) {
       const double of_b = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area;
       const double of_c = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
       if (of_b < 0. || of_c < 0. || of_b + of_c > 1.) continue;
-      const Colour colour =
-          colour_of(a.value + of_b * (b.value - a.value) + of_c * (c.value - a.value));
-      std::copy(colour.begin(), colour.end(), &pixels_[place_of(column, row)]);
+      pixels_[place_of(column, row)] = static_cast<unsigned char>(
+          shade_of(a.value + of_b * (b.value - a.value) + of_c * (c.value - a.value)));
     }
 }
 
@@ -103,10 +110,14 @@ std::vector<unsigned char> Picture::png() const {
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width_);
   image.height = static_cast<png_uint_32>(height_);
-  image.format = PNG_FORMAT_RGB;
+  image.format = PNG_FORMAT_RGB_COLORMAP;
+  image.colormap_entries = n_shades + 1;
+  std::vector<Colour> colours(shades().begin(), shades().end());
+  colours.push_back(background_);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::vector<unsigned char> bytes(size);
-  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels_.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels_.data(), 0,
+                                colours.data()) == 0)
     throw std::runtime_error(std::string("cannot write a picture: ") + image.message);
   bytes.resize(size);
   return bytes;

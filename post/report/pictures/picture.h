@@ -20,7 +20,7 @@ Colour colour_of(double value);
 /// @param id of the gradient, unique on the page
 std::string colour_gradient(const std::string& id);
 
-/// A picture by rows from the top.
+/// A picture of the colours of values on a background, by rows from the top.
 class Picture {
  public:
   Picture(int width, int height, Colour background);
@@ -44,9 +44,12 @@ class Picture {
  private:
   [[nodiscard]] std::size_t place_of(int column, int row) const;
 
+  static constexpr unsigned char unpainted = 255;
+
   int width_;
   int height_;
-  std::vector<unsigned char> pixels_;
+  Colour background_;
+  std::vector<unsigned char> pixels_;  ///< shades of colour_of(), by number
 };
 
 }  // namespace geneva::post

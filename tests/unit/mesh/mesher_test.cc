@@ -11,13 +11,30 @@
 namespace geneva::mesh {
 namespace {
 
+/// Takes the descriptors of one task, gives its own number as that of a copy, and becomes a shell
+/// that runs the commands.
+std::string one_task(const std::string& commands) {
+  return "#!/usr/bin/python3\n"
+         "import os, socket, struct\n"
+         "control = socket.socket(fileno=0)\n"
+         "message, (talk, messages), flags, address = socket.recv_fds(control, 1, 2)\n"
+         "control.send(struct.pack('i', os.getpid()))\n"
+         "for own in 1, 2: os.dup2(messages, own)\n"
+         "os.execv('/bin/sh', ['sh', '-c', r\"\"\"" +
+         commands + "\"\"\"])\n";
+}
+
+std::filesystem::path program(const test::CaseDirectory& directory, const std::string& text) {
+  const std::filesystem::path file = directory.write("mesher", text);
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file;
+}
+
 /// What a mesher that runs these commands is said to have answered.
 MesherAnswer answer_of(const std::string& commands) {
   const test::CaseDirectory directory;
-  const auto program = directory.write("mesher", "#!/bin/sh\n" + commands + "\n");
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const GeometryTask task{2, "/", "nothing.geo", FileKind::geometry, 0.};
-  return Mesher(program).answer(task, {1e9, 20.});
+  return Mesher(program(directory, one_task(commands))).answer(task, {1e9, 20.});
 }
 
 /// The only error of such an answer.
@@ -58,6 +75,31 @@ TEST(Mesher, AnExceptionIsNotSaidInWordsOfCpp) {
 TEST(Mesher, MemoryThatRanOutIsALimit) {
   for (const char* const last : {"  what():  std::bad_alloc", "Out of memory"})
     EXPECT_THROW((void)answer_of(ending(last, "ABRT")), base::LimitReached) << last;
+}
+
+TEST(Mesher, AProgramThatEndsAtOnceIsSaidWithItsLastMessage) {
+  const test::CaseDirectory directory;
+  const GeometryTask task{2, "/", "nothing.geo", FileKind::geometry, 0.};
+  Mesher mesher(program(directory, "#!/bin/sh\necho 'a library is missing' >&2\n"));
+  try {
+    (void)mesher.answer(task, {1e9, 20.});
+    FAIL() << "it answered";
+  } catch (const base::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("ended at once: a library is missing"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Mesher, EachTaskHasAProcessOfItsOwnOfOneProgram) {
+  Mesher mesher(MESHER);
+  const test::CaseDirectory directory;
+  (void)directory.write("empty.geo", "Point(1) = {0, 0, 0};\n");
+  const GeometryTask task{2, directory.path().string(), "empty.geo", FileKind::geometry, 0.};
+  const MesherAnswer first = mesher.answer(task, {1e9, 20.});
+  const MesherAnswer again = mesher.answer(task, {1e9, 20.});
+  EXPECT_EQ(first.errors, again.errors);
+  EXPECT_FALSE(first.errors.empty());
 }
 
 }  // namespace
