@@ -904,6 +904,17 @@ end
         for one, other in zip(first, second, strict=True):
             self.assertAlmostEqual(one, other, delta=1e-4)
 
+    def test_says_once_what_is_said_of_several_runs_with_other_numbers(self):
+        heavier = self.copy_case("johnson-optimum-wheel", "heavier")
+        text = (heavier / "case.prm").read_text()
+        (heavier / "case.prm").write_text(text.replace("Friction moment = 2 lbf.in", "Friction moment = 3 lbf.in"))
+        self.run_case(heavier)
+        self.assertEqual(self.geneva("report", self.results_of("johnson-optimum-wheel"), heavier / "results",
+                                     "-o", "both.html").code, 0)
+        page = (self.directory / "both.html").read_text()
+        self.assertEqual(page.count("the pin force is greatest at"), 1)
+        self.assertRegex(page, "<strong>heavier:</strong> the same with -[0-9.]+ for -9.93361<")
+
     def test_motion_and_estimate_tell_the_nearest_limit_first(self):
         case = self.copy_case("johnson-optimum-wheel")
         (case / "case.prm").write_text((case / "case.prm").read_text() + self.LIMITS)

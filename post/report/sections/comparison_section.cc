@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <regex>
 #include <utility>
 
 #include "base/base64.h"
@@ -147,17 +148,58 @@ std::string inputs_table(const std::vector<ResultsDirectory>& all,
   return table.rows.empty() ? "" : table.html();
 }
 
+/// The numbers of a text, and what stands between them.
+struct NumberedText {
+  std::vector<std::string> numbers;
+  std::string between;
+
+  explicit NumberedText(const std::string& text) {
+    static const std::regex number("-?[0-9][0-9.]*(e[-+]?[0-9]+)?");
+    std::size_t end = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), number); at != std::sregex_iterator();
+         ++at) {
+      const auto begin = static_cast<std::size_t>(at->position());
+      between += text.substr(end, begin - end) + '\n';
+      end = begin + static_cast<std::size_t>(at->length());
+      numbers.push_back(at->str());
+    }
+    between += text.substr(end);
+  }
+};
+
+/// What is said of runs, and how other runs' numbers differ in it.
+struct Warning {
+  std::string text;
+  NumberedText parts;
+  std::string runs;    // of just that text
+  std::string others;  // HTML
+
+  explicit Warning(const std::string& said) : text(said), parts(said) {}
+
+  void add(const std::string& run, const NumberedText& said) {
+    std::vector<std::string> differences;
+    for (std::size_t i = 0; i < said.numbers.size(); ++i)
+      if (said.numbers[i] != parts.numbers[i])
+        differences.push_back(said.numbers[i] + " for " + parts.numbers[i]);
+    if (differences.empty())
+      runs += (runs.empty() ? "" : ", ") + run;
+    else
+      others += fmt::format("<br><strong>{}:</strong> the same with {}", escaped(run),
+                            escaped(fmt::format("{}", fmt::join(differences, ", "))));
+  }
+};
+
 /// Each once, with the runs that have it.
 std::string warnings_of(const std::vector<ResultsDirectory>& all,
                         const std::vector<std::string>& names) {
-  std::vector<std::pair<std::string, std::string>> warnings;  // what is said, and of which runs
-  const auto add = [&](const std::string& name, const std::string& warning) {
-    const auto same = std::find_if(warnings.begin(), warnings.end(),
-                                   [&](const auto& known) { return known.first == warning; });
-    if (same == warnings.end())
-      warnings.emplace_back(warning, name);
-    else
-      same->second += ", " + name;
+  std::vector<Warning> warnings;
+  const auto add = [&](const std::string& run, const std::string& text) {
+    const NumberedText said(text);
+    auto same = std::find_if(warnings.begin(), warnings.end(), [&](const Warning& known) {
+      return known.parts.between == said.between;
+    });
+    if (same == warnings.end()) same = warnings.emplace(warnings.end(), text);
+    same->add(run, said);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
     const json& summary = summary_of(all[i]);
@@ -166,9 +208,9 @@ std::string warnings_of(const std::vector<ResultsDirectory>& all,
     for (const json& notice : summary.at("notices")) add(names[i], notice);
   }
   std::string text;
-  for (const auto& [warning, of] : warnings)
-    text += fmt::format("<p class=\"warning\"><strong>{}:</strong> {}</p>\n", escaped(of),
-                        escaped(warning));
+  for (const Warning& warning : warnings)
+    text += fmt::format("<p class=\"warning\"><strong>{}:</strong> {}{}</p>\n",
+                        escaped(warning.runs), escaped(warning.text), warning.others);
   return text;
 }
 
