@@ -64,7 +64,8 @@ Candidate candidate_of(const Case& given, const PressureBasis basis) {
     const auto line = line_pressures(mechanism, state, cycle);
     if (!line)
       throw base::InputError(
-          "the pin's line contacts know no peak pressure: 'geneva estimate' says why");
+          "line contacts along the pin know no peak pressure, mostly because the contact reaches "
+          "the wall's edge ('geneva estimate' says why)");
     candidate.pressure = line->analysed;
     candidate.pressure_of_cycle = line->of_cycle.value;
   }

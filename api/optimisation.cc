@@ -106,7 +106,7 @@ Optimum optimise(const Case& given, const std::function<double(const Case&)>& sl
                                  : best[i] < on_bound      ? "lower"
                                  : best[i] > 1. - on_bound ? "upper"
                                                            : "",
-                                 has_effect});
+                                 has_effect, has_effect ? search.refusal_beside(best, i) : ""});
   }
   optimum.best = search.case_with(values);
   report.figures =

@@ -146,6 +146,17 @@ bool OptimumSearch::has_effect(const Place& best, const std::size_t dimension) {
   return !first || !last || first->goal != last->goal || first->excess != last->excess;
 }
 
+std::string OptimumSearch::refusal_beside(const Place& best, const std::size_t dimension) {
+  constexpr double beside = 1e-4;  // polished() comes nearer
+  if (slot_bottom_) return "";
+  for (const double step : {-beside, beside}) {
+    Place place = best;
+    place[dimension] = std::clamp(place[dimension] + step, 0., 1.);
+    if (!value(place)) return refusal_;
+  }
+  return "";
+}
+
 void OptimumSearch::refuse_limits(const Found& nearest) const {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < nearest.place.size(); ++i)

@@ -40,6 +40,9 @@ class OptimumSearch {
   /// candidate costs a run, or a bound is no mechanism.
   [[nodiscard]] bool has_effect(const Place& best, std::size_t dimension);
 
+  /// Why what lies beside the best place along a dimension is no candidate; empty: it is one.
+  [[nodiscard]] std::string refusal_beside(const Place& best, std::size_t dimension);
+
   /// What the candidates' pressures are by.
   [[nodiscard]] PressureBasis basis() const { return basis_; }
 

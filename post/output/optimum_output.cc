@@ -27,6 +27,10 @@ std::vector<std::string> binding(const OptimumReport& report) {
   for (const OptimumDimension& dimension : report.dimensions)
     if (!dimension.bound.empty())
       words.push_back(fmt::format("the {} bound of '{}'", dimension.bound, dimension.name));
+  for (const OptimumDimension& dimension : report.dimensions)
+    if (!dimension.edge.empty())
+      words.push_back(
+          fmt::format("another '{}' cannot be worked out: {}", dimension.name, dimension.edge));
   for (const OptimumFigure& figure : report.figures)
     if (figure.binds)
       words.push_back("the limit of the " + figure.quantity +

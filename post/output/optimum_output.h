@@ -18,6 +18,7 @@ struct OptimumDimension {
   std::string after;
   std::string bound;  ///< "lower" or "upper" where it stands on one, else empty
   bool has_effect;    ///< on the goal or a limit
+  std::string edge;   ///< why nothing can be worked out beside `after`; empty: it can
 };
 
 /// A figure before and after; SI units.

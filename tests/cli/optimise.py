@@ -103,6 +103,31 @@ class Optimise(CliTest):
                           if row["quantity"] == "tensile stress, wheel")
             self.assertGreater(stress, 0.95 * best)
 
+    def test_in_3_d_it_finds_the_crown_of_least_pressure(self):
+        case = self.case("crown", "crowned-pin", Free="Pin/Crown radius: 20 in .. 20000 in", Minimise="peak contact pressure")
+        change_case(case, {"Accuracy": "10 %"})
+        optimum, printed = self.optimum(case)
+        best = self.figure(optimum, "peak contact pressure")
+        crown = float(self.dimension(optimum, "Crown radius")["after"].split()[0])
+        self.assertIn("pressures by line contacts along the pin", printed)
+        # The flattest crown with which the contact keeps off the wall's edge.
+        (binds,) = optimum["binds"]
+        self.assertIn("the contact reaches the wall's edge", binds)
+        doubts, pressures = [], []
+        for factor in (0.9, 0.99, 1.02):
+            other = self.copy_case("crowned-pin", f"crown-{factor}")
+            change_case(other, {"Mechanism/Pin/Crown radius": f"{factor * crown} in"})
+            self.assertEqual(self.call("estimate", other).returncode, 0)
+            line = json.loads((other / "results" / "estimate.json").read_text())["half_space_and_beam"]
+            doubts.append(line["peak_doubt"])
+            pressures.append(number(line["peak_pressure"]))
+        self.assertEqual(doubts[:2], ["none", "none"])
+        self.assertNotEqual(doubts[2], "none")
+        self.assertGreater(pressures[0], pressures[1])
+        self.assertGreater(pressures[1], best)
+        confirmed = next(row for row in optimum["figures"] if row["quantity"] == "peak contact pressure")
+        self.assert_close(number(confirmed["confirmed"]), best, confirmed["confirmed_error"], "finite elements")
+
     def test_the_best_case_can_be_run_and_is_what_was_told(self):
         case = self.case("again", Free="Pin diameter: 8 mm .. 20 mm", Largest_stress_at_the_pin_root="40 MPa")
         optimum, _ = self.optimum(case)
