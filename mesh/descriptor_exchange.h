@@ -17,6 +17,7 @@ bool send_descriptors(int socket, const TaskDescriptors& descriptors);
 /// @return none at the end
 std::optional<TaskDescriptors> receive_descriptors(int socket);
 
+/// @param id of the task's process, or less than 0: the error, with its sign changed
 /// @return whether it was sent
 bool send_process_id(int socket, pid_t id);
 /// @return none at the end

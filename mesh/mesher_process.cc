@@ -56,17 +56,11 @@ std::string last_line(const std::string& text) {
 
 MesherProcess::MesherProcess(MesherProcess&& other) noexcept
     : id_(std::exchange(other.id_, -1)),
-      socket_(std::exchange(other.socket_, -1)),
-      messages_(std::exchange(other.messages_, -1)) {}
+      socket_(std::move(other.socket_)),
+      messages_(std::move(other.messages_)) {}
 
 MesherProcess::~MesherProcess() {
   if (id_ > 0) end();
-  close_all();
-}
-
-void MesherProcess::close_all() {
-  for (int* const descriptor : {&socket_, &messages_})
-    if (*descriptor >= 0) close(std::exchange(*descriptor, -1));
 }
 
 /// @return the signal that ended it before; 0: none
@@ -91,8 +85,9 @@ ProcessEnd MesherProcess::ask(const std::string& request, const double seconds,
   bool prints = true;
   while (true) {
     std::array<pollfd, 2> watched{
-        pollfd{socket_, static_cast<short>(sent < request.size() ? POLLIN | POLLOUT : POLLIN), 0},
-        pollfd{prints ? messages_ : -1, POLLIN, 0}};
+        pollfd{socket_.get(), static_cast<short>(sent < request.size() ? POLLIN | POLLOUT : POLLIN),
+               0},
+        pollfd{prints ? messages_.get() : -1, POLLIN, 0}};
     const int ready = poll(watched.data(), watched.size(), milliseconds_until(deadline));
     if (ready < 0 && errno != EINTR)
       throw base::InputError(fmt::format("cannot wait for the mesher: {}", std::strerror(errno)));
@@ -100,27 +95,28 @@ ProcessEnd MesherProcess::ask(const std::string& request, const double seconds,
     if (result.took_too_long) break;
     if (ready <= 0) continue;
     if ((watched[1].revents & (POLLIN | POLLHUP)) != 0) {
-      prints = read_some(messages_, messages);
+      prints = read_some(messages_.get(), messages);
       if (messages.size() > kept_messages) messages.erase(0, messages.size() - kept_messages);
     }
     if ((watched[0].revents & POLLOUT) != 0) {
-      const ssize_t count =
-          send(socket_, request.data() + sent, request.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+      const ssize_t count = send(socket_.get(), request.data() + sent, request.size() - sent,
+                                 MSG_NOSIGNAL | MSG_DONTWAIT);
       // Of one that has gone only what it said is of interest.
       sent = count < 0 && errno != EAGAIN && errno != EINTR
                  ? request.size()
                  : sent + static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-      if (sent == request.size()) shutdown(socket_, SHUT_WR);
+      if (sent == request.size()) shutdown(socket_.get(), SHUT_WR);
     }
     if ((watched[0].revents & (POLLIN | POLLHUP | POLLERR)) != 0 &&
-        (!read_some(socket_, result.output) || result.output.size() > longest))
+        (!read_some(socket_.get(), result.output) || result.output.size() > longest))
       break;
   }
   result.signal = end();
-  while (prints && read_some(messages_, messages)) {
+  while (prints && read_some(messages_.get(), messages)) {
   }
   result.last_message = last_line(messages);
-  close_all();
+  socket_.close();
+  messages_.close();
   return result;
 }
 

@@ -4,6 +4,9 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
+
+#include "mesh/descriptor.h"
 
 namespace geneva::mesh {
 
@@ -22,10 +25,9 @@ std::string last_line(const std::string& text);
 /// is kept apart.
 class MesherProcess {
  public:
-  /// @param id of a child of this process; negative: there is none
-  /// @param socket, messages own ends, which are closed with it
-  MesherProcess(pid_t id, int socket, int messages)
-      : id_(id), socket_(socket), messages_(messages) {}
+  /// @param id of a child of this process
+  MesherProcess(pid_t id, Descriptor socket, Descriptor messages)
+      : id_(id), socket_(std::move(socket)), messages_(std::move(messages)) {}
   /// Ends it.
   ~MesherProcess();
   MesherProcess(MesherProcess&& other) noexcept;
@@ -39,12 +41,11 @@ class MesherProcess {
   ProcessEnd ask(const std::string& request, double seconds, std::size_t longest);
 
  private:
-  void close_all();
   int end();
 
   pid_t id_;
-  int socket_;
-  int messages_;
+  Descriptor socket_;
+  Descriptor messages_;
 };
 
 }  // namespace geneva::mesh

@@ -9,11 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,8 +26,6 @@
 namespace geneva::mesh {
 
 namespace {
-
-constexpr int longest_start = 60000;  // [ms]
 
 [[noreturn]] void fail_to(const std::string& what) {
   throw base::InputError(fmt::format("{}: {}", what, std::strerror(errno)));
@@ -41,21 +42,21 @@ std::vector<std::string> environment() {
 
 /// Ends of a connection that children do not inherit unless they are given one.
 struct Ends {
-  int own;
-  int others;
+  Descriptor own;
+  Descriptor others;
 };
 
 Ends new_socket() {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
     fail_to("cannot make a socket for the mesher");
-  return {ends[0], ends[1]};
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
 Ends new_pipe() {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) fail_to("cannot make a pipe for the mesher");
-  return {ends[0], ends[1]};
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
 pid_t spawn(const std::filesystem::path& program, const int input, const int messages) {
@@ -86,60 +87,108 @@ pid_t spawn(const std::filesystem::path& program, const int input, const int mes
   return errno == 0 ? id : -1;
 }
 
+/// Whether there is something to read before the time is over.
+bool is_ready(const Descriptor& from, const std::chrono::steady_clock::time_point deadline) {
+  while (true) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        deadline - std::chrono::steady_clock::now());
+    pollfd watched{from.get(), POLLIN, 0};
+    const int ready = poll(&watched, 1, std::max(0, static_cast<int>(left.count())));
+    if (ready >= 0 || errno != EINTR) return ready > 0;
+  }
+}
+
+/// What has been printed so far, the end of it.
+std::string printed(const Descriptor& messages) {
+  constexpr std::size_t kept = 4096;
+  std::string text;
+  std::array<char, kept> buffer{};
+  while (is_ready(messages, std::chrono::steady_clock::now())) {
+    const ssize_t count = ::read(messages.get(), buffer.data(), buffer.size());
+    if (count <= 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+    if (text.size() > kept) text.erase(0, text.size() - kept);
+  }
+  return text;
+}
+
+std::string in_words(const int status) {
+  return WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
+                             : fmt::format("ended with exit code {}", WEXITSTATUS(status));
+}
+
 }  // namespace
 
-MesherServer::MesherServer(const std::filesystem::path& program) : program_(program) {
-  const Ends control = new_socket();
-  control_ = control.own;
-  const Ends print = new_pipe();
-  messages_ = print.own;
-  id_ = spawn(program, control.others, print.others);
-  const int error = errno;
-  close(control.others);
-  close(print.others);
-  if (id_ > 0) return;
-  close_all();
-  errno = error;
-  fail_to(fmt::format("the mesher {}, which belongs beside geneva, cannot be started",
-                      program.string()));
+MesherServer::MesherServer(const std::filesystem::path& program) : program_(program) { start(); }
+
+MesherServer::~MesherServer() { stop(); }
+
+void MesherServer::start() {
+  Ends control = new_socket();
+  Ends print = new_pipe();
+  id_ = spawn(program_, control.others.get(), print.others.get());
+  if (id_ <= 0)
+    fail_to(fmt::format("the mesher {}, which belongs beside geneva, cannot be started",
+                        program_.string()));
+  control_ = std::move(control.own);
+  messages_ = std::move(print.own);
 }
 
-MesherServer::~MesherServer() {
-  kill(id_, SIGKILL);
-  while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+std::string MesherServer::stop() {
+  constexpr auto moment = std::chrono::milliseconds(20);
+  if (id_ <= 0) return "";
+  int status = 0;
+  pid_t ended = 0;
+  // One that has closed its end may need a moment to go.
+  for (int i = 0; i < 5 && ended == 0; ++i) {
+    ended = waitpid(id_, &status, WNOHANG);
+    if (ended == 0 && i < 4 && !is_ready(control_, std::chrono::steady_clock::now())) break;
+    if (ended == 0) std::this_thread::sleep_for(moment);
   }
-  close_all();
+  std::string end;
+  if (ended == id_) {
+    const std::string last = last_line(printed(messages_));
+    end = in_words(status) + (last.empty() ? "" : ": " + last);
+  } else {
+    kill(id_, SIGKILL);
+    while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+  id_ = -1;
+  control_.close();
+  messages_.close();
+  return end;
 }
 
-void MesherServer::close_all() {
-  for (int* const descriptor : {&control_, &messages_})
-    if (*descriptor >= 0) close(std::exchange(*descriptor, -1));
+std::optional<MesherProcess> MesherServer::copy(const double seconds) {
+  // Beyond a day no clock is needed, and milliseconds would overflow.
+  constexpr double day = 86400.;
+  const auto deadline = std::chrono::steady_clock::now() +
+                        std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                            std::chrono::duration<double>(std::min(seconds, day)));
+  Ends talk = new_socket();
+  Ends print = new_pipe();
+  if (send_descriptors(control_.get(), {talk.others.get(), print.others.get()})) {
+    const bool has_answered = is_ready(control_, deadline);
+    const auto id = has_answered ? receive_process_id(control_.get()) : std::nullopt;
+    if (id && *id > 0) return MesherProcess(*id, std::move(talk.own), std::move(print.own));
+    trouble_ = !has_answered ? fmt::format("does not answer within {:.3g} s", seconds)
+               : id          ? fmt::format("cannot make a process: {}", std::strerror(-*id))
+                             : "";
+  }
+  const std::string end = stop();
+  if (!end.empty()) trouble_ = end;
+  return std::nullopt;
 }
 
-void MesherServer::fail() {
-  std::array<char, 4096> buffer{};
-  pollfd printed{messages_, POLLIN, 0};
-  const ssize_t count =
-      poll(&printed, 1, 0) > 0 ? ::read(messages_, buffer.data(), buffer.size()) : 0;
-  const std::string last =
-      last_line({buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0});
+MesherProcess MesherServer::process(const double seconds) {
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    if (id_ <= 0) start();
+    trouble_ = "has ended";
+    if (auto process = copy(seconds)) return std::move(*process);
+  }
   throw base::InputError(
-      fmt::format("the mesher {}, which belongs beside geneva, {}", program_.string(),
-                  last.empty() ? "ended at once or does not answer" : "ended at once: " + last));
-}
-
-MesherProcess MesherServer::process() {
-  const Ends talk = new_socket();
-  const Ends print = new_pipe();
-  const bool sent = send_descriptors(control_, {talk.others, print.others});
-  close(talk.others);
-  close(print.others);
-  pollfd answer{control_, POLLIN, 0};
-  std::optional<pid_t> id;
-  if (sent && poll(&answer, 1, longest_start) > 0) id = receive_process_id(control_);
-  MesherProcess process(id.value_or(-1), talk.own, print.own);
-  if (!id || *id < 0) fail();
-  return process;
+      fmt::format("the mesher {}, which belongs beside geneva, {}", program_.string(), trouble_));
 }
 
 }  // namespace geneva::mesh

@@ -3,8 +3,10 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "mesh/descriptor.h"
 #include "mesh/mesher_process.h"
 
 namespace geneva::mesh {
@@ -21,19 +23,23 @@ class MesherServer {
   MesherServer(const MesherServer&) = delete;
   MesherServer& operator=(const MesherServer&) = delete;
 
-  /// A process for one task.
-  /// @throws base::InputError if there is none: the program has ended, or does not answer
-  MesherProcess process();
+  /// A process for one task. A program that has ended is started once more.
+  /// @param seconds that it may take at most
+  /// @throws base::InputError if there is none, with the reason
+  MesherProcess process(double seconds);
 
  private:
-  /// @throws base::InputError with the last that it printed
-  [[noreturn]] void fail();
-  void close_all();
+  void start();
+  /// @return how it ended, if it had; empty: it ran
+  std::string stop();
+  /// @return none: see trouble_
+  std::optional<MesherProcess> copy(double seconds);
 
   std::filesystem::path program_;
   pid_t id_ = -1;
-  int control_ = -1;
-  int messages_ = -1;
+  Descriptor control_;
+  Descriptor messages_;
+  std::string trouble_;  ///< of the last copy that could not be made
 };
 
 }  // namespace geneva::mesh

@@ -100,8 +100,9 @@ pid_t copied_process() {
 }
 
 /// What escapes ends the process, and geneva says so.
-[[noreturn]] void serve(const mesh::TaskDescriptors& task) {
+[[noreturn]] void serve(const mesh::TaskDescriptors& task, const pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it ended before this could know
   dup2(task.messages, STDOUT_FILENO);
   dup2(task.messages, STDERR_FILENO);
   const int socket = dup2(task.talk, STDERR_FILENO + 1);
@@ -121,10 +122,12 @@ int main() {  // NOLINT(bugprone-exception-escape)
   close_range(static_cast<unsigned int>(control) + 1, ~0U, 0);
   (void)setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   while (const auto task = mesh::receive_descriptors(control)) {
+    const pid_t parent = getppid();
     const pid_t copy = copied_process();
-    if (copy == 0) serve(*task);
+    if (copy == 0) serve(*task, parent);
+    const pid_t answer = copy < 0 ? -errno : copy;
     close(task->talk);
     close(task->messages);
-    if (!mesh::send_process_id(control, copy)) return 1;
+    if (!mesh::send_process_id(control, answer)) return 1;
   }
 }

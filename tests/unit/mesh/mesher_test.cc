@@ -1,9 +1,14 @@
 #include "mesh/mesher.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/time.h>
+#include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "base/errors.h"
 #include "case_directory.h"
@@ -28,6 +33,15 @@ std::filesystem::path program(const test::CaseDirectory& directory, const std::s
   const std::filesystem::path file = directory.write("mesher", text);
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   return file;
+}
+
+/// This process's children, as /proc lists them.
+std::vector<std::filesystem::path> children() {
+  const std::string own = std::to_string(getpid());
+  std::vector<std::filesystem::path> found;
+  std::ifstream list("/proc/" + own + "/task/" + own + "/children");
+  for (std::string id; list >> id;) found.emplace_back("/proc/" + id);
+  return found;
 }
 
 /// What a mesher that runs these commands is said to have answered.
@@ -85,10 +99,51 @@ TEST(Mesher, AProgramThatEndsAtOnceIsSaidWithItsLastMessage) {
     (void)mesher.answer(task, {1e9, 20.});
     FAIL() << "it answered";
   } catch (const base::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("ended at once: a library is missing"),
+    EXPECT_NE(std::string(error.what()).find("ended with exit code 0: a library is missing"),
               std::string::npos)
         << error.what();
   }
+}
+
+TEST(Mesher, AProgramThatDoesNotAnswerIsGivenUpWithItsTask) {
+  const test::CaseDirectory directory;
+  const GeometryTask task{2, "/", "nothing.geo", FileKind::geometry, 0.};
+  Mesher mesher(program(directory, "#!/bin/sh\nexec sleep 100\n"));
+  EXPECT_THROW((void)mesher.answer(task, {1e9, 0.2}), base::InputError);
+}
+
+/// The mesher's own program, killed, and signals that interrupt what waits for it.
+TEST(Mesher, AProgramThatIsKilledIsStartedAgain) {
+  const test::CaseDirectory directory;
+  (void)directory.write("empty.geo", "Point(1) = {0, 0, 0};\n");
+  const GeometryTask task{2, directory.path().string(), "empty.geo", FileKind::geometry, 0.};
+  Mesher mesher(MESHER);
+  const MesherAnswer first = mesher.answer(task, {1e9, 20.});
+  for (const std::filesystem::path& process : children()) {
+    kill(static_cast<pid_t>(std::stol(process.filename().string())), SIGKILL);
+    const MesherAnswer again = mesher.answer(task, {1e9, 20.});
+    EXPECT_EQ(first.errors, again.errors);
+  }
+}
+
+TEST(Mesher, SignalsThatInterruptTheWaitingChangeNothing) {
+  const test::CaseDirectory directory;
+  (void)directory.write("empty.geo", "Point(1) = {0, 0, 0};\n");
+  const GeometryTask task{2, directory.path().string(), "empty.geo", FileKind::geometry, 0.};
+  struct sigaction ignoring {};
+  ignoring.sa_handler = [](int) {};
+  struct sigaction before {};
+  sigaction(SIGALRM, &ignoring, &before);
+  const itimerval often{{0, 2000}, {0, 2000}};
+  const itimerval never{};
+  setitimer(ITIMER_REAL, &often, nullptr);
+  Mesher mesher(MESHER);
+  const MesherAnswer first = mesher.answer(task, {1e9, 20.});
+  const MesherAnswer again = mesher.answer(task, {1e9, 20.});
+  setitimer(ITIMER_REAL, &never, nullptr);
+  sigaction(SIGALRM, &before, nullptr);
+  EXPECT_FALSE(first.errors.empty());
+  EXPECT_EQ(first.errors, again.errors);
 }
 
 TEST(Mesher, EachTaskHasAProcessOfItsOwnOfOneProgram) {
