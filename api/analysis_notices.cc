@@ -83,9 +83,11 @@ std::vector<std::string> strength_notices(const model::Case& given,
     const double error = stress.maximum.total_error();
     if (!wanted || error <= *wanted) continue;
     notices.push_back(fmt::format(
-        "the maximum {} of '{}' away from the contact is known to {:.2g} %, 'Structural accuracy' "
+        "the maximum {} of '{}' away from the contact is known to {} %, 'Structural accuracy' "
         "asks for {:.2g} %: {}",
-        stress.name, stress.body, 100. * error, 100. * *wanted,
+        stress.name, stress.body,
+        error < 0.1 ? fmt::format("{:.2g}", 100. * error) : fmt::format("{:.0f}", 100. * error),
+        100. * *wanted,
         stress.maximum.choice > stress.maximum.error
             ? "it stands where the contact's own field still counts, so that it depends on what is "
               "taken for that field"

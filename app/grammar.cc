@@ -159,7 +159,7 @@ void Grammar::add_design() {
              "CASE_DIR/results)");
   CLI::App* sweep = add(Command::sweep, "sweep",
                         "Vary parameters of a case: every combination, in parallel, as table and "
-                        "curves; what is done already is not done again");
+                        "curves; runs that are done already are kept");
   add_case(sweep, case_directory_);
   sweep
       ->add_option(

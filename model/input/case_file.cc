@@ -230,11 +230,15 @@ loads::Allowables read_allowables(const CaseValues& values, const Case& given) {
       result.fatigue_strengths[body] = *fatigue;
   for (const auto& [body, path] : materials_of(given))
     if (const auto layer = read_layer(CaseSection(values, path))) result.layers[body] = *layer;
-  for (const auto& [body, material] : given.materials) {
-    const auto hardness =
-        CaseSection(values, materials_of(given).at(body)).optional_value("Hardness");
-    if (const auto pressure = flank_pressure(material, hardness); pressure && has_contact(given))
-      result.flank_pressures[body] = *pressure;
+  for (const auto& [body, path] : materials_of(given)) {
+    const CaseSection of_body(values, path);
+    const auto named = given.materials.find(body);
+    const auto pressure = of_body.is_given("Contact pressure")
+                              ? of_body.optional_value("Contact pressure")
+                          : named == given.materials.end()
+                              ? std::nullopt
+                              : flank_pressure(named->second, of_body.optional_value("Hardness"));
+    if (pressure && has_contact(given)) result.flank_pressures[body] = *pressure;
   }
   return result;
 }

@@ -71,14 +71,34 @@ std::string section_phrase(const SectionPath& section) {
 }
 
 /// Of a subsection that can name a material.
-std::string material_hint(const std::vector<Parameter>& parameters, const Assignment& found) {
-  SectionPath section = found.section;
+/// @param within the subsection that it is in
+std::string material_hint(const std::vector<Parameter>& parameters, const SectionPath& within,
+                          const Assignment& found) {
+  SectionPath section = within;
   section.push_back(found.name);
   const bool has_material =
       std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& parameter) {
         return parameter.section == section && parameter.name == names::material;
       });
   return has_material ? fmt::format(" such as 'set Material = {}'", found.value) : "";
+}
+
+/// Of a subsection that stands in place of a parameter.
+std::string way_to_write(const std::vector<Parameter>& parameters, const SectionPath& within,
+                         const Assignment& found) {
+  return fmt::format("write 'subsection {}', below it 'set NAME = VALUE' lines{}, and 'end'",
+                     found.name, material_hint(parameters, within, found));
+}
+
+/// The subsection that has one of this name; nothing if none has.
+std::optional<SectionPath> section_with(const std::vector<Parameter>& parameters,
+                                        const std::string& name) {
+  for (const Parameter& parameter : parameters) {
+    const auto& path = parameter.section;
+    if (const auto at = std::find(path.begin(), path.end(), name); at != path.end())
+      return SectionPath(path.begin(), at);
+  }
+  return std::nullopt;
 }
 
 [[noreturn]] void refuse_unknown_name(const std::vector<Parameter>& parameters,
@@ -93,12 +113,15 @@ std::string material_hint(const std::vector<Parameter>& parameters, const Assign
   const std::vector<std::string> sections = sections_in(parameters, found.section);
   if (std::find(sections.begin(), sections.end(), found.name) != sections.end())
     refuse(text, found.line,
-           fmt::format("{} is a subsection: write 'subsection {}', below it 'set NAME = VALUE' "
-                       "lines{}, and 'end'",
-                       base::in_quotes(found.name), found.name, material_hint(parameters, found)));
+           fmt::format("{} is a subsection: {}", base::in_quotes(found.name),
+                       way_to_write(parameters, found.section, found)));
   for (const Parameter& parameter : parameters)
     if (parameter.name == found.name)
       refuse(text, found.line, reason + ": it belongs " + section_phrase(parameter.section));
+  if (const auto within = section_with(parameters, found.name); within && !within->empty())
+    refuse(text, found.line,
+           fmt::format("{} is a subsection of {}: there {}", base::in_quotes(found.name),
+                       base::in_quotes(within->back()), way_to_write(parameters, *within, found)));
   refuse(text, found.line, reason + (here.empty() ? "" : "; there are " + listed(here)));
 }
 

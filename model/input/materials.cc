@@ -175,6 +175,9 @@ std::map<SectionPath, KnownMaterial> take_materials(std::vector<Parameter>& para
     const auto& texts = taken[given.section].texts;
     for (Parameter& parameter : parameters) {
       if (parameter.section != given.section) continue;
+      // With another hardness it is another pressure.
+      if (parameter.name == "Contact pressure" && text.find(given.section, "Hardness") != nullptr)
+        continue;
       if (const auto value = texts.find(parameter.name); value != texts.end())
         parameter.default_value = value->second;
     }

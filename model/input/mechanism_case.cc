@@ -325,7 +325,7 @@ void check_no_stud(const CaseValues& values) {
   const CaseSection section(values, {names::mechanism, names::stud_material});
   for (const char* const name :
        {names::material, "Young's modulus", "Poisson's ratio", "Density", "Yield strength",
-        "Fatigue strength", "Hardness", "Hardened depth"})
+        "Fatigue strength", "Hardness", "Hardened depth", "Contact pressure"})
     if (section.is_changed(name))
       section.refuse(name, "this has an effect with Pin type = roller only");
 }

@@ -52,6 +52,11 @@ std::vector<Parameter> material_parameters(const SectionPath& section) {
        "Material whose typical values stand for those that are not given here: elastic constants, "
        "density, yield and fatigue strength, and the contact pressure that it allows."}};
   append(parameters, elastic_parameters(section));
+  parameters.push_back(
+      {section, "Contact pressure", "", positive(Dimension::stress, {""}),
+       "Peak contact pressure that the material bears for long, without pits; if known, the safety "
+       "factor against it is reported. Left out: that of the named material, with another "
+       "'Hardness' the one that belongs to it."});
   return parameters;
 }
 

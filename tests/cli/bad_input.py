@@ -102,6 +102,12 @@ class Parameters(Refusals):
         line = (case / "case.prm").read_text().splitlines().index("Accuracy is half a percent") + 1
         self.assert_refused(case, "case.prm", f"line {line}")
 
+    def test_a_subsection_in_place_of_a_parameter_is_said_with_where_it_belongs(self):
+        case = self.copy_case(MECHANISM)
+        change_case(case, {"Wheel material": "C45 normalised"})
+        self.assert_refused(case, "is a subsection of 'Mechanism': there write 'subsection Wheel material'",
+                            "such as 'set Material = C45 normalised'")
+
     def test_a_missing_unit_is_refused_with_the_dimension_wanted(self):
         for shipped, path, value, dimension in (
                 (MECHANISM, "Mechanism/Wheel diameter", "4.53", "length"),

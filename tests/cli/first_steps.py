@@ -107,6 +107,10 @@ class FirstSteps(CliTest):
         (case / "case.prm").write_text(text.replace("tempered\n", "tempered\n    set Yield strength = 500 MPa\n"))
         rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
         self.assert_close(number(rows["contact, first yield, wheel"]["allowed"]), 1.79367 * 500e6, 1e-5, "own value")
+        self.assertRegex((case / "results" / "case.prm").read_text(), r"set Contact pressure\s*= 780 MPa")
+        (case / "case.prm").write_text(text.replace("tempered\n", "tempered\n    set Contact pressure = 700 MPa\n"))
+        rows = {row["quantity"]: row for row in self.run_case(case)["safety"]}
+        self.assert_close(number(rows["contact, pitting, wheel"]["allowed"]), 700e6, 1e-12, "own contact pressure")
 
     def test_a_hardened_layer_bears_what_its_depth_leaves_the_core(self):
         case = self.directory / "hardened"

@@ -4,7 +4,7 @@ window.genevaNumber = function (value, digits) {
   if (!Number.isFinite(value)) return "not bounded";
   const size = Math.abs(value);
   if (size < 1e-12) return "0";
-  if (size >= 1e9 || size < 1e-4) return Number(value.toPrecision(digits)).toExponential();
+  if (size >= 1e12 || size < 1e-4) return Number(value.toPrecision(digits)).toExponential();
   const [whole, rest] = String(Number(value.toPrecision(digits))).split(".");
   const grouped = whole.replace("-", "").length < 5 ? whole : whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
   return rest ? `${grouped}.${rest}` : grouped;

@@ -38,8 +38,9 @@ std::string in_one_part(const std::string& cell) {
 }  // namespace
 
 std::string HtmlTable::html() const {
-  std::string text = "<div class=\"scroll\" tabindex=\"0\">\n<table>\n<caption>" + caption +
-                     "</caption>\n<thead><tr>";
+  std::string text = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\">\n<table{}>\n<caption>{}</caption>\n<thead><tr>",
+      kind.empty() ? "" : fmt::format(" class=\"{}\"", kind), caption);
   for (const std::string& heading : headings)
     text += fmt::format("<th scope=\"col\">{}</th>", heading);
   text += "</tr></thead>\n<tbody>\n";

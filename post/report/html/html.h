@@ -13,6 +13,7 @@ struct HtmlTable {
   std::string caption;                ///< HTML
   std::vector<std::string> headings;  ///< escaped text; the first is that of the rows' headings
   std::vector<std::vector<std::string>> rows;  ///< HTML; the first cell is the row's heading
+  std::string kind = "";                       ///< class of the table; empty: none
 
   [[nodiscard]] std::string html() const;
 };

@@ -40,7 +40,7 @@ std::string significant(const double value, const int digits) {
   const double size = std::abs(value);
   if (size < 1e-12) return "0";
   const double whole = std::pow(10., digits);
-  if (!(size >= whole - 0.5 && size < 1e9)) return grouped(fmt::format("{:.{}g}", value, digits));
+  if (!(size >= whole - 0.5 && size < 1e12)) return grouped(fmt::format("{:.{}g}", value, digits));
   const double unit = std::pow(10., std::floor(std::log10(size)) + 1. - digits);
   return grouped(fmt::format("{:.0f}", unit * std::round(value / unit)));
 }

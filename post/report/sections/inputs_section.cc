@@ -30,11 +30,12 @@ bool has_stud(const std::vector<CaseInput>& inputs) {
 /// The materials of all bodies; empty where the case names none.
 std::string materials_table(const std::vector<CaseInput>& inputs) {
   const std::string modulus = "/Young's modulus";
-  constexpr std::array<const char*, 5> others{"Poisson's ratio", "Density", "Yield strength",
-                                              "Fatigue strength", "Material"};
+  constexpr std::array<const char*, 6> others{"Poisson's ratio",  "Density",
+                                              "Yield strength",   "Fatigue strength",
+                                              "Contact pressure", "Material"};
   HtmlTable table{"Materials",
                   {"of", "Young's modulus", "Poisson's ratio", "density", "yield strength",
-                   "fatigue strength", "name"},
+                   "fatigue strength", "contact pressure", "name"},
                   {}};
   for (const CaseInput& input : inputs) {
     const std::size_t end = input.name.size() - std::min(modulus.size(), input.name.size());

@@ -99,6 +99,7 @@ std::string run_limits_table(const json& safety, const UnitSystem units, const b
     cells.push_back(is_judged ? verdict_cell(factor) : "not judged");
     table.rows.push_back(std::move(cells));
   }
+  table.kind = "limits";
   return table.html();
 }
 
@@ -116,6 +117,7 @@ std::string limits_table(const json& safety, const std::string& caption, const U
                           shown(row.at("driver_angle"), Dimension::angle, units),
                           verdict_cell(factor)});
   }
+  table.kind = "limits";
   return table.html();
 }
 

@@ -102,15 +102,17 @@ ReportPart mechanism_part(const json& mechanism, const UnitSystem units) {
       cycle_chart(mechanism, units, "pin_force", "pin force", Dimension::force)};
   part.html = html_section(
       "mechanism", "Mechanism",
-      fmt::format("<div class=\"beside\">\n<figure>\n{}<figcaption>{} at a driver angle of "
-                  "<output id=\"mechanism-angle\">{}</output> {}<span id=\"mechanism-analysed\">"
-                  "{}</span>; the dot is the contact point, the arrow the pin force on the wheel"
-                  "</figcaption>\n{}</figure>\n<div>\n{}{}</div>\n</div>\n{}",
-                  mechanism_drawing(mechanism, step, label, units), escaped(name), angle, unit,
-                  is_analysed ? ", which is analysed" : "",
-                  fmt::format(fmt::runtime(controls), mechanism.at("steps").size() - 1,
-                              nearest_step(mechanism, step)),
-                  readings(step, units), lengths_table(mechanism, units), html(part.charts)));
+      fmt::format(
+          "<div class=\"beside\">\n<figure>\n{}<figcaption>{} at a driver angle of "
+          "<output id=\"mechanism-angle\">{}</output> {}<span id=\"mechanism-analysed\">"
+          "{}</span>; where the pin presses, the dot is the contact point, the arrow the pin "
+          "force on the wheel"
+          "</figcaption>\n{}</figure>\n<div>\n{}{}</div>\n</div>\n{}",
+          mechanism_drawing(mechanism, step, label, units), escaped(name), angle, unit,
+          is_analysed ? ", which is analysed" : "",
+          fmt::format(fmt::runtime(controls), mechanism.at("steps").size() - 1,
+                      nearest_step(mechanism, step)),
+          readings(step, units), lengths_table(mechanism, units), html(part.charts)));
   return part;
 }
 

@@ -131,7 +131,8 @@ TEST(ShownValues, KeepTheirDigitsWithoutPowersOfTen) {
   EXPECT_EQ(significant(72774.9, 4), "72\u202f770");
   EXPECT_EQ(significant(0.00299231, 5), "0.0029923");
   EXPECT_EQ(significant(5.01765e8, 5), "501\u202f770\u202f000");
-  EXPECT_EQ(significant(5.01765e9, 5), "5.0176e+09");
+  EXPECT_EQ(significant(5.01723e9, 5), "5\u202f017\u202f200\u202f000");
+  EXPECT_EQ(significant(5.01723e12, 5), "5.0172e+12");
   EXPECT_EQ(significant(999.7, 3), "1000");
   EXPECT_EQ(significant(1471.34, 5), "1471.3") << "four digits stay together";
   EXPECT_EQ(significant(0., 5), "0");
