@@ -97,7 +97,10 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
                              fmt::join(app.remaining(true), " "), first);
     return 1;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 1;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::cerr << fmt::format("geneva: {}; 'geneva help {}' lists the options\n", error.what(),
+                             first);
+    return 1;
   }
 }
 

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "api/version.h"
+#include "model/input/nearest_word.h"
 
 namespace geneva::app {
 
@@ -31,6 +35,17 @@ CLI::Validator whole_number(const int least, const int most) {
         const bool is_whole = error == std::errc() && rest == end;
         if (is_whole && value >= least && value <= most) return std::string();
         return fmt::format("'{}': a whole number from {} to {} is wanted", text, least, most);
+      },
+      "");
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::Validator(
+      [words](const std::string& text) {
+        if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+        const auto nearest = model::nearest_word(text, words);
+        return fmt::format("'{}': one of {} is wanted{}", text, fmt::join(words, ", "),
+                           nearest ? fmt::format("; did you mean '{}'?", *nearest) : "");
       },
       "");
 }
@@ -174,7 +189,7 @@ void Grammar::add_design() {
       ->add_option("--with", request_.method,
                    "What is done for each: run, estimate, kinematics or design (default: run)")
       ->type_name("COMMAND")
-      ->check(CLI::IsMember({"run", "estimate", "kinematics", "design"}).description(""));
+      ->check(one_of({"run", "estimate", "kinematics", "design"}));
   sweep->add_option("-j,--jobs", request_.jobs, "Runs at a time (default: as many as cores)")
       ->type_name("NUMBER")
       ->check(whole_number(1, 1000));
@@ -217,7 +232,7 @@ void Grammar::add_helpers() {
       add(Command::completion, "completion", "Print the completion of commands for a shell");
   complete->add_option("SHELL", request_.topic, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}).description(""));
+      ->check(one_of({"bash", "zsh", "fish"}));
 }
 
 Request Grammar::request() const {

@@ -48,6 +48,8 @@ class FirstSteps(CliTest):
 
     def test_a_word_that_is_no_command_is_named_with_the_nearest(self):
         self.assertIn("'rnu' is no command: did you mean 'geneva run'?", self.refuses("rnu"))
+        self.assertIn("geneva: --with: 'dsign': one of run, estimate, kinematics, design is wanted; did you mean 'design'?",
+                      self.refuses("sweep", "wheel", "--set", "Mechanism/Stations = 4; 5", "--with", "dsign"))
         self.prints("init", "wheel")
         self.assertIn("did you mean 'geneva run wheel'?", self.refuses("wheel"))
         self.assertIn("'geneva help' lists the commands", self.refuses("whatever"))
