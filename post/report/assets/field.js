@@ -183,6 +183,20 @@
     return geometry;
   }
 
+  // Where a cell meets smaller ones, roundings of places leave gaps of a pixel, through which the triangles' edges are
+  // seen behind them.
+  function edgesOf(object) {
+    const edges = new THREE.Mesh(object.geometry, new THREE.ShaderMaterial({
+      uniforms: uniforms,
+      vertexShader: VERTEX.replace("* mvPosition;", "* mvPosition; gl_Position.z += 1e-4 * gl_Position.w;"),
+      fragmentShader: FRAGMENT.replace("normalize(cross(dFdx(place), dFdy(place)))", "vec3(0.0, 0.0, 1.0)"),
+      clipping: true,
+      wireframe: true,
+    }));
+    edges.frustumCulled = false;
+    return edges;
+  }
+
   function objectOf(mesh) {
     const inFront = mesh.name !== "model";
     const material = new THREE.ShaderMaterial({
@@ -198,6 +212,7 @@
     });
     const object = new THREE.Mesh(geometryOf(mesh), material);
     object.frustumCulled = false;
+    if (view.dimension === 2) object.add(edgesOf(object));
     return object;
   }
 
