@@ -85,7 +85,7 @@ MesherAnswer answer_of(json said, const ProcessEnd& end, const MesherLimits& lim
 }  // namespace
 
 std::filesystem::path installed_mesher() {
-  const std::filesystem::path program = base::installed_program("geneva-mesher");
+  std::filesystem::path program = base::installed_program("geneva-mesher");
   if (std::error_code ignored; std::filesystem::exists(program, ignored)) return program;
   std::string places;
   for (const auto& place : base::places_of_installed_program("geneva-mesher"))

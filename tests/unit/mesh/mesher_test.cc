@@ -30,7 +30,7 @@ std::string one_task(const std::string& commands) {
 }
 
 std::filesystem::path program(const test::CaseDirectory& directory, const std::string& text) {
-  const std::filesystem::path file = directory.write("mesher", text);
+  std::filesystem::path file = directory.write("mesher", text);
   std::filesystem::permissions(file, std::filesystem::perms::owner_all);
   return file;
 }

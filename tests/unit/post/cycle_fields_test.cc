@@ -18,7 +18,7 @@ CycleFields instant(const double angle, const double pin_distance, const double 
     std::vector<std::size_t> cell;
     for (int corner = 0; corner < 4; ++corner) {
       const double x = corner % 2 - 0.5;
-      const double y = corner / 2 - 0.5;
+      const double y = (corner < 2 ? 0. : 1.) - 0.5;
       cell.push_back(result.fields.places.size());
       const double value = factor * (2.5 + x + 3. * y);
       result.fields.places.push_back(
