@@ -102,9 +102,10 @@ Mesher::Mesher(const std::filesystem::path& program)
 MesherAnswer Mesher::answer_to(const json& task, const MesherLimits& limits) {
   const json request{{"task", task},
                      {"limits", {{"memory", limits.memory}, {"seconds", limits.seconds}}}};
+  auto process = server_->process(limits.seconds);
+  if (!process) too_long(limits);
   const ProcessEnd end =
-      server_->process(limits.seconds)
-          .ask(request.dump(), limits.seconds, static_cast<std::size_t>(limits.memory));
+      process->ask(request.dump(), limits.seconds, static_cast<std::size_t>(limits.memory));
   if (end.took_too_long || end.signal == SIGXCPU) too_long(limits);
   json said = json::parse(end.output, nullptr, false);
   if (said.is_object()) {

@@ -172,20 +172,21 @@ std::optional<MesherProcess> MesherServer::copy(const double seconds) {
     const bool has_answered = is_ready(control_, deadline);
     const auto id = has_answered ? receive_process_id(control_.get()) : std::nullopt;
     if (id && *id > 0) return MesherProcess(*id, std::move(talk.own), std::move(print.own));
-    trouble_ = !has_answered ? fmt::format("does not answer within {:.3g} s", seconds)
+    trouble_ = !has_answered ? ""
                : id          ? fmt::format("cannot make a process: {}", std::strerror(-*id))
-                             : "";
+                             : "has ended";
   }
   const std::string end = stop();
-  if (!end.empty()) trouble_ = end;
+  if (!trouble_.empty() && !end.empty()) trouble_ = end;
   return std::nullopt;
 }
 
-MesherProcess MesherServer::process(const double seconds) {
+std::optional<MesherProcess> MesherServer::process(const double seconds) {
   for (int attempt = 0; attempt < 2; ++attempt) {
     if (id_ <= 0) start();
     trouble_ = "has ended";
-    if (auto process = copy(seconds)) return std::move(*process);
+    if (auto process = copy(seconds)) return process;
+    if (trouble_.empty()) return std::nullopt;
   }
   throw base::InputError(
       fmt::format("the mesher {}, which belongs beside geneva, {}", program_.string(), trouble_));

@@ -25,8 +25,9 @@ class MesherServer {
 
   /// A process for one task. A program that has ended is started once more.
   /// @param seconds that it may take at most
+  /// @return nothing if it takes longer
   /// @throws base::InputError if there is none, with the reason
-  MesherProcess process(double seconds);
+  std::optional<MesherProcess> process(double seconds);
 
  private:
   void start();
@@ -39,7 +40,7 @@ class MesherServer {
   pid_t id_ = -1;
   Descriptor control_;
   Descriptor messages_;
-  std::string trouble_;  ///< of the last copy that could not be made
+  std::string trouble_;  ///< of the last copy that could not be made; empty: it took too long
 };
 
 }  // namespace geneva::mesh

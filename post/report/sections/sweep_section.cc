@@ -249,14 +249,15 @@ std::string maps(const json& sweep, const std::vector<Quantity>& quantities,
   std::string text;
   int number = 0;
   for (const Quantity& quantity : quantities) {
-    if (!changes(sweep.at("points"), quantity.name)) continue;
     const MapData map = map_of(sweep, quantity, parameters, units);
-    text += fmt::format("<figure>\n{}<figcaption>{}{}</figcaption>\n</figure>\n",
-                        map_picture(map, fmt::format("colours-of-map-{}", number++)),
-                        escaped(quantity.name),
-                        std::count(map.exceeds.begin(), map.exceeds.end(), true) > 0
-                            ? "; crossed out where its limit is exceeded"
-                            : "");
+    if (std::any_of(map.values.begin(), map.values.end(),
+                    [](const double value) { return std::isfinite(value); }))
+      text += fmt::format("<figure>\n{}<figcaption>{}{}</figcaption>\n</figure>\n",
+                          map_picture(map, fmt::format("colours-of-map-{}", number++)),
+                          escaped(quantity.name),
+                          std::count(map.exceeds.begin(), map.exceeds.end(), true) > 0
+                              ? "; crossed out where its limit is exceeded"
+                              : "");
   }
   return "<div class=\"charts\">\n" + text + "</div>\n";
 }

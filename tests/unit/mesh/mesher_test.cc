@@ -109,7 +109,7 @@ TEST(Mesher, AProgramThatDoesNotAnswerIsGivenUpWithItsTask) {
   const test::CaseDirectory directory;
   const GeometryTask task{2, "/", "nothing.geo", FileKind::geometry, 0.};
   Mesher mesher(program(directory, "#!/bin/sh\nexec sleep 100\n"));
-  EXPECT_THROW((void)mesher.answer(task, {1e9, 0.2}), base::InputError);
+  EXPECT_THROW((void)mesher.answer(task, {1e9, 0.2}), base::LimitReached);
 }
 
 /// The mesher's own program, killed, and signals that interrupt what waits for it.
