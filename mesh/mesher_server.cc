@@ -139,11 +139,11 @@ std::string MesherServer::stop() {
   if (id_ <= 0) return "";
   int status = 0;
   pid_t ended = 0;
-  // One that has closed its end may need a moment to go.
+  // One that has closed its end of the socket may need a moment to go.
   for (int i = 0; i < 5 && ended == 0; ++i) {
+    if (i > 0) std::this_thread::sleep_for(moment);
     ended = waitpid(id_, &status, WNOHANG);
-    if (ended == 0 && i < 4 && !is_ready(control_, std::chrono::steady_clock::now())) break;
-    if (ended == 0) std::this_thread::sleep_for(moment);
+    if (!is_ready(control_, std::chrono::steady_clock::now())) break;
   }
   std::string end;
   if (ended == id_) {

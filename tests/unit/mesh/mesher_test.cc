@@ -119,7 +119,9 @@ TEST(Mesher, AProgramThatIsKilledIsStartedAgain) {
   const GeometryTask task{2, directory.path().string(), "empty.geo", FileKind::geometry, 0.};
   Mesher mesher(MESHER);
   const MesherAnswer first = mesher.answer(task, {1e9, 20.});
-  for (const std::filesystem::path& process : children()) {
+  const std::vector<std::filesystem::path> programs = children();
+  ASSERT_FALSE(programs.empty());
+  for (const std::filesystem::path& process : programs) {
     kill(static_cast<pid_t>(std::stol(process.filename().string())), SIGKILL);
     const MesherAnswer again = mesher.answer(task, {1e9, 20.});
     EXPECT_EQ(first.errors, again.errors);
