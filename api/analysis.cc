@@ -73,6 +73,7 @@ Solved<dim> solve(const MPI_Comm communicator, const Case& given, const model::M
   fem::Progress<dim> watch;
   watch.step = told_together(communicator, options.progress.step);
   watch.level = told_together(communicator, options.progress.mesh);
+  watch.work = told_together(communicator, options.progress.work);
   watch.solution = [&](const fem::Solution<dim>& on_mesh) {
     figures.push_back(api::run_figures(model, given, on_mesh));
   };
@@ -175,6 +176,11 @@ Analysis analyse_in(const Case& given, const MPI_Comm communicator,
   const double solve_seconds = timer.wall_time();
 
   timer.restart();
+  if (options.progress.work)
+    end_together(communicator,
+                 [&, dofs = solution.history.back().dofs] {
+                   options.progress.work({fem::Work::results, dofs});
+                 });
   base::AllocationWatch allocations;
   analysed.solution = std::move(solution);
   analysed.results = post::analyse(analysed.solution);

@@ -15,6 +15,7 @@
 #include "api/written.h"
 #include "fem/adaptivity/level_record.h"
 #include "fem/step_report.h"
+#include "fem/work_report.h"
 #include "post/analysis/check.h"
 #include "post/analysis/comparison_row.h"
 #include "post/output/nodal_fields.h"
@@ -66,6 +67,7 @@ struct Progress {
   std::function<void(const AnalysisStart&)> start;
   std::function<void(const fem::StepReport&)> step;   ///< of the active set
   std::function<void(const fem::LevelRecord&)> mesh;  ///< one that is solved
+  std::function<void(const fem::WorkReport&)> work;   ///< what else begins, up to the writing
 };
 
 /// How an analysis may be left and gone on with.

@@ -125,6 +125,7 @@ SolvedSteps<dim> solved_steps(const Case& given, const MPI_Comm communicator,
   fem::Progress<dim> watch;
   watch.step = told_together(communicator, progress.step);
   watch.level = told_together(communicator, progress.mesh);
+  watch.work = told_together(communicator, progress.work);
   watch.load_step = [&](const std::size_t step, const fem::Solution<dim>& at_step) {
     collector.add(step, at_step);
   };

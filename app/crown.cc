@@ -15,8 +15,9 @@ int confirmed_crown_of_case(const MPI_Comm communicator,
   const base::OutputUnit length = base::output_unit(command.given().units, base::Dimension::length);
   Crown crown = design_crown(command.given());
   command.progress().line(fmt::format(
-      "{} {:.4g} {} found in {} trials; solving it by finite elements", crown.report.parameter,
+      "{} {:.4g} {} found in {} trials", crown.report.parameter,
       crown.report.size * length.factor, length.name, crown.report.trials.size()));
+  command.progress().phase("solving it by finite elements");
   const bool is_accurate = confirm(crown, communicator, mesher);
   command.progress().line("\n" + table(crown));
   command.write([&](const std::filesystem::path& directory) { return write(crown, directory); },

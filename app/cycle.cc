@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "api/cycle.h"
 #include "api/load_history.h"
+#include "app/pace.h"
 #include "app/solving_command.h"
 
 namespace geneva::app {
@@ -15,15 +14,12 @@ namespace {
 int cycle_of_mechanism(const MPI_Comm communicator, SolvingCommand& command,
                        mesh::Mesher* const mesher) {
   ProgressDisplay& progress = command.progress();
-  const auto start = std::chrono::steady_clock::now();
+  const Pace pace;
   const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
                         const std::size_t of) {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    const double left =
-        elapsed.count() * static_cast<double>(of - done) / static_cast<double>(done);
     progress.line(fmt::format("instant {} of {}: {}{}", done, of,
                               post::instant_in_words(point.instant),
-                              left >= 1. ? fmt::format("; about {:.0f} s left", left) : ""));
+                              pace.time_left(done, of)));
   };
   const Cycle found = cycle(command.given(), communicator, mesher, tell);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);
@@ -40,6 +36,7 @@ int cycle_of_geometry(const MPI_Comm communicator, SolvingCommand& command,
   watch.start = [&](const AnalysisStart& start) { progress.line(start.heading); };
   watch.step = [&](const fem::StepReport& step) { progress.step(step); };
   watch.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
+  watch.work = [&](const fem::WorkReport& work) { progress.work(work); };
   progress.phase("meshing");
   const LoadHistory found = load_history(command.given(), communicator, mesher, watch);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);

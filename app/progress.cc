@@ -15,15 +15,35 @@ ProgressDisplay::ProgressDisplay(const bool is_speaking, const base::UnitSystem 
       is_terminal_(is_terminal(stdout)),
       stress_(base::output_unit(units, base::Dimension::stress)) {}
 
-void ProgressDisplay::clear_status() {
-  if (has_status_) std::fputs("\r\033[K", stdout);
-  has_status_ = false;
+namespace {
+
+/// What is done, and the time that is left of what it is expected to take.
+/// @param expected [s]; 0: unknown
+std::string with_time(const std::string& what, const double expected, const double elapsed) {
+  constexpr double worth_telling = 2.;
+  const double left = expected - elapsed;
+  if (left >= 0.5) return fmt::format("{}, about {:.0f} s left", what, std::max(1., left));
+  if (elapsed >= worth_telling) return fmt::format("{}, {:.0f} s so far", what, elapsed);
+  return what;
 }
+
+const char* words_of(const fem::Work work) {
+  switch (work) {
+    case fem::Work::stresses: return "finding the stresses and errors";
+    case fem::Work::figures: return "working out the figures of this mesh";
+    case fem::Work::refinement: return "refining the mesh";
+    case fem::Work::results: return "working out the results";
+    case fem::Work::writing: break;
+  }
+  return "writing the results";
+}
+
+}  // namespace
 
 void ProgressDisplay::write(const std::string& text, const std::string& prefix,
                             std::FILE* const stream) {
   if (!is_speaking_) return;
-  clear_status();
+  status_.clear();
   std::fflush(stdout);
   const std::string shown = base::without_controls(text);  // titles and names are the user's
   std::fputs((for_stream(prefix + shown, stream) + "\n").c_str(), stream);
@@ -39,37 +59,54 @@ double ProgressDisplay::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-void ProgressDisplay::show_status(const std::string& text) {
-  std::fputs(("\r\033[K" + text).c_str(), stdout);
-  std::fflush(stdout);
-  has_status_ = true;
-}
-
 void ProgressDisplay::phase(const std::string& what, const std::optional<double> seconds) {
   constexpr double worth_a_line = 4.;
   if (!is_speaking_) return;
-  const std::string text =
-      seconds && *seconds >= 1. ? fmt::format("{}, about {:.0f} s", what, *seconds) : what;
   if (is_terminal_)
-    show_status(text);
+    status_.show([what, expected = seconds.value_or(0.)](const double elapsed) {
+      return with_time(what, expected, elapsed);
+    });
   else if (seconds && *seconds >= worth_a_line)
-    line(text);
+    line(fmt::format("{}, about {:.0f} s", what, *seconds));
+}
+
+void ProgressDisplay::end_work() {
+  if (!work_) return;
+  cost_of_last_work_ = (elapsed() - work_start_) / work_->dofs;
+  cost_of_work_[work_->work] = *cost_of_last_work_;
+  work_.reset();
+}
+
+void ProgressDisplay::work(const fem::WorkReport& report, const double times_the_last) {
+  end_work();
+  work_ = report;
+  work_start_ = elapsed();
+  std::optional<double> cost;
+  if (cost_of_work_.count(report.work) > 0)
+    cost = cost_of_work_.at(report.work);
+  else if (cost_of_last_work_)
+    cost = times_the_last * *cost_of_last_work_;
+  phase(words_of(report.work), cost ? std::optional(*cost * report.dofs) : std::nullopt);
 }
 
 void ProgressDisplay::step(const fem::StepReport& report) {
   if (!is_speaking_) return;
   if (report.step == 0) {
+    end_work();
+    mesh_start_ = elapsed();
     const auto expected = cost_ ? std::optional(*cost_ * report.dofs) : std::nullopt;
     expected_end_ = expected ? elapsed() + *expected : 0.;
     phase(fmt::format("solving a mesh of {} unknowns", report.dofs), expected);
     return;
   }
   if (!is_terminal_) return;
-  const double left = expected_end_ - elapsed();
-  show_status(
-      fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}{}", report.level,
-                  report.dofs, report.step, report.linear_iterations, last_level_,
-                  left >= 1. ? fmt::format("  about {:.0f} s left of this mesh", left) : ""));
+  const std::string text =
+      fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}", report.level,
+                  report.dofs, report.step, report.linear_iterations, last_level_);
+  status_.show([text, left = expected_end_ - elapsed()](const double since) {
+    return left - since < 1. ? text
+                             : fmt::format("{}  about {:.0f} s left", text, left - since);
+  });
 }
 
 namespace {
@@ -93,8 +130,8 @@ Refined refined_of(const fem::LevelRecord& record) {
 
 void ProgressDisplay::level(const fem::LevelRecord& record) {
   const Refined refined = refined_of(record);
-  cost_ = (elapsed() - last_end_) / record.dofs;
-  last_end_ = elapsed();
+  end_work();
+  cost_ = (elapsed() - mesh_start_) / record.dofs;
   if (levels_ == 0)
     line(fmt::format("{:>5}{:>10}{:>8}{:>6}{:>8}{:>25}{:>12}{:>9}", "level", "unknowns", "active",
                      "steps", "CG", fmt::format("{} [{}]", refined.name, stress_.name),

@@ -2,12 +2,15 @@
 
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "app/ticker.h"
 #include "base/units.h"
 #include "fem/adaptivity/level_record.h"
 #include "fem/step_report.h"
+#include "fem/work_report.h"
 
 namespace geneva::app {
 
@@ -21,10 +24,14 @@ class ProgressDisplay {
   void line(const std::string& text);
   /// Goes to the standard error instead.
   void warning(const std::string& text);
-  /// What is being done, and about how long it takes: on a terminal until the next line; elsewhere
-  /// as a line, if it takes long.
+  /// What is being done, and about how long it takes: on a terminal until the next line, with the
+  /// time that is left, or that has gone by where that is not known; elsewhere as a line, if it
+  /// takes long.
   void phase(const std::string& what, std::optional<double> seconds = std::nullopt);
   void step(const fem::StepReport& report);
+  /// Takes about as long per unknown as last time; the first time as what was done just before,
+  /// times a factor.
+  void work(const fem::WorkReport& report, double times_the_last = 1.);
   void level(const fem::LevelRecord& record);
 
   /// Everything that was shown as lines so far.
@@ -32,9 +39,8 @@ class ProgressDisplay {
 
  private:
   void write(const std::string& text, const std::string& prefix, std::FILE* stream);
-  void clear_status();
-  void show_status(const std::string& text);
   [[nodiscard]] double elapsed() const;
+  void end_work();
 
   bool is_speaking_;
   bool is_terminal_;
@@ -42,10 +48,14 @@ class ProgressDisplay {
   unsigned int levels_ = 0;
   std::optional<double> cost_;  ///< of the last mesh, per unknown [s]
   double expected_end_ = 0.;    ///< of the mesh that is solved [s]; 0: unknown
-  double last_end_ = 0.;        ///< of the last mesh [s]
+  double mesh_start_ = 0.;      ///< of the mesh that is solved [s]
   std::string last_level_;      ///< peak pressure and estimated error so far
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  bool has_status_ = false;
+  std::map<fem::Work, double> cost_of_work_;  ///< last time, per unknown [s]
+  std::optional<double> cost_of_last_work_;   ///< per unknown [s]
+  std::optional<fem::WorkReport> work_;       ///< what is being done beside solving
+  double work_start_ = 0.;
+  Ticker status_;
   std::string log_;
 };
 

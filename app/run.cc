@@ -53,6 +53,10 @@ void present(const Analysis& analysis, const std::size_t told, ProgressDisplay& 
   progress.line("\n" + analysis.table);
 }
 
+/// How much longer the files take than the figures that stand in them: 4.3 times with 620 000
+/// unknowns in the plane, 1.4 and 2.1 times with 930 000 and 500 000 in 3-D.
+double writing_over_working_out(const int dimension) { return dimension == 2 ? 4. : 2.; }
+
 Checkpointing checkpointing(CheckpointKeeper& keeper, const dealii::Timer& total,
                             ProgressDisplay& progress) {
   const auto keep = [&](std::string text) {
@@ -88,11 +92,13 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   };
   options.progress.step = [&](const fem::StepReport& step) { progress.step(step); };
   options.progress.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
+  options.progress.work = [&](const fem::WorkReport& work) { progress.work(work); };
 
   progress.phase("meshing");
   const Analysis analysis = analyse(given, communicator, options);
   present(analysis, told, progress);
-  progress.phase("writing the results");
+  progress.work({fem::Work::writing, analysis.meshes.back().dofs},
+                writing_over_working_out(given.dimension));
   const Written written = output.write(analysis, progress.log(), checkpoints.last());
   if (is_first) checkpoints.remove(analysis.is_converged);
   warn_of_missing_packages(written);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -17,6 +16,7 @@
 #include "app/exit_code.h"
 #include "app/highlight.h"
 #include "app/launch.h"
+#include "app/pace.h"
 #include "app/workers.h"
 #include "base/directory_lock.h"
 #include "base/directory_replacement.h"
@@ -196,12 +196,7 @@ class Runs {
 
   /// From what the points took that were solved so far; empty where that is next to nothing.
   [[nodiscard]] std::string time_left() const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
-    const std::size_t solved = done_ - kept_;
-    const double left = solved == 0 ? 0.
-                                    : elapsed.count() / static_cast<double>(solved) *
-                                          static_cast<double>(to_solve_ - done_);
-    return left < 1. ? "" : fmt::format("; about {:.0f} s left", left);
+    return pace_.time_left(done_ - kept_, to_solve_ - kept_);
   }
 
   void tell(const post::SweepPoint& point, const std::string& remark = "") const {
@@ -218,7 +213,7 @@ class Runs {
   std::size_t done_ = 0;
   std::size_t kept_ = 0;  ///< of those, from an earlier sweep
   std::size_t to_solve_ = 0;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Pace pace_;
 };
 
 }  // namespace

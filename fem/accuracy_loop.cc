@@ -127,6 +127,11 @@ void AccuracyLoop<dim>::take_result() {
 }
 
 template <int dim>
+void AccuracyLoop<dim>::tell(const Work work) {
+  if (progress_.work) progress_.work({work, solution_.dof_handler->n_dofs()});
+}
+
+template <int dim>
 void AccuracyLoop<dim>::find_smooth_parts() {
   if constexpr (dim == 2) {
     constexpr double share_of_accuracy = 0.1;
@@ -141,6 +146,7 @@ void AccuracyLoop<dim>::find_smooth_parts() {
 
 template <int dim>
 void AccuracyLoop<dim>::record() {
+  tell(Work::stresses);
   find_smooth_parts();
   LevelRecord record = record_of(solution_, *equilibrium_, *found_, refinement_.surface_ids());
   refinement_.record(record);
@@ -150,7 +156,10 @@ void AccuracyLoop<dim>::record() {
   solution_.history.push_back(record);
   estimate();
   if (progress_.level) progress_.level(solution_.history.back());
-  if (progress_.solution) progress_.solution(solution_);
+  if (progress_.solution) {
+    tell(Work::figures);
+    progress_.solution(solution_);
+  }
   save();
 }
 
@@ -202,6 +211,7 @@ template <int dim>
 bool AccuracyLoop<dim>::make_next_mesh() {
   std::optional<Stop> stop = choose_refinement();
   if (!stop) {
+    tell(Work::refinement);
     strength_.forget_stress();
     state_ = refinement_.refine(*equilibrium_, *found_, std::move(state_), solution_.history);
     is_ahead_ = true;

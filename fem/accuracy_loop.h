@@ -41,6 +41,7 @@ class AccuracyLoop {
   std::optional<double> worth_refining();
   std::optional<double> worth_refining_for_strength();
   void take_result();
+  void tell(Work work);
   void find_smooth_parts();
   void find_strength(std::size_t meshes_before);
   void estimate();

@@ -11,6 +11,7 @@
 #include "fem/problem/settings.h"
 #include "fem/solution.h"
 #include "fem/step_report.h"
+#include "fem/work_report.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
@@ -27,6 +28,7 @@ struct Progress {
   /// Before those, after each load step: the solution as if it were the last one, without strength
   /// and instants; of a mesh without an equilibrium, or left for memory, of the first steps only.
   std::function<void(std::size_t step, const Solution<dim>&)> load_step = {};
+  std::function<void(const WorkReport&)> work = {};
 };
 
 /// Solves contact by nested iteration: solve, estimate, refine, until the peak contact

@@ -2,6 +2,7 @@
 
 import base64
 import errno
+import fcntl
 import functools
 import math
 import os
@@ -12,6 +13,7 @@ import shutil
 import struct
 import subprocess
 import tempfile
+import termios
 import unittest
 import xml.etree.ElementTree as xml
 import zlib
@@ -388,7 +390,7 @@ class Output(FinishedRuns):
                 code, output = self.run_on_terminal("run", str(case), **variables)
                 self.assertEqual(code, 0, output)
                 self.assertIn("EXCEEDED", output)
-                self.assertRegex(output.replace("\r", ""), r"\n\n +this program", "a blank line before the table")
+                self.assertRegex(left_on_terminal(output), r"\n\n +this program", "a blank line before the table")
                 self.assertEqual(colour in output, is_coloured, output)
                 self.assertEqual("\x1b[3" in output, is_coloured, output)
                 self.assertNotIn("\x1b[3", (case / "results" / "log.txt").read_text())
@@ -396,9 +398,23 @@ class Output(FinishedRuns):
         self.assertEqual(code, 1)
         self.assertIn("\x1b[31mgeneva: ", output)
 
-    def run_on_terminal(self, *arguments, **variables):
+    def test_a_terminal_shows_what_is_done_and_the_time_that_is_left_on_lines_that_fit(self):
+        case = self.copy_case("crowned-pin")
+        code, output = self.run_on_terminal("run", str(case), columns=60, TERM="xterm")
+        self.assertEqual(code, 0, output)
+        status = re.findall(r"\r\x1b\[K([^\r\n\x1b]+)", output)
+        for work in ("meshing", "solving a mesh of ", "finding the stresses and errors", "working out the figures of this mesh",
+                     "refining the mesh", "working out the results", "writing the results, about "):
+            with self.subTest(work):
+                self.assertTrue(any(line.startswith(work) for line in status), status)
+        self.assertRegex(output, r"solving a mesh of \d+ unknowns, about \d+ s left")
+        self.assertEqual(max(len(text) for text in status if re.match(r"level +\d", text)), 59, "cut to fit")
+        self.assertNotIn("so far", (case / "results" / "log.txt").read_text())
+
+    def run_on_terminal(self, *arguments, columns=200, **variables):
         """Exit code and output of a run whose output is a pseudo-terminal."""
         reading, writing = pty.openpty()
+        fcntl.ioctl(writing, termios.TIOCSWINSZ, struct.pack("HHHH", 50, columns, 0, 0))
         with subprocess.Popen([str(self.program), *arguments], stdin=subprocess.DEVNULL, stdout=writing,
                               stderr=writing, env={**geneva_cli.environment(), **variables}) as process:
             os.close(writing)
@@ -527,6 +543,11 @@ class ParameterReference(CliTest):
         if not reference.exists():
             self.skipTest("there is no doc/parameters.prm")
         self.assertEqual(reference.read_text(), self.geneva("parameters").out)
+
+
+def left_on_terminal(output):
+    """The lines that are left of a pseudo-terminal's output, without those that were taken away."""
+    return "\n".join(line.split("\r\x1b[K")[-1].rstrip("\r") for line in output.split("\n"))
 
 
 def read_terminal(descriptor):
