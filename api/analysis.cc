@@ -177,10 +177,9 @@ Analysis analyse_in(const Case& given, const MPI_Comm communicator,
 
   timer.restart();
   if (options.progress.work)
-    end_together(communicator,
-                 [&, dofs = solution.history.back().dofs] {
-                   options.progress.work({fem::Work::results, dofs});
-                 });
+    end_together(communicator, [&, dofs = solution.history.back().dofs] {
+      options.progress.work({fem::Work::results, dofs});
+    });
   base::AllocationWatch allocations;
   analysed.solution = std::move(solution);
   analysed.results = post::analyse(analysed.solution);

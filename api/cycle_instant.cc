@@ -79,7 +79,7 @@ SolvedInstant solved(const Case& at, const MPI_Comm communicator, mesh::Mesher* 
   contact.hertz_objection =
       post::hertz_objection(solution, solution.contacts.front(), contact.half_width);
   contact.shortfall = shortfall(solution, at.settings.accuracy);
-  post::NodalFields fields = fields_of(solution, post::nodal_stress(solution));
+  post::NodalFields fields = rounded_fields_of(solution, post::nodal_stress(solution));
   return {std::move(contact),
           at.mechanism->is_mirrored ? post::mirrored(std::move(fields)) : std::move(fields)};
 }

@@ -14,9 +14,9 @@ int confirmed_crown_of_case(const MPI_Comm communicator,
   SolvingCommand command(communicator, case_directory, output);
   const base::OutputUnit length = base::output_unit(command.given().units, base::Dimension::length);
   Crown crown = design_crown(command.given());
-  command.progress().line(fmt::format(
-      "{} {:.4g} {} found in {} trials", crown.report.parameter,
-      crown.report.size * length.factor, length.name, crown.report.trials.size()));
+  command.progress().line(fmt::format("{} {:.4g} {} found in {} trials", crown.report.parameter,
+                                      crown.report.size * length.factor, length.name,
+                                      crown.report.trials.size()));
   command.progress().phase("solving it by finite elements");
   const bool is_accurate = confirm(crown, communicator, mesher);
   command.progress().line("\n" + table(crown));

@@ -18,8 +18,7 @@ int cycle_of_mechanism(const MPI_Comm communicator, SolvingCommand& command,
   const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
                         const std::size_t of) {
     progress.line(fmt::format("instant {} of {}: {}{}", done, of,
-                              post::instant_in_words(point.instant),
-                              pace.time_left(done, of)));
+                              post::instant_in_words(point.instant), pace.time_left(done, of)));
   };
   const Cycle found = cycle(command.given(), communicator, mesher, tell);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);

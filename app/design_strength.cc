@@ -22,9 +22,9 @@ int design_with_strength(const MPI_Comm communicator, const std::filesystem::pat
   const std::size_t told = found.notices.size();
   const Pace pace;
   add_strength(found, communicator, mesher, [&](const int done, const int of) {
-    progress.line(fmt::format("wheel {} of {} solved{}", done, of,
-                              pace.time_left(static_cast<std::size_t>(done),
-                                             static_cast<std::size_t>(of))));
+    progress.line(
+        fmt::format("wheel {} of {} solved{}", done, of,
+                    pace.time_left(static_cast<std::size_t>(done), static_cast<std::size_t>(of))));
   });
   progress.line("\nthe wheel away from the contact, as drawn:\n" +
                 post::strength_table(found.report, command.given().units));

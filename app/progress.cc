@@ -29,11 +29,16 @@ std::string with_time(const std::string& what, const double expected, const doub
 
 const char* words_of(const fem::Work work) {
   switch (work) {
-    case fem::Work::stresses: return "finding the stresses and errors";
-    case fem::Work::figures: return "working out the figures of this mesh";
-    case fem::Work::refinement: return "refining the mesh";
-    case fem::Work::results: return "working out the results";
-    case fem::Work::writing: break;
+    case fem::Work::stresses:
+      return "finding the stresses and errors";
+    case fem::Work::figures:
+      return "working out the figures of this mesh";
+    case fem::Work::refinement:
+      return "refining the mesh";
+    case fem::Work::results:
+      return "working out the results";
+    case fem::Work::writing:
+      break;
   }
   return "writing the results";
 }
@@ -104,8 +109,7 @@ void ProgressDisplay::step(const fem::StepReport& report) {
       fmt::format("level {:>2}  {:>8} unknowns  active-set step {}  CG {}  {}", report.level,
                   report.dofs, report.step, report.linear_iterations, last_level_);
   status_.show([text, left = expected_end_ - elapsed()](const double since) {
-    return left - since < 1. ? text
-                             : fmt::format("{}  about {:.0f} s left", text, left - since);
+    return left - since < 1. ? text : fmt::format("{}  about {:.0f} s left", text, left - since);
   });
 }
 

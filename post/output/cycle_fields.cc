@@ -32,15 +32,9 @@ Place moved(const Place& place, const CycleFields& from, const CycleFields& to) 
   return {to.pin_distance + arm[0], arm[1], arm[2]};
 }
 
-double von_mises_of(const std::array<double, 6>& s) {
-  const double normal =
-      std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
-  return std::sqrt(0.5 * normal + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-}
-
 NodeMaxima maxima_of(const SixStresses& stress) {
   const PrincipalRange range = principal_range(stress);
-  return {von_mises_of(stress), range.first, 0.5 * (range.first - range.third)};
+  return {von_mises(stress), range.first, 0.5 * (range.first - range.third)};
 }
 
 /// What a node is under at an instant.

@@ -55,6 +55,12 @@ PrincipalRange principal_range(const std::array<double, 6>& stress) {
   return {values.maxCoeff(), values.minCoeff()};
 }
 
+double von_mises(const std::array<double, 6>& s) {
+  const double normal =
+      std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
+  return std::sqrt(0.5 * normal + 3. * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
 /// Eigenvalues ascend.
 std::array<double, 3> direction_of_first_principal(const std::array<double, 6>& stress) {
   const Eigen::Vector3d n =

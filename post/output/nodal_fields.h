@@ -37,6 +37,9 @@ struct PrincipalRange {
 
 PrincipalRange principal_range(const std::array<double, 6>& stress);
 
+/// Von Mises stress at a node [Pa].
+double von_mises(const std::array<double, 6>& stress);
+
 /// Maximum tensile stress at a node: the first principal stress [Pa].
 inline double first_principal(const std::array<double, 6>& stress) {
   return principal_range(stress).first;

@@ -24,8 +24,9 @@ class SlotPassing {
  public:
   using Place = std::array<double, 3>;
 
-  /// Nodes are on a wall or round the pin up to the chords of the mesh, over the pin's radius.
-  static constexpr double near = 1e-3;
+  /// Nodes are on a wall or round the pin up to this, over the pin's radius, which is known as well
+  /// as its nodes reach to its top and bottom: every 2.5 degrees, 2.4e-4 of the radius.
+  static constexpr double near = 5e-4;
 
   /// @param turning bodies that move with the pin, by index
   /// @param curve of the cycle, in the order of the motion

@@ -326,6 +326,13 @@ json contact_mesh(const fem::Solution<dim>& solution, const fem::ContactResult<d
   return mesh;
 }
 
+/// A value > 0 with four digits, without a power of ten where it is large.
+std::string with_four_digits(const double value) {
+  if (value < 1e4) return fmt::format("{:.4g}", value);
+  const double step = std::pow(10., std::floor(std::log10(value)) - 3.);
+  return fmt::format("{:.0f}", step * std::round(value / step));
+}
+
 /// The places of the bodies' maximum stresses; those that are the same place are one.
 template <int dim>
 json marks(const fem::Solution<dim>& solution, const ViewScale& scale, const OutputUnit& stress) {
@@ -334,8 +341,8 @@ json marks(const fem::Solution<dim>& solution, const ViewScale& scale, const Out
   for (const NamedStress<dim>& named : named_stresses(solution)) {
     const Point<3> place = in_space<dim>(named.maximum.place);
     const std::string title =
-        fmt::format("{} of '{}': {:.4g} {}, {}", named.name, named.body,
-                    named.maximum.value * stress.factor, stress.name, named.where);
+        fmt::format("{} of '{}': {} {}, {}", named.name, named.body,
+                    with_four_digits(named.maximum.value * stress.factor), stress.name, named.where);
     const auto known = std::find_if(places.begin(), places.end(), [&](const Point<3>& other) {
       return place.distance(other) < 1e-3 * solution.scales.length;
     });

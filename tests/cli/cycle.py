@@ -84,6 +84,7 @@ class Cycle(CliTest):
         greatest_stress = max(vtk_array(case / "results" / "envelope.vtu", "von_mises"))
         for i in range(len(cycle["instants"])):
             self.assertLessEqual(max(vtk_array(case / "results" / f"cycle.{i}.vtu", "von_mises")), 1.02 * greatest_stress, i)
+        self.assert_bore_is_round(case / "results" / "cycle.0.vtu")
         page = (case / "results" / "report.html").read_text()
         self.assertIn("Over the engagement", page)
         self.assertIn("chart-cycle-pressure", page)
@@ -92,6 +93,15 @@ class Cycle(CliTest):
                          [instant["driver_angle"]["value"] for instant in cycle["instants"]])
         self.assertEqual(len({frame["wheel"] for frame in frames}), len(frames), "every instant has a picture of its own")
         self.assertLess(len(page), 3e6)
+
+    def assert_bore_is_round(self, field):
+        """The nodes nearest to the wheel's axis follow a circle, one every 2.5 degrees or closer."""
+        points = vtk_array(field, "Points")
+        places = [points[i:i + 2] for i in range(0, len(points), 3)]
+        radius = min(math.hypot(*place) for place in places)
+        angles = sorted({round(math.degrees(math.atan2(y, x)), 3) for x, y in places if math.hypot(x, y) < (1 + 1e-4) * radius})
+        gaps = [after - before for before, after in zip(angles, [*angles[1:], angles[0] + 360])]
+        self.assertLess(max(gaps), 2.51)
 
     def test_twice_as_many_instants_find_the_same(self):
         """The curve between them, too, where the coarser ones stand."""

@@ -93,6 +93,7 @@ class ReportTest(CliTest):
 
     case_name = None
     command = "run"
+    changes = {}
     most_pages = 7
 
     @classmethod
@@ -103,6 +104,7 @@ class ReportTest(CliTest):
         runner.setUp()
         cls.addClassCleanup(runner.doCleanups)
         cls.case = runner.copy_case(cls.case_name)
+        change_case(cls.case, cls.changes)
         cls.results = cls.case / "results"
         run = runner.geneva(*cls.command.split(), cls.case)
         runner.assertEqual(run.code, 0, run.describe())
@@ -556,6 +558,15 @@ class LongDwellGeneva(InternalGeneva):
 
 class FourBarGeneva(InternalGeneva):
     case_name = "four-bar-geneva"
+    changes = {"Output units": "SI"}
+
+    def test_radians_are_marked_in_quarters_of_pi(self):
+        low, high, marks = self.browser.run(
+            "const x = genevaCharts['chart-pin_force'].scales.x; return [x.min, x.max, x.ticks.map((t) => t.label)]")
+        quarters = {"-π": -4, "-3π/4": -3, "-π/2": -2, "-π/4": -1, "0": 0, "π/4": 1, "π/2": 2, "3π/4": 3, "π": 4,
+                    "5π/4": 5, "3π/2": 6, "7π/4": 7, "2π": 8}
+        found = [quarters[mark] for mark in marks]
+        self.assertEqual(found, list(range(math.ceil(4 * low / math.pi - 1e-6), math.floor(4 * high / math.pi + 1e-6) + 1)))
 
 
 class TwoPinGeneva(InternalGeneva):

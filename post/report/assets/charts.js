@@ -110,6 +110,15 @@
     const first = Math.ceil(least / step - 1e-9);
     const count = Math.floor(maximum / step + 1e-9) - first + 1;
     setMarks(axis, Array.from({ length: count }, (_, i) => (first + i) * step));
+    if (Math.abs(step - Math.PI / 4) < 1e-9) axis.ticks.callback = (value) => inParts(Math.round(value / step));
+  }
+
+  // So many quarters of pi: "-π/4", "3π/2", "0".
+  function inParts(quarters) {
+    const divisor = quarters % 4 === 0 ? 4 : quarters % 2 === 0 ? 2 : 1;
+    const number = Math.abs(quarters / divisor);
+    const sign = quarters < 0 ? "-" : "";
+    return quarters === 0 ? "0" : `${sign}${number === 1 ? "" : number}π${divisor === 4 ? "" : `/${4 / divisor}`}`;
   }
 
   // Round marks, 0 among them where the axis crosses it.

@@ -60,7 +60,7 @@ std::string legend(const CycleFrames& frames, const std::string& unit) {
   std::string colours;
   for (const std::string& colour : palette()) colours += ", #" + colour;
   std::string ticks;
-  for (const double at : round_numbers(frames.range[0], frames.range[1], 5))
+  for (const double at : round_numbers(frames.range[0], frames.range[1], 3))
     ticks += fmt::format("<span style=\"left: {:.2f}%\">{}</span>",
                          100. * (at - frames.range[0]) / (frames.range[1] - frames.range[0]),
                          significant(at, 4));
