@@ -340,9 +340,9 @@ json marks(const fem::Solution<dim>& solution, const ViewScale& scale, const Out
   std::vector<Point<3>> places;
   for (const NamedStress<dim>& named : named_stresses(solution)) {
     const Point<3> place = in_space<dim>(named.maximum.place);
-    const std::string title =
-        fmt::format("{} of '{}': {} {}, {}", named.name, named.body,
-                    with_four_digits(named.maximum.value * stress.factor), stress.name, named.where);
+    const std::string title = fmt::format("{} of '{}': {} {}, {}", named.name, named.body,
+                                          with_four_digits(named.maximum.value * stress.factor),
+                                          stress.name, named.where);
     const auto known = std::find_if(places.begin(), places.end(), [&](const Point<3>& other) {
       return place.distance(other) < 1e-3 * solution.scales.length;
     });

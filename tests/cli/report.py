@@ -558,7 +558,17 @@ class LongDwellGeneva(InternalGeneva):
 
 class FourBarGeneva(InternalGeneva):
     case_name = "four-bar-geneva"
+
+
+class SiReport(ReportTest):
+    """The report of a motion in SI units, whose angles are radians."""
+
+    case_name = "four-bar-geneva"
+    command = "kinematics"
     changes = {"Output units": "SI"}
+
+    def test_is_a_sound_page(self):
+        self.check_page()
 
     def test_radians_are_marked_in_quarters_of_pi(self):
         low, high, marks = self.browser.run(
