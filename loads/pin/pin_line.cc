@@ -314,7 +314,13 @@ HertzLine peak_contact(const PinLine& pin, const PinLineContact& contact) {
 
 double line_load_at(const PinLineContact& contact, const double place) {
   const auto section = section_at(contact, place);
-  return section == contact.sections.end() ? 0. : section->line_load;
+  if (section == contact.sections.end()) return 0.;
+  const bool is_last = section + 1 == contact.sections.end();
+  const bool is_first = section == contact.sections.begin();
+  if (place >= section->place ? is_last : is_first) return section->line_load;
+  const auto other = place >= section->place ? section + 1 : section - 1;
+  const double share = (place - section->place) / (other->place - section->place);
+  return section->line_load + share * (other->line_load - section->line_load);
 }
 
 bool is_near_end(const PinLine& pin, const PinLineContact& contact) {

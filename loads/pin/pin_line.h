@@ -101,7 +101,7 @@ bool is_beam(const PinLine& pin);
 /// deflection is then up to 7 % off (doc/validation.md), since it is taken as a long cylinder.
 bool is_near_end(const PinLine& pin, const PinLineContact& contact);
 
-/// q of the section at a place [N/m]; 0 beyond them.
+/// q at a place [N/m]: straight between the middles of the sections; 0 beyond them.
 double line_load_at(const PinLineContact& contact, double place);
 
 }  // namespace geneva::loads

@@ -83,10 +83,21 @@ void add_surface_columns(const fem::Solution<2>& solution, const fem::ContactRes
   columns.insert(columns.end(), {source, target});
 }
 
+/// Of the whole pin, by line contacts along it, at the nodes.
+ContactColumn line_load_column(const fem::ContactResult<3>& contact,
+                               const loads::PinLineContact& line, const UnitSystem units) {
+  const OutputUnit line_load = output_unit(units, Dimension::force_per_length);
+  ContactColumn column{"line_load_half_space_and_beam", line_load.name, {}};
+  for (const fem::ContactNode<3>& node : contact.nodes)
+    column.values.push_back(loads::line_load_at(line, node.position[2]) * line_load.factor);
+  return column;
+}
+
 /// Of one pair of a solution.
 template <int dim>
 std::vector<ContactColumn> contact_columns(const fem::Solution<dim>& solution,
                                            const Results<dim>& results, const std::size_t pair,
+                                           const std::optional<PinLineReport>& line,
                                            const UnitSystem units) {
   const fem::ContactResult<dim>& contact = solution.contacts[pair];
   const ContactAnalysis<dim>& analysis = results.contacts[pair];
@@ -110,6 +121,8 @@ std::vector<ContactColumn> contact_columns(const fem::Solution<dim>& solution,
                            hertz_pressure(analysis, node) * stress.factor});
     for (std::size_t i = 0; i < row.size(); ++i) columns[i].values.push_back(row[i]);
   }
+  if constexpr (dim == 3)
+    if (line) columns.push_back(line_load_column(contact, line->contact, units));
   if (!has_friction) return columns;
   add_friction_columns(contact, units, columns);
   columns.push_back(
@@ -259,13 +272,14 @@ void add_cells(const fem::ContactResult<3>& contact, const std::size_t first_poi
 /// The source surfaces with what they carry, as a VTK unstructured grid.
 template <int dim>
 void write_contact_vtu(const fem::Solution<dim>& solution, const Results<dim>& results,
-                       const UnitSystem units, const fs::path& file) {
+                       const std::optional<PinLineReport>& line, const UnitSystem units,
+                       const fs::path& file) {
   std::string points;
   VtkCells cells;
   std::vector<ContactColumn> all;
   std::size_t n_points = 0;
   for (std::size_t pair = 0; pair < solution.contacts.size(); ++pair) {
-    const auto columns = contact_columns(solution, results, pair, units);
+    const auto columns = contact_columns(solution, results, pair, line, units);
     if (all.empty()) all.assign(columns.begin(), columns.end());
     if (pair > 0)
       for (std::size_t i = 0; i < columns.size(); ++i)
@@ -317,9 +331,9 @@ void write_contact(const fem::Solution<dim>& solution, const Results<dim>& resul
                    const fs::path& directory) {
   write_csv(
       solution,
-      [&](const std::size_t pair) { return contact_columns(solution, results, pair, units); },
+      [&](const std::size_t pair) { return contact_columns(solution, results, pair, line, units); },
       own_file(directory, "contact.csv"));
-  write_contact_vtu(solution, results, units, own_file(directory, "contact.vtu"));
+  write_contact_vtu(solution, results, line, units, own_file(directory, "contact.vtu"));
   if (!solution.problem.steps.empty())
     write_csv(
         solution, [&](const std::size_t pair) { return step_columns(solution, pair, units); },
