@@ -104,6 +104,9 @@ post::RunReport make_report(const MPI_Comm communicator, const Case& given,
   report.notices = model.notices;
   for (const std::string& notice : api::notices_of(given, solution, results))
     report.notices.push_back(notice);
+  if (report.mechanism)
+    for (const std::string& notice : api::torque_notices(*report.mechanism, given.units))
+      report.notices.push_back(notice);
   if constexpr (dim == 3)
     if (report.mechanism && report.mechanism->pin)
       for (const std::string& notice : api::line_notices(*report.mechanism->pin, solution, results))

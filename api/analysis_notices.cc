@@ -290,4 +290,22 @@ template std::vector<std::string> notices_of(const model::Case&, const fem::Solu
 template std::string shortfall(const fem::Solution<2>&, double);
 template std::string shortfall(const fem::Solution<3>&, double);
 
+std::vector<std::string> torque_notices(const post::MechanismReport& mechanism,
+                                        const base::UnitSystem units) {
+  constexpr double worth_telling = 0.01;
+  if (!mechanism.bore_torque) return {};
+  const double expected = mechanism.expected_bore_torque;
+  const double difference = std::abs(*mechanism.bore_torque - expected);
+  const double moment = std::abs(mechanism.load.moment);
+  if (difference < worth_telling * std::abs(expected) || moment < std::abs(expected)) return {};
+  const base::OutputUnit torque = base::output_unit(units, base::Dimension::moment);
+  const base::OutputUnit length = base::output_unit(units, base::Dimension::length);
+  return {fmt::format(
+      "the {} torque is the small rest of the pin's moment of {:.5g} {} that the wheel's own "
+      "inertia leaves; the slot's wall gives way, so that the pressure leans by {:.2g} {}, and the "
+      "rest is not that of a rigid wheel",
+      mechanism.held_surface, moment * torque.factor, torque.name,
+      difference / std::abs(mechanism.load.force) * length.factor, length.name)};
+}
+
 }  // namespace geneva::api

@@ -29,4 +29,9 @@ std::vector<std::string> line_notices(const post::PinReport& pin, const fem::Sol
 template <int dim>
 std::string shortfall(const fem::Solution<dim>& solution, double accuracy);
 
+/// Where the wheel's own inertia leaves little of the pin's moment, what is left of it is not that
+/// of a rigid wheel: the wall gives way, and the pressure leans towards one side.
+std::vector<std::string> torque_notices(const post::MechanismReport& mechanism,
+                                        base::UnitSystem units);
+
 }  // namespace geneva::api

@@ -6,6 +6,7 @@
 
 #include "api/version.h"
 #include "app/grammar.h"
+#include "app/highlight.h"
 #include "base/units.h"
 #include "model/input/nearest_word.h"
 
@@ -41,7 +42,7 @@ int print_help(CLI::App& app, const std::string& topic) {
   }
   const CLI::App* command = command_named(app, topic);
   if (command == nullptr) {
-    std::cerr << refusal_of(topic, app);
+    std::cerr << for_stream(refusal_of(topic, app), stderr);
     return 1;
   }
   std::cout << command->help(app.get_name());
@@ -51,7 +52,7 @@ int print_help(CLI::App& app, const std::string& topic) {
 int print_manual(CLI::App& app, const std::string& topic) {
   const CLI::App* command = topic.empty() ? &app : command_named(app, topic);
   if (command == nullptr) {
-    std::cerr << refusal_of(topic, app);
+    std::cerr << for_stream(refusal_of(topic, app), stderr);
     return 1;
   }
   std::cout << manual_page(*command);
@@ -78,6 +79,11 @@ std::variant<Request, int> answer(const Request& request) {
   }
 }
 
+void complain(const std::string& about, const std::string& command) {
+  std::cerr << for_stream(
+      fmt::format("geneva: {}; 'geneva help {}' lists the options\n", about, command), stderr);
+}
+
 }  // namespace
 
 std::variant<Request, int> read_command_line(const int argc, const char* const* argv) {
@@ -86,20 +92,18 @@ std::variant<Request, int> read_command_line(const int argc, const char* const* 
   if (argc < 2) return print_help(app, "");
   const std::string first = argv[1];
   if (!first.empty() && first.front() != '-' && command_named(app, first) == nullptr) {
-    std::cerr << refusal_of(first, app);
+    std::cerr << for_stream(refusal_of(first, app), stderr);
     return 1;
   }
   try {
     app.parse(argc, argv);
     return answer(grammar.request());
   } catch (const CLI::ExtrasError&) {
-    std::cerr << fmt::format("geneva: not expected here: {}; 'geneva help {}' lists the options\n",
-                             fmt::join(app.remaining(true), " "), first);
+    complain(fmt::format("not expected here: {}", fmt::join(app.remaining(true), " ")), first);
     return 1;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    std::cerr << fmt::format("geneva: {}; 'geneva help {}' lists the options\n", error.what(),
-                             first);
+    complain(error.what(), first);
     return 1;
   }
 }

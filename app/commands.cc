@@ -79,16 +79,17 @@ std::string removal_notice(const Written& written) {
 
 void warn_of_missing_packages(const Written& written) {
   for (const std::string& package : written.missing_packages)
-    std::cerr << fmt::format(
-        "geneva: the report lacks its interactive parts: the package {} is not installed "
-        "('apt-get install {}')\n",
-        package, package);
+    std::cerr << for_stream(
+        fmt::format("geneva: the report lacks its interactive parts: the package {} is not "
+                    "installed ('apt-get install {}')\n",
+                    package, package),
+        stderr);
 }
 
 int estimate_case(const fs::path& case_directory, const fs::path& output) {
   const Estimate found = estimate(read_case(case_directory));
   print_heading(found.given);
-  std::cout << table(found);
+  std::cout << for_stream(table(found), stdout);
   tell_notices(found.notices);
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "estimate.json, estimate.csv and report.html", directory);
@@ -98,7 +99,7 @@ int estimate_case(const fs::path& case_directory, const fs::path& output) {
 int kinematics_of_case(const fs::path& case_directory, const fs::path& output, const int steps) {
   const Kinematics found = kinematics(read_case(case_directory), steps);
   print_heading(found.given);
-  std::cout << table(found);
+  std::cout << for_stream(table(found), stdout);
   tell_notices(found.notices);
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "kinematics.json, kinematics.csv and report.html", directory);
@@ -108,7 +109,7 @@ int kinematics_of_case(const fs::path& case_directory, const fs::path& output, c
 int crown_of_case(const fs::path& case_directory, const fs::path& output) {
   const Crown crown = design_crown(read_case(case_directory));
   print_heading(crown.given);
-  std::cout << table(crown);
+  std::cout << for_stream(table(crown), stdout);
   const fs::path directory = results_of(crown.given.directory, output);
   tell(write(crown, directory), "crown.json, crown.csv and report.html", directory);
   return 0;
@@ -118,7 +119,7 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
   std::vector<Design> designs;
   for (const fs::path& directory : cases) designs.push_back(design(read_case(directory)));
   const std::vector<fs::path> targets = directories(designs, output);
-  std::cout << table(designs);
+  std::cout << for_stream(table(designs), stdout);
   for (const auto& [given, report, notices] : designs)
     tell_notices(notices, designs.size() > 1 ? report.about.name + ": " : "");
   for (std::size_t i = 0; i < designs.size(); ++i)
@@ -129,7 +130,7 @@ int design_cases(const std::vector<fs::path>& cases, const fs::path& output) {
 int synthesize_case(const fs::path& case_directory, const fs::path& output) {
   const Synthesis found = synthesize(read_case(case_directory));
   print_heading(found.given);
-  std::cout << table(found);
+  std::cout << for_stream(table(found), stdout);
   const fs::path directory = results_of(found.given.directory, output);
   tell(write(found, directory), "synthesis.json and synthesis.csv", directory);
   if (found.shortfall.empty()) return 0;

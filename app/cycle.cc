@@ -15,10 +15,12 @@ int cycle_of_mechanism(const MPI_Comm communicator, SolvingCommand& command,
                        mesh::Mesher* const mesher) {
   ProgressDisplay& progress = command.progress();
   const Pace pace;
+  progress.phase("solving the first instants");
   const auto tell = [&](const post::CyclePoint& point, const std::size_t done,
                         const std::size_t of) {
     progress.line(fmt::format("instant {} of {}: {}{}", done, of,
                               post::instant_in_words(point.instant), pace.time_left(done, of)));
+    if (done < of) progress.phase("solving the next instants");
   };
   const Cycle found = cycle(command.given(), communicator, mesher, tell);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);

@@ -21,10 +21,12 @@ int design_with_strength(const MPI_Comm communicator, const std::filesystem::pat
   tell_notices(0);
   const std::size_t told = found.notices.size();
   const Pace pace;
+  progress.phase("solving the first wheels");
   add_strength(found, communicator, mesher, [&](const int done, const int of) {
     progress.line(
         fmt::format("wheel {} of {} solved{}", done, of,
                     pace.time_left(static_cast<std::size_t>(done), static_cast<std::size_t>(of))));
+    if (done < of) progress.phase("solving the next wheels");
   });
   progress.line("\nthe wheel away from the contact, as drawn:\n" +
                 post::strength_table(found.report, command.given().units));

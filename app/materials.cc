@@ -19,23 +19,29 @@ std::string megapascals(const std::optional<double>& stress) {
   return stress ? fmt::format("{:.4g}", 1e-6 * *stress) : std::string("-");
 }
 
+/// "1e-16..2e-14", lubricated and dry.
+std::string wear_range(const std::optional<std::pair<double, double>>& wear) {
+  return wear ? fmt::format("{:.1g}..{:.1g}", wear->first, wear->second) : std::string("-");
+}
+
 void print_list(const std::vector<model::KnownMaterial>& materials) {
   std::size_t widest = 0;
   for (const model::KnownMaterial& material : materials)
     widest = std::max(widest, material.name.size());
   const auto row = [&](const std::string& name, const std::string& modulus, const std::string& nu,
                        const std::string& density, const std::string& yield,
-                       const std::string& fatigue, const std::string& contact) {
-    std::cout << fmt::format("{:<{}}{:>9}{:>7}{:>9}{:>9}{:>9}{:>9}\n", name, widest, modulus, nu,
-                             density, yield, fatigue, contact);
+                       const std::string& fatigue, const std::string& contact,
+                       const std::string& wear) {
+    std::cout << fmt::format("{:<{}}{:>5}{:>7}{:>8}{:>7}{:>9}{:>9}{:>16}\n", name, widest, modulus,
+                             nu, density, yield, fatigue, contact, wear);
   };
-  row("", "E", "nu", "density", "yield", "fatigue", "contact");
-  row("", "GPa", "", "kg/m^3", "MPa", "MPa", "MPa");
+  row("", "E", "nu", "density", "yield", "fatigue", "contact", "wear");
+  row("", "GPa", "", "kg/m^3", "MPa", "MPa", "MPa", "m^2/N");
   for (const model::KnownMaterial& material : materials)
     row(material.name, fmt::format("{:.4g}", 1e-9 * material.youngs_modulus),
         fmt::format("{:.3g}", material.poissons_ratio), fmt::format("{:.4g}", material.density),
         megapascals(material.yield_strength), megapascals(material.fatigue_strength),
-        megapascals(material.contact_pressure));
+        megapascals(material.contact_pressure), wear_range(material.wear));
   std::cout
       << "Typical values, for orientation. 'geneva materials NAME' tells where they are from; "
          "'set Material = NAME'\ntakes them; a materials.prm in the case directory adds "

@@ -17,6 +17,7 @@
 #include "app/highlight.h"
 #include "app/launch.h"
 #include "app/pace.h"
+#include "app/ticker.h"
 #include "app/workers.h"
 #include "base/directory_lock.h"
 #include "base/directory_replacement.h"
@@ -67,52 +68,101 @@ class Runs {
       : directory_(directory), jobs_(jobs), report_(report) {}
 
   void make(std::vector<SweepCase>& cases) {
+    move_solved(cases);
     remove_stale();
     to_solve_ = static_cast<std::size_t>(
         std::count_if(cases.begin(), cases.end(),
                       [](const SweepCase& point) { return point.given.has_value(); }));
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!cases[i].given) continue;
-      while (workers_.busy() >= jobs_) workers_.wait();
-      report_.points[i].directory = fmt::format("points/{}", i + 1);
-      if (is_done(i, *cases[i].given) && read_figures(i)) {
+      while (workers_.busy() >= jobs_) wait();
+      if (is_solved(place(i), *cases[i].given) && read_figures(i)) {
         ++kept_;
         take(i, stored_code(i), ", kept from the last sweep");
       } else {
         try_to_start(i, *cases[i].given);
       }
     }
-    while (workers_.busy() > 0) workers_.wait();
+    while (workers_.busy() > 0) wait();
   }
 
  private:
+  /// Points that an earlier sweep has solved at other places, such as with fewer steps, go where
+  /// this one has them. What an end in the middle of it leaves is found next time.
+  void move_solved(const std::vector<SweepCase>& cases) {
+    std::vector<std::pair<fs::path, fs::path>> moves;
+    std::vector<fs::path> solved = directories();
+    const auto forget = [&](const fs::path& taken) {
+      solved.erase(std::remove(solved.begin(), solved.end(), taken), solved.end());
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      report_.points[i].directory = fmt::format("points/{}", i + 1);
+      if (cases[i].given && is_solved(place(i), *cases[i].given)) forget(place(i));
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!cases[i].given || is_solved(place(i), *cases[i].given)) continue;
+      const auto found = std::find_if(solved.begin(), solved.end(), [&](const fs::path& at) {
+        return is_solved(at, *cases[i].given);
+      });
+      if (found == solved.end()) continue;
+      const fs::path from = *found;
+      moves.emplace_back(directory_ / "points" / fmt::format("moving-{}", i + 1), place(i));
+      forget(from);
+      std::error_code error;
+      fs::rename(from, moves.back().first, error);
+    }
+    for (const auto& [from, to] : moves) {
+      std::error_code error;
+      fs::remove_all(to, error);
+      fs::rename(from, to, error);
+    }
+  }
+
+  /// Of points, of this sweep or of an earlier one.
+  [[nodiscard]] std::vector<fs::path> directories() const {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const fs::directory_entry& entry : fs::directory_iterator(directory_ / "points", error))
+      if (entry.is_directory(error)) found.push_back(entry.path());
+    return found;
+  }
+
   /// Points of an earlier sweep that had more of them.
   void remove_stale() const {
     std::error_code error;
-    std::vector<fs::path> stale;
-    for (const fs::directory_entry& entry : fs::directory_iterator(directory_ / "points", error)) {
-      const std::string name = entry.path().filename().string();
+    for (const fs::path& point : directories()) {
+      const std::string name = point.filename().string();
       std::size_t number = 0;
       const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
       const bool is_number = read.ec == std::errc() && read.ptr == name.data() + name.size();
-      if (is_number && number > report_.points.size() && fs::exists(entry.path() / "case.prm"))
-        stale.push_back(entry.path());
+      if (is_number && number > report_.points.size() && fs::exists(point / "case.prm"))
+        fs::remove_all(point, error);
     }
-    for (const fs::path& point : stale) fs::remove_all(point, error);
+  }
+
+  /// For the next point to end; meanwhile a terminal shows how many are solved, and for how long.
+  void wait() {
+    if (is_terminal(stdout))
+      status_.show([count = workers_.busy()](const double elapsed) {
+        return fmt::format("solving {} {}, {:.0f} s so far", count, count == 1 ? "point" : "points",
+                           elapsed);
+      });
+    workers_.wait();
+    status_.clear();
   }
 
   [[nodiscard]] fs::path place(const std::size_t point) const {
     return directory_ / report_.points[point].directory;
   }
 
-  /// Whether an earlier sweep has done this very case.
-  [[nodiscard]] bool is_done(const std::size_t point, const Case& given) const {
-    const std::string mark = text_of(place(point) / "ended");
+  /// Whether an earlier sweep has solved this very case in a directory.
+  [[nodiscard]] static bool is_solved(const fs::path& point, const Case& given) {
+    const std::string mark = text_of(point / "ended");
     if (mark != mark_of(0) && mark != mark_of(not_converged)) return false;
-    if (text_of(place(point) / "case.prm") != given.completed) return false;
+    if (text_of(point / "case.prm") != given.completed) return false;
     const std::vector<fs::path> files = companions(given);
     return std::all_of(files.begin(), files.end(), [&](const fs::path& file) {
-      return text_of(given.directory / file) == text_of(place(point) / file);
+      return text_of(given.directory / file) == text_of(point / file);
     });
   }
 
@@ -162,7 +212,7 @@ class Runs {
       if (code == 0 || code == not_converged)
         base::replace_file(place(point) / "ended", mark_of(code));
     } catch (const base::InputError& error) {
-      std::cerr << "geneva: " << error.what() << '\n';
+      std::cerr << for_stream(fmt::format("geneva: {}\n", error.what()), stderr);
     }
     take(point, code);
   }
@@ -199,7 +249,8 @@ class Runs {
     return pace_.time_left(done_ - kept_, to_solve_ - kept_);
   }
 
-  void tell(const post::SweepPoint& point, const std::string& remark = "") const {
+  void tell(const post::SweepPoint& point, const std::string& remark = "") {
+    status_.clear();
     std::cout << fmt::format("{} of {}: {}{}{}\n", done_, report_.points.size(),
                              fmt::join(point.values, ", "),
                              point.message.empty() ? "" : ": " + point.message, remark)
@@ -214,6 +265,7 @@ class Runs {
   std::size_t kept_ = 0;  ///< of those, from an earlier sweep
   std::size_t to_solve_ = 0;
   Pace pace_;
+  Ticker status_;
 };
 
 }  // namespace
@@ -245,12 +297,14 @@ int sweep_case(const fs::path& case_directory, const SweepRequest& request) {
       std::count_if(points.begin(), points.end(),
                     [](const post::SweepPoint& point) { return point.exit_code != 0; });
   require_figures(sweep);
-  std::cout << '\n' << table(sweep);
+  std::cout << '\n' << for_stream(table(sweep), stdout);
   tell_written(write(sweep, directory), "sweep.json, sweep.csv and report.html", directory,
                [](const std::string& line) { std::cout << line << '\n'; });
   if (failed == 0) return 0;
-  std::cerr << fmt::format("geneva: {} of {} points failed or are not as accurate as asked\n",
-                           failed, points.size());
+  std::cerr << for_stream(
+      fmt::format("geneva: {} of {} points failed or are not as accurate as asked\n", failed,
+                  points.size()),
+      stderr);
   return not_converged;
 }
 

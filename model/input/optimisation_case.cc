@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "model/input/case_models.h"
+#include "model/input/parameters.h"
 #include "model/input/variation.h"
 
 namespace geneva::model {
@@ -19,6 +20,15 @@ Goal goal_of(const std::string& word) {
   if (word == names::wheel_mass) return Goal::mass;
   if (word == names::slot_bottom) return Goal::slot_bottom;
   return word == names::peak_pressure ? Goal::pressure : Goal::pressure_of_cycle;
+}
+
+bool is_whole(const Variation& varied) {
+  const std::vector<Parameter> all = mechanism_parameters();
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    const auto* const rule = std::get_if<QuantityRule>(&parameter.rule);
+    return parameter.section == varied.section && parameter.name == varied.name &&
+           rule != nullptr && rule->whole;
+  });
 }
 
 /// "Wheel diameter: 50 mm .. 200 mm"
@@ -36,6 +46,10 @@ FreeDimension read_free(const CaseSection& section, const std::string& text) {
     section.refuse("Free",
                    fmt::format("{}: {}; {}", base::in_quotes(trimmed(text)), wanted, error.what()));
   }
+  if (is_whole(range))
+    section.refuse("Free", fmt::format("{} is a whole number, and no dimension; vary it with "
+                                       "'geneva sweep', or optimise a case for each",
+                                       base::in_quotes(range.name)));
   FreeDimension free{range.section, range.name, 0., 0., ""};
   const auto number = [&](const std::string& value) {
     std::size_t end = 0;

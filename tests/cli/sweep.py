@@ -84,6 +84,19 @@ class Sweep(CliTest):
         for old, new in zip(before, (self.figure(point, "contact force") for point in self.points(case / "sweep"))):
             self.assertLess(1.05 * old, new)
 
+    def test_a_point_is_kept_where_another_sweep_has_it_at_another_place(self):
+        case = self.new_case()
+        self.sweep(case, "--set", "Mechanism/Pin diameter = 12 mm .. 18 mm, 3")
+        solved = {point["values"][0]: self.figure(point, "peak contact pressure") for point in self.points(case / "sweep")}
+        run = self.sweep(case, "--set", "Mechanism/Pin diameter = 18 mm; 12 mm; 13 mm; 15 mm")
+        for count, diameter, is_kept in ((1, "18 mm", True), (2, "12 mm", True), (3, "15 mm", True), (4, "13 mm", False)):
+            line = re.search(rf"^\d of 4: {diameter}(.*)$", run.stdout, re.M)
+            self.assertEqual("kept" in line.group(1), is_kept, (count, run.stdout))
+        for point in self.points(case / "sweep"):
+            if point["values"][0] in solved:
+                self.assertEqual(self.figure(point, "peak contact pressure"), solved[point["values"][0]])
+        self.assertEqual(sorted(place.name for place in (case / "sweep" / "points").iterdir()), ["1", "2", "3", "4"])
+
     def test_a_point_that_fails_is_told_and_ends_no_other(self):
         case = self.new_case()
         run = self.sweep(case, "--set", "Mechanism/Pin diameter = 12 mm; 12 kg; 300 mm; 15 mm", code=2)

@@ -103,22 +103,28 @@
     };
   }
 
-  // The axis ends where the data do; its marks are multiples of the step.
-  function step(axis, least, maximum, step) {
+  // The axis ends where the data do; its marks are multiples of the step, of twice or four times that
+  // if they were many, of a third, a ninth or a 45th if they were one or two.
+  function step(axis, least, maximum, whole) {
     axis.min = least;
     axis.max = maximum;
+    const marksOf = (step) => Math.floor(maximum / step + 1e-9) - Math.ceil(least / step - 1e-9) + 1;
+    axis.ticks.autoSkip = false;
+    const factor = [4, 2, 1, 1 / 3, 1 / 9, 1 / 45].find((one) => marksOf(one * whole) >= (one > 1 ? 6 : 3)) || 1 / 45;
+    const step = factor * whole;
     const first = Math.ceil(least / step - 1e-9);
     const count = Math.floor(maximum / step + 1e-9) - first + 1;
     setMarks(axis, Array.from({ length: count }, (_, i) => (first + i) * step));
-    if (Math.abs(step - Math.PI / 4) < 1e-9) axis.ticks.callback = (value) => inParts(Math.round(value / step));
+    if (Math.abs(whole - Math.PI / 4) < 1e-9) axis.ticks.callback = (value) => inPartsOfPi(Math.round((180 * value) / Math.PI));
   }
 
-  // So many quarters of pi: "-π/4", "3π/2", "0".
-  function inParts(quarters) {
-    const divisor = quarters % 4 === 0 ? 4 : quarters % 2 === 0 ? 2 : 1;
-    const number = Math.abs(quarters / divisor);
-    const sign = quarters < 0 ? "-" : "";
-    return quarters === 0 ? "0" : `${sign}${number === 1 ? "" : number}π${divisor === 4 ? "" : `/${4 / divisor}`}`;
+  // Of so many degrees: "-π/4", "3π/2", "0".
+  function inPartsOfPi(degrees) {
+    if (degrees === 0) return "0";
+    let [divisor, rest] = [180, Math.abs(degrees)];
+    while (rest > 0) [divisor, rest] = [rest, divisor % rest];
+    const [number, parts] = [Math.abs(degrees) / divisor, 180 / divisor];
+    return `${degrees < 0 ? "-" : ""}${number === 1 ? "" : number}π${parts === 1 ? "" : `/${parts}`}`;
   }
 
   // Round marks, 0 among them where the axis crosses it.

@@ -45,6 +45,18 @@ std::string significant(const double value, const int digits) {
   return grouped(fmt::format("{:.0f}", unit * std::round(value / unit)));
 }
 
+std::vector<double> numbers_that_fit(const double from, const double to, const int count,
+                                     const int digits, const std::size_t letters) {
+  constexpr std::size_t apart = 2;
+  for (int fewer = count; fewer > 1; --fewer) {
+    std::vector<double> numbers = round_numbers(from, to, fewer);
+    std::size_t needed = 0;
+    for (const double number : numbers) needed += n_letters(significant(number, digits)) + apart;
+    if (needed <= letters) return numbers;
+  }
+  return round_numbers(from, to, 1);
+}
+
 std::size_t n_letters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](const char byte) {
     constexpr unsigned int kind = 0xc0;
@@ -93,7 +105,7 @@ std::string shown_unit(const std::string& unit) {
     else if (is_power && unit[i + 1] == '3')
       shown += "³";
     else
-      shown += unit[i] == '.' ? "·" : std::string(1, unit[i]);
+      shown += unit[i] == '.' || unit[i] == ' ' ? "·" : std::string(1, unit[i]);
     if (is_power && (unit[i + 1] == '2' || unit[i + 1] == '3')) ++i;
   }
   return shown;

@@ -23,6 +23,11 @@ std::vector<double> round_numbers(double from, double to, int count);
 /// of ten between 1e-4 and 1e9, and without the roundings and the sign of what is 0.
 std::string significant(double value, int digits);
 
+/// Fewer round numbers, so that they stand apart, written with so many significant digits.
+/// @param letters that fit beside each other
+std::vector<double> numbers_that_fit(double from, double to, int count, int digits,
+                                     std::size_t letters);
+
 /// Letters of a text in UTF-8, of which some take several bytes.
 std::size_t n_letters(const std::string& text);
 
@@ -42,7 +47,7 @@ std::string shown(const nlohmann::json& quantity, base::Dimension dimension,
 /// "± 0.17 %" of an estimated relative error; "not known" from 100 % on, nothing for null.
 std::string shown_error(const nlohmann::json& error);
 
-/// A unit as print has it: "rad/s²", "lbf·in".
+/// A unit as print has it: "rad/s²", "lbf·in", "MPa·mm/s".
 std::string shown_unit(const std::string& unit);
 
 /// A value of a case as print has it: numbers with at most six digits, thousands apart, and units:

@@ -26,6 +26,7 @@ constexpr int width = 900;
 constexpr int height = 540;
 constexpr double left = 116.;
 constexpr double top = 20.;
+constexpr std::size_t letters = 68;  // beside each other in the picture's width
 constexpr double half_widths_up = 4.;
 
 using Vector = std::array<double, 3>;
@@ -156,15 +157,15 @@ std::string axes(const Window& window, const std::array<double, 2>& origin,
   const double half_high = 0.5 * height / window.scale;
   const double right = window.right + origin[0];
   const double up = window.up + origin[1];
-  for (const double at : round_numbers(right - half_wide, right + half_wide, 6)) {
+  for (const double at : numbers_that_fit(right - half_wide, right + half_wide, 6, 4, letters)) {
     const double x = left + window.column(at - origin[0]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v6\"/>\n", x, top + height);
-    result += text(x, top + height + 28., "middle", fmt::format("{:.4g}", at));
+    result += text(x, top + height + 28., "middle", significant(at, 4));
   }
   for (const double at : round_numbers(up - half_high, up + half_high, 6)) {
     const double y = top + window.row(at - origin[1]);
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}h-6\"/>\n", left, y);
-    result += text(left - 10., y + 8., "end", fmt::format("{:.4g}", at));
+    result += text(left - 10., y + 8., "end", significant(at, 4));
   }
   return result + text(left + 0.5 * width, top + height + 58., "middle", label);
 }
@@ -198,7 +199,7 @@ std::string colour_bar(const std::array<double, 2>& range, const std::string& un
   std::string result =
       fmt::format("{1}<rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"16\" fill=\"url(#{0})\"/>\n",
                   id, colour_gradient(id), left, y, width);
-  for (const double at : round_numbers(range[0], range[1], 6)) {
+  for (const double at : numbers_that_fit(range[0], range[1], 6, 4, letters)) {
     const double x = left + (at - range[0]) / (range[1] - range[0]) * width;
     result += fmt::format("<path stroke=\"#1b2126\" d=\"M{:.1f} {:.1f}v5\"/>\n", x, y + 16.);
     result += text(x, y + 42., "middle", significant(at, 4));

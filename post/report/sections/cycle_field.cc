@@ -57,10 +57,11 @@ std::string words_of_instant(const json& instant, const UnitSystem units) {
 }
 
 std::string legend(const CycleFrames& frames, const std::string& unit) {
+  constexpr std::size_t bar_letters = 26;  // below a picture on paper
   std::string colours;
   for (const std::string& colour : palette()) colours += ", #" + colour;
   std::string ticks;
-  for (const double at : round_numbers(frames.range[0], frames.range[1], 3))
+  for (const double at : numbers_that_fit(frames.range[0], frames.range[1], 3, 4, bar_letters))
     ticks += fmt::format("<span style=\"left: {:.2f}%\">{}</span>",
                          100. * (at - frames.range[0]) / (frames.range[1] - frames.range[0]),
                          significant(at, 4));
