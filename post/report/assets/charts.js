@@ -80,7 +80,7 @@
     return maximum - least > 1e-6 * size ? [least, maximum] : [least - 0.05 * size, maximum + 0.05 * size];
   }
 
-  function axis(specification, values, margin) {
+  function axis(specification, values, margin, isBelow) {
     const result = {
       type: specification.logarithmic ? "logarithmic" : "linear",
       title: { display: true, text: inLines(specification.label), label: specification.label, color: ink() },
@@ -90,7 +90,7 @@
     const [least, maximum] = rangeOf(values);
     if (specification.logarithmic) divide(result, Math.min(...positive(values)), maximum);
     else if (specification.step > 0 && least < maximum && maximum - least < mostSteps * specification.step) step(result, least, maximum, specification.step);
-    else if (least < maximum) round(result, least, maximum, margin * (maximum - least));
+    else if (least < maximum) round(result, least, maximum, margin * (maximum - least), isBelow);
     return result;
   }
 
@@ -128,10 +128,21 @@
   }
 
   // Round marks, 0 among them where the axis crosses it.
-  function round(axis, least, maximum, margin) {
+  function round(axis, least, maximum, margin, isBelow) {
     axis.min = least === 0 ? 0 : least - margin;
     axis.max = maximum === 0 ? 0 : maximum + margin;
-    setMarks(axis, genevaMarks(axis.min, axis.max, 6));
+    setMarks(axis, isBelow ? marksThatFit(axis.min, axis.max) : genevaMarks(axis.min, axis.max, 6));
+  }
+
+  // As many as stand beside each other below a chart of half a page on paper.
+  function marksThatFit(low, high) {
+    const [most, apart] = [34, 2];
+    const letters = (marks) => marks.reduce((sum, mark) => sum + genevaNumber(mark, 6).length + apart, 0);
+    for (let count = 6; count > 2; --count) {
+      const marks = genevaMarks(low, high, count);
+      if (letters(marks) <= most) return marks;
+    }
+    return genevaMarks(low, high, 2);
   }
 
   // A short logarithmic axis gets the round numbers that a linear one would have, a longer one 1, 2
@@ -199,7 +210,7 @@
         animation: false,
         maintainAspectRatio: false,
         interaction: { mode: "nearest", intersect: false },
-        scales: { x: axis(chart.x, coordinates(chart, 0), 0), y: axis(chart.y, coordinates(chart, 1), 0.05) },
+        scales: { x: axis(chart.x, coordinates(chart, 0), 0, true), y: axis(chart.y, coordinates(chart, 1), 0.05, false) },
         plugins: {
           legend: { labels: { color: ink(), usePointStyle: true, pointStyleWidth: 32, generateLabels: legendLabels } },
           tooltip: { callbacks: { label: (item) => `${item.dataset.label}: ${genevaNumber(item.parsed.y, 5)} at ${genevaNumber(item.parsed.x, 5)}` } },
