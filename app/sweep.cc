@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <system_error>
 #include <thread>
 
@@ -90,30 +91,21 @@ class Runs {
   /// Points that an earlier sweep has solved at other places, such as with fewer steps, go where
   /// this one has them. What an end in the middle of it leaves is found next time.
   void move_solved(const std::vector<SweepCase>& cases) {
+    std::map<std::string, fs::path> by_text;
+    for (const fs::path& point : directories()) by_text[text_of(point / "case.prm")] = point;
     std::vector<std::pair<fs::path, fs::path>> moves;
-    std::vector<fs::path> solved = directories();
-    const auto forget = [&](const fs::path& taken) {
-      solved.erase(std::remove(solved.begin(), solved.end(), taken), solved.end());
-    };
+    std::error_code error;
     for (std::size_t i = 0; i < cases.size(); ++i) {
       report_.points[i].directory = fmt::format("points/{}", i + 1);
-      if (cases[i].given && is_solved(place(i), *cases[i].given)) forget(place(i));
-    }
-    for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!cases[i].given || is_solved(place(i), *cases[i].given)) continue;
-      const auto found = std::find_if(solved.begin(), solved.end(), [&](const fs::path& at) {
-        return is_solved(at, *cases[i].given);
-      });
-      if (found == solved.end()) continue;
-      const fs::path from = *found;
+      const auto found = by_text.find(cases[i].given->completed);
+      if (found == by_text.end() || !is_solved(found->second, *cases[i].given)) continue;
       moves.emplace_back(directory_ / "points" / fmt::format("moving-{}", i + 1), place(i));
-      forget(from);
-      std::error_code error;
-      fs::rename(from, moves.back().first, error);
+      fs::rename(found->second, moves.back().first, error);
+      by_text.erase(found);
     }
     for (const auto& [from, to] : moves) {
-      std::error_code error;
-      fs::remove_all(to, error);
+      if (fs::exists(to / "case.prm", error)) fs::remove_all(to, error);
       fs::rename(from, to, error);
     }
   }
