@@ -182,7 +182,7 @@ class Cycle(CliTest):
         self.assertLess(cycle["work"]["driving_efficiency"], 1)
 
     def test_a_roller_is_solved_at_every_instant(self):
-        cycle = self.cycle(self.changed("indexing-table-roller", {"Accuracy": "5 %", "Structural accuracy": "off", "Mechanism/Instants": 9}))
+        cycle = self.cycle(self.changed("indexing-table-roller", {"Accuracy": "3 %", "Structural accuracy": "off", "Mechanism/Instants": 9}))
         self.assert_hertz(cycle, 0.03)
 
     def test_wrong_input_is_named(self):

@@ -186,8 +186,11 @@ class FirstSteps(CliTest):
         for row in rows:
             name, modulus, nu, density, *limits = re.split(r"  +", row.strip())
             self.assertTrue(1 < float(modulus) < 250 and 0.2 < float(nu) < 0.45 and 1000 < float(density) < 9000, row)
-            strength, fatigue, _ = (float(limit) if limit != "-" else None for limit in limits)
-            self.assertTrue(fatigue is None or fatigue <= strength, row)
+            *stresses, wear = limits
+            strength, fatigue, _ = (float(limit) if limit != "-" else None for limit in stresses)
+            self.assertLessEqual(fatigue, strength, row)
+            lubricated, dry = map(float, wear.split(".."))
+            self.assertTrue(1e-18 < lubricated < dry < 1e-11, row)
             self.assertRegex(self.prints("materials", name), r"Source +\S")
 
     def test_slips_in_a_case_are_answered_with_what_was_meant(self):
