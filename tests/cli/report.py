@@ -545,6 +545,11 @@ class InternalGeneva(ReportTest):
         self.check_slider()
 
 
+    def test_sizes_step_aside_for_the_force_and_can_be_read(self):
+        faded = self.browser.run("return [...document.querySelectorAll('#mechanism-drawing .label')].filter((l) => l.style.opacity === '0.15').length")
+        self.assertEqual(faded, 0)
+
+
 class SphericalGeneva(InternalGeneva):
     case_name = "spherical-eight-station"
 

@@ -79,14 +79,33 @@ window.genevaTurning = function (mechanism) {
     label.setAttribute("transform", `translate(${best[0].toFixed(2)} ${best[1].toFixed(2)})`);
   }
 
-  // A label gives way while a pin or the force passes.
+  // A label steps aside while a pin or the force passes; it fades where there is no room.
   const sizes = [...drawing.querySelectorAll(".label:not(#mechanism-pin-label)")];
+  const sizeBoxes = labels.slice(0, sizes.length);
+  const beside = ({ x, y, width: wide, height: high }, [dx, dy]) => ({ x: x + dx, y: y + dy, width: wide, height: high });
+  function passes(force, box) {
+    if (force.style.visibility === "hidden") return false;
+    const [x1, y1, x2, y2] = ["x1", "y1", "x2", "y2"].map((name) => Number(force.getAttribute(name)));
+    const parts = 40; // of the arrow
+    return Array.from({ length: parts + 1 }, (_, i) => [x1 + ((x2 - x1) * i) / parts, y1 + ((y2 - y1) * i) / parts]).some(
+      ([x, y]) => x > box.x - 4 && x < box.x + box.width + 4 && y > box.y - 4 && y < box.y + box.height + 4);
+  }
   function giveWay() {
     const force = document.getElementById("mechanism-force");
-    const passing = [...drawing.querySelectorAll(".pin")].map((pin) => pin.getBBox());
-    if (force.style.visibility !== "hidden") passing.push(force.getBBox());
+    const pins = [...drawing.querySelectorAll(".pin, #mechanism-pin-label")].map((one) => (one.id ? boxOf(one) : one.getBBox()));
     sizes.forEach((label, i) => {
-      label.style.opacity = passing.some((box) => covered(labels[i], box) > 0) ? 0.15 : 1;
+      const { width: wide, height: high } = sizeBoxes[i];
+      const steps = [1, 1.6, 2.4].flatMap((far) => [[0, -far * high], [0, far * high], [-far * wide, 0], [far * wide, 0]]);
+      const others = labels.filter((_, k) => k !== i).concat(pins);
+      const isFree = (step) => {
+        const box = beside(sizeBoxes[i], step);
+        return !passes(force, box) && outside(box) === 0 && others.every((other) => covered(box, other) === 0);
+      };
+      const isLeft = !passes(force, sizeBoxes[i]) && pins.every((pin) => covered(sizeBoxes[i], pin) === 0);
+      const step = isLeft ? [0, 0] : steps.find(isFree);
+      label.style.opacity = step ? 1 : 0.15;
+      const [dx, dy] = step || [0, 0];
+      label.style.translate = `${dx.toFixed(1)}px ${dy.toFixed(1)}px`;
     });
   }
 
