@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include "api/analysis.h"
 #include "api/crown.h"
 
 namespace geneva {
@@ -14,7 +15,9 @@ class Mesher;
 /// it.
 /// @param mesher already started, on rank 0; nothing: it is started when it is needed
 /// @return whether it is as accurate as the case asks
+/// @param progress told of steps, meshes and other work
 /// @throws InputError on all ranks
-bool confirm(Crown& crown, MPI_Comm communicator, mesh::Mesher* mesher = nullptr);
+bool confirm(Crown& crown, MPI_Comm communicator, mesh::Mesher* mesher = nullptr,
+             const Progress& progress = {});
 
 }  // namespace geneva

@@ -45,8 +45,10 @@ void confirm_cycle(std::vector<post::OptimumFigure>& figures) {
   of_cycle->error = at_instant.error;
 }
 
-Analysis analysis_of(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher) {
+Analysis analysis_of(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher,
+                     const Progress& progress = {}) {
   AnalysisOptions options;
+  options.progress = progress;
   options.mesher = mesher;
   return analyse(given, communicator, options);
 }
@@ -67,8 +69,9 @@ double slot_bottom_stress(const Case& given, const MPI_Comm communicator,
   return stress->value;
 }
 
-bool confirm(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const mesher) {
-  const Analysis analysis = analysis_of(optimum.best, communicator, mesher);
+bool confirm(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const mesher,
+             const Progress& progress) {
+  const Analysis analysis = analysis_of(optimum.best, communicator, mesher, progress);
   auto& figures = optimum.report.figures;
   figures.front().confirmed = analysis.contacts.front().peak_pressure;
   figures.front().error = analysis.error;

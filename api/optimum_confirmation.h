@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include "api/analysis.h"
 #include "api/optimisation.h"
 
 namespace geneva {
@@ -19,7 +20,9 @@ double slot_bottom_stress(const Case& given, MPI_Comm communicator, mesh::Mesher
 /// Solves the best case by finite elements, and adds that to what is known of it. All ranks call
 /// it.
 /// @return whether it is as accurate as the case asks
+/// @param progress told of steps, meshes and other work
 /// @throws InputError on all ranks
-bool confirm(Optimum& optimum, MPI_Comm communicator, mesh::Mesher* mesher = nullptr);
+bool confirm(Optimum& optimum, MPI_Comm communicator, mesh::Mesher* mesher = nullptr,
+             const Progress& progress = {});
 
 }  // namespace geneva

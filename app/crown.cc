@@ -18,7 +18,7 @@ int confirmed_crown_of_case(const MPI_Comm communicator,
                                       crown.report.size * length.factor, length.name,
                                       crown.report.trials.size()));
   command.progress().phase("solving it by finite elements");
-  const bool is_accurate = confirm(crown, communicator, mesher);
+  const bool is_accurate = confirm(crown, communicator, mesher, command.progress().watch());
   command.progress().line("\n" + table(crown));
   command.write([&](const std::filesystem::path& directory) { return write(crown, directory); },
                 "crown.json, crown.csv and report.html");

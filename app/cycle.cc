@@ -33,11 +33,8 @@ int cycle_of_mechanism(const MPI_Comm communicator, SolvingCommand& command,
 int cycle_of_geometry(const MPI_Comm communicator, SolvingCommand& command,
                       mesh::Mesher* const mesher) {
   ProgressDisplay& progress = command.progress();
-  Progress watch;
+  Progress watch = progress.watch();
   watch.start = [&](const AnalysisStart& start) { progress.line(start.heading); };
-  watch.step = [&](const fem::StepReport& step) { progress.step(step); };
-  watch.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
-  watch.work = [&](const fem::WorkReport& work) { progress.work(work); };
   progress.phase("meshing");
   const LoadHistory found = load_history(command.given(), communicator, mesher, watch);
   for (const std::string& notice : found.report.notices) progress.line("note: " + notice);

@@ -15,7 +15,7 @@ namespace {
 bool is_confirmed(Optimum& optimum, const MPI_Comm communicator, mesh::Mesher* const mesher,
                   ProgressDisplay& progress) {
   try {
-    return confirm(optimum, communicator, mesher);
+    return confirm(optimum, communicator, mesher, progress.watch());
   } catch (const base::InputError& error) {
     progress.warning(fmt::format("the best case could not be solved: {}", error.what()));
     return false;

@@ -94,6 +94,14 @@ void ProgressDisplay::work(const fem::WorkReport& report, const double times_the
   phase(words_of(report.work), cost ? std::optional(*cost * report.dofs) : std::nullopt);
 }
 
+Progress ProgressDisplay::watch() {
+  Progress watch;
+  watch.step = [this](const fem::StepReport& report) { step(report); };
+  watch.mesh = [this](const fem::LevelRecord& record) { level(record); };
+  watch.work = [this](const fem::WorkReport& report) { work(report); };
+  return watch;
+}
+
 void ProgressDisplay::step(const fem::StepReport& report) {
   if (!is_speaking_) return;
   if (report.step == 0) {

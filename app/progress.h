@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "api/analysis.h"
 #include "app/ticker.h"
 #include "base/units.h"
 #include "fem/adaptivity/level_record.h"
@@ -29,6 +30,9 @@ class ProgressDisplay {
   /// takes long.
   void phase(const std::string& what, std::optional<double> seconds = std::nullopt);
   void step(const fem::StepReport& report);
+  /// What an analysis tells, all of it shown here.
+  [[nodiscard]] Progress watch();
+
   /// Takes about as long per unknown as last time; the first time as what was done just before,
   /// times a factor.
   void work(const fem::WorkReport& report, double times_the_last = 1.);

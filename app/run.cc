@@ -84,15 +84,13 @@ int run_case(const MPI_Comm communicator, const fs::path& case_directory, const 
   ProgressDisplay progress(is_first, given.units);
   std::size_t told = 0;
   AnalysisOptions options;
+  options.progress = progress.watch();
   options.mesher = mesher;
   options.checkpoints = checkpointing(checkpoints, total, progress);
   options.progress.start = [&](const AnalysisStart& start) {
     show_start(start, left, progress);
     told = start.notices.size();
   };
-  options.progress.step = [&](const fem::StepReport& step) { progress.step(step); };
-  options.progress.mesh = [&](const fem::LevelRecord& level) { progress.level(level); };
-  options.progress.work = [&](const fem::WorkReport& work) { progress.work(work); };
 
   progress.phase("meshing");
   const Analysis analysis = analyse(given, communicator, options);
