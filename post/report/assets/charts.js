@@ -95,6 +95,7 @@
   }
 
   const mostSteps = 100;
+  const lettersOnPaper = 34; // below a chart of half a page
   const positive = (values) => values.filter((value) => value > 0);
 
   function setMarks(axis, marks) {
@@ -131,18 +132,7 @@
   function round(axis, least, maximum, margin, isBelow) {
     axis.min = least === 0 ? 0 : least - margin;
     axis.max = maximum === 0 ? 0 : maximum + margin;
-    setMarks(axis, isBelow ? marksThatFit(axis.min, axis.max) : genevaMarks(axis.min, axis.max, 6));
-  }
-
-  // As many as stand beside each other below a chart of half a page on paper.
-  function marksThatFit(low, high) {
-    const [most, apart] = [34, 2];
-    const letters = (marks) => marks.reduce((sum, mark) => sum + genevaNumber(mark, 6).length + apart, 0);
-    for (let count = 6; count > 2; --count) {
-      const marks = genevaMarks(low, high, count);
-      if (letters(marks) <= most) return marks;
-    }
-    return genevaMarks(low, high, 2);
+    setMarks(axis, isBelow ? genevaMarksThatFit(axis.min, axis.max, 6, 6, lettersOnPaper) : genevaMarks(axis.min, axis.max, 6));
   }
 
   // A short logarithmic axis gets the round numbers that a linear one would have, a longer one 1, 2

@@ -317,16 +317,7 @@
     return field === "contact_pressure" ? [0, high] : [drawn.reduce((a, b) => Math.min(a, b), 0), high];
   }
 
-  function marksThatFit(low, high, width) {
-    const [letter, apart] = [9, 2];
-    for (let count = 6; count > 1; --count) {
-      const marks = genevaMarks(low, high, count);
-      const letters = marks.reduce((sum, mark) => sum + genevaNumber(mark, 5).length + apart, 0);
-      if (letters * letter <= width || width === 0) return marks;
-    }
-    return genevaMarks(low, high, 1);
-  }
-
+  const widthOfLetter = 9; // pixels
   function label(field) {
     const { low, high } = uniforms;
     const bar = box.querySelector(".bar");
@@ -337,7 +328,7 @@
       span.style.left = `${(100 * shareOf(value)).toFixed(2)}%`;
       return span;
     };
-    box.querySelector(".ticks").replaceChildren(...marksThatFit(low.value, high.value, bar.clientWidth).map(tick));
+    box.querySelector(".ticks").replaceChildren(...genevaMarksThatFit(low.value, high.value, 6, 5, (bar.clientWidth || Infinity) / widthOfLetter).map(tick));
     const isExceeded = meshes.contact && !isZone() && field !== "displacement" && !isMountain();
     const ends = `, ${genevaNumber(low.value, 4)} to ${genevaNumber(high.value, 4)}${isExceeded ? ", more at the contact" : ""}`;
     const name = nameOf(field);

@@ -9,6 +9,17 @@ window.genevaNumber = function (value, digits) {
   const grouped = whole.replace("-", "").length < 5 ? whole : whole.replace(/\B(?=(\d{3})+$)/g, "\u202f");
   return rest ? `${grouped}.${rest}` : grouped;
 };
+// Fewer of the marks below, so that they stand beside each other in so many letters.
+window.genevaMarksThatFit = function (low, high, most, digits, letters) {
+  "use strict";
+  const apart = 2;
+  const needed = (marks) => marks.reduce((sum, mark) => sum + genevaNumber(mark, digits).length + apart, 0);
+  for (let count = most; count > 1; --count) {
+    const marks = genevaMarks(low, high, count);
+    if (needed(marks) <= letters) return marks;
+  }
+  return genevaMarks(low, high, 1);
+};
 // Multiples of a round step that cover a range, about so many.
 window.genevaMarks = function (low, high, count) {
   "use strict";
