@@ -183,12 +183,13 @@ class FirstSteps(CliTest):
     def test_every_material_of_the_list_has_values_in_their_order_and_a_source(self):
         rows = [line for line in self.prints("materials").splitlines()[2:] if re.search(r"\d  +\S", line)]
         self.assertGreater(len(rows), 30)
+        self.assertGreaterEqual(sum("-" not in re.split(r"  +", row) for row in rows), 30, "with all values")
         for row in rows:
             name, modulus, nu, density, *limits = re.split(r"  +", row.strip())
             self.assertTrue(1 < float(modulus) < 250 and 0.2 < float(nu) < 0.45 and 1000 < float(density) < 9000, row)
             *stresses, wear = limits
             strength, fatigue, _ = (float(limit) if limit != "-" else None for limit in stresses)
-            self.assertLessEqual(fatigue, strength, row)
+            self.assertTrue(fatigue is None or fatigue <= strength, row)
             lubricated, dry = map(float, wear.split(".."))
             self.assertTrue(1e-18 < lubricated < dry < 1e-11, row)
             self.assertRegex(self.prints("materials", name), r"Source +\S")
