@@ -74,43 +74,28 @@ class FieldCollector {
     fields_.bodies.push_back(cell->material_id());
   }
 
-  using Number = std::array<unsigned int, 3>;  ///< of a part, or of a corner, along each direction
-
   /// @param nodes at the cell's corners
   void add_parts(const fem::RoundCell<dim>& round, const std::vector<std::size_t>& nodes,
                  const unsigned int body) {
-    Number ends{1, 1, 1};
-    std::copy(round.parts().begin(), round.parts().end(), ends.begin());
-    std::map<Number, std::size_t> known;
-    for (unsigned int corner = 0; corner < nodes.size(); ++corner)
-      known[part_corner({0, 0, 0}, corner, ends)] = nodes[corner];
-    for (unsigned int k = 0; k < ends[2]; ++k)
-      for (unsigned int j = 0; j < ends[1]; ++j)
-        for (unsigned int i = 0; i < ends[0]; ++i) {
-          std::vector<std::size_t> of_part;
-          for (unsigned int corner = 0; corner < nodes.size(); ++corner) {
-            const Number at = part_corner({i, j, k}, corner, {1, 1, 1});
-            const auto [found, is_new] = known.try_emplace(at, fields_.places.size());
-            if (is_new) add_node_between(round, nodes, at);
-            of_part.push_back(found->second);
-          }
-          fields_.cells.push_back(std::move(of_part));
-          fields_.bodies.push_back(body);
-        }
-  }
-
-  static Number part_corner(Number first, const unsigned int corner, const Number& size) {
-    for (unsigned int axis = 0; axis < dim; ++axis)
-      first[axis] += (corner >> axis & 1U) * size[axis];
-    return first;
+    std::map<fem::PartCorner, std::size_t> known;
+    for (unsigned int vertex = 0; vertex < nodes.size(); ++vertex)
+      known[round.at_vertex(vertex)] = nodes[vertex];
+    for (const fem::PartCorner& first : round.first_corners()) {
+      std::vector<std::size_t> of_part;
+      for (unsigned int corner = 0; corner < nodes.size(); ++corner) {
+        const fem::PartCorner at = round.corner_of_part(first, corner);
+        const auto [found, is_new] = known.try_emplace(at, fields_.places.size());
+        if (is_new) add_node_between(round, nodes, round.reference(at));
+        of_part.push_back(found->second);
+      }
+      fields_.cells.push_back(std::move(of_part));
+      fields_.bodies.push_back(body);
+    }
   }
 
   /// On the round surface, or between it and the cell's corners, with what is between theirs.
   void add_node_between(const fem::RoundCell<dim>& round, const std::vector<std::size_t>& nodes,
-                        const Number& at) {
-    dealii::Point<dim> reference;
-    for (unsigned int i = 0; i < dim; ++i)
-      reference[i] = static_cast<double>(at[i]) / round.parts()[i];
+                        const dealii::Point<dim>& reference) {
     std::vector<double> weights;
     for (unsigned int i = 0; i < nodes.size(); ++i)
       weights.push_back(dealii::GeometryInfo<dim>::d_linear_shape_function(reference, i));

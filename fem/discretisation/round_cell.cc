@@ -93,6 +93,39 @@ RoundCell<dim>::RoundCell(const Cell& cell) : cell_(cell) {
 }
 
 template <int dim>
+std::vector<PartCorner> RoundCell<dim>::first_corners() const {
+  PartCorner ends{1, 1, 1};
+  std::copy(parts_.begin(), parts_.end(), ends.begin());
+  std::vector<PartCorner> corners;
+  for (unsigned int k = 0; k < ends[2]; ++k)
+    for (unsigned int j = 0; j < ends[1]; ++j)
+      for (unsigned int i = 0; i < ends[0]; ++i) corners.push_back({i, j, k});
+  return corners;
+}
+
+template <int dim>
+PartCorner RoundCell<dim>::corner_of_part(PartCorner first, const unsigned int corner) {
+  for (unsigned int axis = 0; axis < dim; ++axis) first[axis] += corner >> axis & 1U;
+  return first;
+}
+
+template <int dim>
+PartCorner RoundCell<dim>::at_vertex(const unsigned int vertex) const {
+  PartCorner corner{};
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    corner[axis] = (vertex >> axis & 1U) * parts_[axis];
+  return corner;
+}
+
+template <int dim>
+Point<dim> RoundCell<dim>::reference(const PartCorner& corner) const {
+  Point<dim> result;
+  for (unsigned int axis = 0; axis < dim; ++axis)
+    result[axis] = static_cast<double>(corner[axis]) / parts_[axis];
+  return result;
+}
+
+template <int dim>
 Point<dim> RoundCell<dim>::place(const Point<dim>& reference) const {
   using Geometry = dealii::GeometryInfo<dim>;
   Point<dim> result;

@@ -25,6 +25,9 @@ template <int dim>
 dealii::Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface,
                                    const dealii::Point<dim>& begin, const dealii::Point<dim>& end);
 
+/// Numbers along each direction of a corner of a cell's parts; in the plane the last is 0.
+using PartCorner = std::array<unsigned int, 3>;
+
 /// A cell whose faces at round surfaces are those surfaces: its reference points are moved by what
 /// lies between the surface and the face, the less the farther from the face they are (Gordon and
 /// Hall 1973). For what is shown; the cells that are solved have straight edges.
@@ -43,6 +46,18 @@ class RoundCell {
   [[nodiscard]] const std::array<unsigned int, static_cast<std::size_t>(dim)>& parts() const {
     return parts_;
   }
+
+  /// The first corner of every part, the first direction fastest.
+  [[nodiscard]] std::vector<PartCorner> first_corners() const;
+
+  /// Another corner of the part with this first one, in lexicographic order.
+  [[nodiscard]] static PartCorner corner_of_part(PartCorner first, unsigned int corner);
+
+  /// The corner of parts at a vertex of the cell.
+  [[nodiscard]] PartCorner at_vertex(unsigned int vertex) const;
+
+  /// Reference point of a corner of parts.
+  [[nodiscard]] dealii::Point<dim> reference(const PartCorner& corner) const;
 
   /// Place of a reference point, in the units of the triangulation.
   [[nodiscard]] dealii::Point<dim> place(const dealii::Point<dim>& reference) const;

@@ -111,24 +111,16 @@ class ScaledDataOut : public dealii::DataOut<dim> {
 
   static void add_parts(const Patch& whole, const fem::RoundCell<dim>& round,
                         const InCell& values_at, std::vector<Patch>& parts) {
-    std::array<unsigned int, 3> ends{1, 1, 1};
-    std::copy(round.parts().begin(), round.parts().end(), ends.begin());
-    for (unsigned int k = 0; k < ends[2]; ++k)
-      for (unsigned int j = 0; j < ends[1]; ++j)
-        for (unsigned int i = 0; i < ends[0]; ++i)
-          parts.push_back(part(whole, round, {i, j, k}, values_at));
+    for (const fem::PartCorner& first : round.first_corners())
+      parts.push_back(part(whole, round, first, values_at));
   }
 
-  /// @param first corner by its number along each direction
   static Patch part(const Patch& whole, const fem::RoundCell<dim>& round,
-                    const std::array<unsigned int, 3>& first, const InCell& values_at) {
+                    const fem::PartCorner& first, const InCell& values_at) {
     Patch result = whole;
     std::fill(std::begin(result.neighbors), std::end(result.neighbors), Patch::no_neighbor);
     for (unsigned int corner = 0; corner < n_corners; ++corner) {
-      Point<dim> reference;
-      for (unsigned int axis = 0; axis < dim; ++axis)
-        reference[axis] =
-            static_cast<double>(first[axis] + (corner >> axis & 1U)) / round.parts()[axis];
+      const Point<dim> reference = round.reference(round.corner_of_part(first, corner));
       result.vertices[corner] = round.place(reference);
       const std::vector<double> values =
           values_at(result.vertices[corner], interpolated(whole, reference));

@@ -120,9 +120,6 @@ class CornerValues {
   const Results<dim>& results_;
 };
 
-/// Numbers along each direction of a corner of a cell's parts; in the plane the last is 0.
-using PartNumber = std::array<unsigned int, 3>;
-
 /// A cell that is shown in parts, the rounder its surface the more of them: the points of the
 /// parts, values between those of the cell's corners.
 template <int dim>
@@ -136,14 +133,11 @@ class ShownCell {
       corners_.push_back(values.at(cell, corner));
   }
 
-  [[nodiscard]] bool is_round() const { return round_.is_round(); }
+  [[nodiscard]] const fem::RoundCell<dim>& round() const { return round_; }
 
-  /// A corner of the parts, by its number along each direction.
-  [[nodiscard]] ViewPoint at(const PartNumber& number) const {
+  [[nodiscard]] ViewPoint at(const fem::PartCorner& corner) const {
     using Geometry = dealii::GeometryInfo<dim>;
-    Point<dim> reference;
-    for (unsigned int i = 0; i < dim; ++i)
-      reference[i] = static_cast<double>(number[i]) / round_.parts()[i];
+    const Point<dim> reference = round_.reference(corner);
     ViewPoint point;
     for (unsigned int i = 0; i < corners_.size(); ++i)
       add(point, Geometry::d_linear_shape_function(reference, i), corners_[i]);
@@ -152,57 +146,34 @@ class ShownCell {
     return point;
   }
 
-  /// Calls with the numbers of every part's first corner.
-  template <typename Call>
-  void for_parts(const Call& call) const {
-    PartNumber ends{1, 1, 1};
-    std::copy(round_.parts().begin(), round_.parts().end(), ends.begin());
-    for (unsigned int k = 0; k < ends[2]; ++k)
-      for (unsigned int j = 0; j < ends[1]; ++j)
-        for (unsigned int i = 0; i < ends[0]; ++i) call(PartNumber{i, j, k});
-  }
-
   /// Whether a part, by its first corner, bounds the cell at a face.
-  [[nodiscard]] bool is_at(const unsigned int face, const PartNumber& first) const {
+  [[nodiscard]] bool is_at(const unsigned int face, const fem::PartCorner& first) const {
     const unsigned int axis = face / 2;
     return first[axis] == (face % 2 == 0 ? 0 : round_.parts()[axis] - 1);
   }
 
-  /// The corners of a part in lexicographic order.
-  [[nodiscard]] static PartNumber part_corner(PartNumber first, const unsigned int corner) {
-    for (unsigned int axis = 0; axis < dim; ++axis) first[axis] += corner >> axis & 1U;
-    return first;
-  }
-
   /// The corners of parts from one vertex of the cell to the other end of its line.
-  [[nodiscard]] std::vector<PartNumber> along(const unsigned int begin,
-                                              const unsigned int end) const {
-    PartNumber first = of_vertex(begin);
-    std::vector<PartNumber> numbers;
+  [[nodiscard]] std::vector<fem::PartCorner> along(const unsigned int begin,
+                                                   const unsigned int end) const {
+    fem::PartCorner first = round_.at_vertex(begin);
+    std::vector<fem::PartCorner> corners;
     for (unsigned int axis = 0; axis < dim; ++axis)
       if ((begin ^ end) == 1U << axis)
         for (unsigned int i = 0; i <= round_.parts()[axis]; ++i) {
           first[axis] = i;
-          numbers.push_back(first);
+          corners.push_back(first);
         }
-    return numbers;
+    return corners;
   }
 
   /// The vertex of the cell at a corner of its parts, if it is there.
-  [[nodiscard]] std::optional<unsigned int> vertex(const PartNumber& number) const {
+  [[nodiscard]] std::optional<unsigned int> vertex(const fem::PartCorner& corner) const {
     for (unsigned int i = 0; i < corners_.size(); ++i)
-      if (of_vertex(i) == number) return i;
+      if (round_.at_vertex(i) == corner) return i;
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] PartNumber of_vertex(const unsigned int vertex) const {
-    PartNumber number{};
-    for (unsigned int axis = 0; axis < dim; ++axis)
-      number[axis] = (vertex >> axis & 1U) * round_.parts()[axis];
-    return number;
-  }
-
   fem::RoundCell<dim> round_;
   double length_;
   std::vector<ViewPoint> corners_;
@@ -281,9 +252,9 @@ class SkinBuilder {
   void add(const Cell& cell) {
     const ShownCell<dim> shown(cell, values_, length_);
     Points of_cell;
-    shown.for_parts([&](const PartNumber& first) {
+    for (const fem::PartCorner& first : shown.round().first_corners()) {
       const auto corner = [&](const unsigned int i) {
-        return point(cell, shown, ShownCell<dim>::part_corner(first, i), of_cell);
+        return point(cell, shown, shown.round().corner_of_part(first, i), of_cell);
       };
       if constexpr (dim == 2) add_triangles(corner);
       for (const unsigned int face : cell->face_indices())
@@ -291,7 +262,7 @@ class SkinBuilder {
           add_face([&](const unsigned int i) {
             return corner(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i));
           });
-    });
+    }
   }
 
   /// The lines of a cell that are sharp edges.
@@ -303,7 +274,7 @@ class SkinBuilder {
         if (!edges.take(cell->line_index(line))) continue;
         const unsigned int begin = dealii::GeometryInfo<3>::line_to_cell_vertices(line, 0);
         const unsigned int end = dealii::GeometryInfo<3>::line_to_cell_vertices(line, 1);
-        const std::vector<PartNumber> numbers = shown.along(begin, end);
+        const std::vector<fem::PartCorner> numbers = shown.along(begin, end);
         for (std::size_t i = 0; i + 1 < numbers.size(); ++i)
           for (const std::size_t k : {i, i + 1})
             mesh_.outlines.push_back(point(cell, shown, numbers[k], of_cell));
@@ -314,9 +285,9 @@ class SkinBuilder {
   [[nodiscard]] const ViewMesh& mesh() const { return mesh_; }
 
  private:
-  using Points = std::map<PartNumber, unsigned int>;
+  using Points = std::map<fem::PartCorner, unsigned int>;
 
-  unsigned int point(const Cell& cell, const ShownCell<dim>& shown, const PartNumber& number,
+  unsigned int point(const Cell& cell, const ShownCell<dim>& shown, const fem::PartCorner& number,
                      Points& of_cell) {
     const auto known_or_new = [&](auto& points, const auto& key) {
       const auto [known, is_new] =
@@ -324,7 +295,7 @@ class SkinBuilder {
       if (is_new) append(shown.at(number), mesh_);
       return known->second;
     };
-    if (shown.is_round()) return known_or_new(of_cell, number);
+    if (shown.round().is_round()) return known_or_new(of_cell, number);
     return known_or_new(of_vertices_, cell->vertex_index(*shown.vertex(number)));
   }
 
@@ -401,10 +372,10 @@ ViewMesh own_cut(const fem::Solution<3>& solution, const Results<3>& results,
       continue;
     }
     const ShownCell<3> shown(cell, values, length);
-    shown.for_parts([&](const PartNumber& first) {
+    for (const fem::PartCorner& first : shown.round().first_corners()) {
       std::array<ViewPoint, 8> corners;
       for (unsigned int i = 0; i < 8; ++i) {
-        corners[i] = shown.at(ShownCell<3>::part_corner(first, i));
+        corners[i] = shown.at(shown.round().corner_of_part(first, i));
         distances[i] =
             distance(Point<3>(corners[i].place[0], corners[i].place[1], corners[i].place[2]));
       }
@@ -414,7 +385,7 @@ ViewMesh own_cut(const fem::Solution<3>& solution, const Results<3>& results,
             return append_between(corners[edge.first], corners[edge.second], edge.fraction);
           },
           mesh);
-    });
+    }
   }
   return mesh;
 }

@@ -67,6 +67,23 @@ TEST(RoundCell, OfATubeIsStraightAlongItsAxis) {
   }
 }
 
+TEST(RoundCell, PartsFillTheCellAndEndAtItsVertices) {
+  const mesh::MeshData<3> mesh = cell_of_tube();
+  const Discretisation<3> grid(mesh);
+  const auto& solved = grid.triangulation->begin_active();
+  const RoundCell<3> cell(solved);
+  double volume = 0.;
+  for (const PartCorner& first : cell.first_corners()) {
+    const Point<3> low = cell.reference(cell.corner_of_part(first, 0));
+    const Point<3> high = cell.reference(cell.corner_of_part(first, 7));
+    volume += (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+  }
+  EXPECT_NEAR(volume, 1., 1e-14) << "of the reference cell";
+  for (const unsigned int vertex : solved->vertex_indices())
+    EXPECT_NEAR(cell.place(cell.reference(cell.at_vertex(vertex))).distance(solved->vertex(vertex)),
+                0., 1e-14);
+}
+
 TEST(RoundCell, IsStraightWithoutRoundFaces) {
   mesh::MeshData<2> mesh = cell_of_ring();
   for (auto& face : mesh.faces) face.circle = -1;
