@@ -191,7 +191,7 @@ void AccuracyLoop<dim>::estimate_pressure() {
   solution_.has_free_ends = has_free_ends(interfaces);
   error_ = pressure_error<dim>(
       solution_.history,
-      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_->contacts)},
+      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_->contacts), dim == 2},
        refinement_.grading(),
        end_error(interfaces, found_->contacts, is_on_axis),
        solution_.has_free_ends,

@@ -36,7 +36,8 @@ struct Convergence {
   bool forces_are_given;  ///< whether loads alone decide how great the contact's force is and where
                           ///< along its length it goes
   bool is_on_axis;  ///< of revolution: the nodes beside it are off, by a share of the order 1/N^2
-  bool peaks_beside_end;  ///< see peaks_beside_end()
+  bool peaks_beside_end;          ///< see peaks_beside_end()
+  bool is_peak_in_plane = false;  ///< whose share of the zone's part is known, see extrapolate()
 };
 
 /// With fewer nodes across a contact the load still acts on a point: only the zone is refined.
@@ -60,12 +61,13 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 ///
 /// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
 /// the older one leaves at second order, lest two meshes agree by chance. On an axis what the
-/// last change leaves at second order is corrected.
+/// last change leaves at second order is corrected. In the plane seven tenths of the peak
+/// pressure's are kept where the changes show an order.
 ///
 /// The part of the cells around the contact is proportional to their size measure: when that falls
 /// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
-/// assumed. Three quarters are corrected where the forces are given and four tenths stay in doubt;
+/// assumed. Three quarters are corrected where the forces are given and a fifth stays in doubt;
 /// else what is left lies between nothing and all, and the middle is taken. Where the pressure
 /// peaks beside an end half is corrected and all stays in doubt.
 /// @param values the newest last, all with enough nodes in contact
@@ -78,8 +80,9 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
 double error_of(double one, double other);
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 0.8/N^2. In the plane N is twice the number of nodes from the end to the peak, less
-/// one, in 3-D the nodes across; every run of nodes counts as its pressure is to the maximum.
+/// an edge: 0.47/N^2 in the plane, else 0.8/N^2. In the plane N is twice the number of nodes from
+/// the end to the peak, less one, in 3-D the nodes across; every run of nodes counts as its
+/// pressure is to the maximum.
 /// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
 /// it
 template <int dim>
