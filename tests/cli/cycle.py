@@ -209,6 +209,7 @@ class Cycle(CliTest):
         self.assertTrue((case / "results" / "cycle.json").exists(), "a run of the same case leaves it")
         page = (case / "results" / "report.html").read_text()
         self.assertIn("The same limits over the engagement", page)
+        self.assertNotIn("How near to the limits over the engagement", page)
         factor = 300e6 / cycle["greatest"]["contact"]["peak_pressure"]["value"]
         self.assertIn(f"{factor:.3g}", page)
         self.assertIn("exceeded", page)

@@ -204,8 +204,11 @@ AnsweredPart cycle_part(const ResultsDirectory& results, const std::string& fiel
     charts.push_back(std::move(torque));
   if (Chart stress = stress_chart(cycle, units); !stress.series.empty())
     charts.push_back(std::move(stress));
+  const bool stand_in_verdict = results.document("summary") != nullptr;
   const std::string limits =
-      limits_table(limits_of(cycle), "How near to the limits over the engagement", units);
+      stand_in_verdict
+          ? ""
+          : limits_table(limits_of(cycle), "How near to the limits over the engagement", units);
   return {{html_section("cycle", "Over the engagement", head(cycle, units) + limits), {}},
           {html_section(
                "instants", "From instant to instant",
