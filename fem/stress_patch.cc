@@ -61,8 +61,8 @@ LinearStress<dim> fitted(const Point<dim>& place, const std::vector<Sample<dim>>
 }
 
 template <int dim>
-StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressVector<dim>& mean) {
-  constexpr double share_of_relative = 1.5;
+StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressVector<dim>& mean,
+                                  const double share_of_relative) {
   const StressVector<dim> difference = stress - mean;
   const double size = von_mises_of<dim>(stress);
   const double relative = size > 0. ? von_mises_of<dim>(difference) / size : 0.;
@@ -71,9 +71,9 @@ StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressV
 
 template Sample<2> mirrored(const Sample<2>&, const Mirror&);
 template LinearStress<2> fitted(const Point<2>&, const std::vector<Sample<2>>&);
-template StressVector<2> doubt_of_linear<2>(const StressVector<2>&, const StressVector<2>&);
+template StressVector<2> doubt_of_linear<2>(const StressVector<2>&, const StressVector<2>&, double);
 template Sample<3> mirrored(const Sample<3>&, const Mirror&);
 template LinearStress<3> fitted(const Point<3>&, const std::vector<Sample<3>>&);
-template StressVector<3> doubt_of_linear<3>(const StressVector<3>&, const StressVector<3>&);
+template StressVector<3> doubt_of_linear<3>(const StressVector<3>&, const StressVector<3>&, double);
 
 }  // namespace geneva::fem

@@ -42,10 +42,10 @@ using LinearStress = Eigen::Matrix<double, dim + 1, n_stress_components<dim>>;
 template <int dim>
 LinearStress<dim> fitted(const dealii::Point<dim>& place, const std::vector<Sample<dim>>& samples);
 
-/// By how much a linear recovery may be off [Pa]: 1.5 times the difference from the mean of the
-/// cells around, over the stress, of that difference; at most all of it. 1.5 was measured at
-/// Kirsch's hole, extrapolated from inside, with 64 cells around it.
+/// By how much a linear recovery may be off [Pa]: the difference from the mean of the cells around,
+/// as a share of the stress, times `share_of_relative`, of that difference; at most all of it.
 template <int dim>
-StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressVector<dim>& mean);
+StressVector<dim> doubt_of_linear(const StressVector<dim>& stress, const StressVector<dim>& mean,
+                                  double share_of_relative);
 
 }  // namespace geneva::fem
