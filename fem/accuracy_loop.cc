@@ -187,13 +187,17 @@ template <int dim>
 void AccuracyLoop<dim>::estimate_pressure() {
   const auto& interfaces = equilibrium_->level().interfaces;
   const bool is_on_axis = reaches_axis(solution_.problem, equilibrium_->level());
+  const bool is_beside_end = peaks_beside_end(interfaces, found_->contacts);
+  const bool is_line_contact = dim == 2 && solution_.problem.plane != PlaneKind::axisymmetric;
+  const bool is_freed_from_nodes = is_line_contact && !is_beside_end;
   const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
   solution_.has_free_ends = has_free_ends(interfaces);
+  const double of_ends = end_error(interfaces, found_->contacts, {is_on_axis, is_freed_from_nodes});
   error_ = pressure_error<dim>(
       solution_.history,
-      {{forces_are_given, is_on_axis, peaks_beside_end(interfaces, found_->contacts), dim == 2},
+      {{forces_are_given, is_on_axis, is_beside_end, dim == 2, is_freed_from_nodes},
        refinement_.grading(),
-       end_error(interfaces, found_->contacts, is_on_axis),
+       error_of(of_ends, is_line_contact ? scatter_of_peak(solution_.contacts) : 0.),
        solution_.has_free_ends,
        refinement_.has_spread(equilibrium_->level()),
        refinement_.state().surroundings_are_fine});

@@ -6,6 +6,7 @@
 #include "fem/adaptivity/lengthwise_pressure.h"
 #include "fem/adaptivity/refinement.h"
 #include "fem/contact/active_set.h"
+#include "fem/contact/peak_in_plane.h"
 #include "fem/contact/result.h"
 #include "fem/contact/surface_strain.h"
 #include "fem/contact/zone.h"
@@ -33,6 +34,7 @@ std::vector<ContactResult<dim>> contact_results(const Solution<dim>& solution,
     }
     if constexpr (dim == 2) {
       count_from_mirrors(contact, places, solution.scales.length);
+      if (solution.problem.plane != PlaneKind::axisymmetric) correct_for_nodes(contact);
       const auto strains = surface_strains(level.interfaces[i], found.displacement);
       for (std::size_t j = 0; j < strains.size(); ++j) contact.nodes[j].strain = strains[j];
     }
@@ -86,18 +88,31 @@ LevelRecord record_of(const Solution<dim>& solution, const Equilibrium<dim>& equ
   return record;
 }
 
+namespace {
+
+template <int dim>
+const ContactResult<dim>& with_peak(const std::vector<ContactResult<dim>>& contacts) {
+  return *std::max_element(contacts.begin(), contacts.end(), [](const auto& a, const auto& b) {
+    return a.peak_pressure < b.peak_pressure;
+  });
+}
+
+}  // namespace
+
+template <int dim>
+double scatter_of_peak([[maybe_unused]] const std::vector<ContactResult<dim>>& contacts) {
+  if constexpr (dim == 2)
+    return contacts.empty() ? 0. : fitted_peak(with_peak(contacts).nodes).scatter;
+  return 0.;
+}
+
 template <int dim>
 bool peaks_at_corner([[maybe_unused]] const Solution<dim>& solution,
                      [[maybe_unused]] const Level<dim>& level,
                      [[maybe_unused]] const LevelState& found) {
   if constexpr (dim == 2) {
-    const auto& contacts = solution.contacts;
     const auto pair =
-        static_cast<std::size_t>(std::max_element(contacts.begin(), contacts.end(),
-                                                  [](const auto& a, const auto& b) {
-                                                    return a.peak_pressure < b.peak_pressure;
-                                                  }) -
-                                 contacts.begin());
+        static_cast<std::size_t>(&with_peak(solution.contacts) - solution.contacts.data());
     return peaks_at_corner(level.interfaces[pair], found.contacts[pair]);
   }
   return true;
@@ -118,6 +133,7 @@ bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level) {
   template void put_result(Solution<dim>&, const Level<dim>&, const LevelState&);                  \
   template LevelRecord record_of(const Solution<dim>&, const Equilibrium<dim>&, const LevelState&, \
                                  const SurfaceIds&);                                               \
+  template double scatter_of_peak(const std::vector<ContactResult<dim>>&);                         \
   template bool peaks_at_corner(const Solution<dim>&, const Level<dim>&, const LevelState&);       \
   template bool reaches_axis(const Problem<dim>&, const Level<dim>&);
 INSTANTIATE(2)

@@ -28,6 +28,10 @@ template <int dim>
 bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,
                      const LevelState& found);
 
+/// Standard error of the maximum pressure by the scatter of its nodes, relative; 0 in 3-D.
+template <int dim>
+double scatter_of_peak(const std::vector<ContactResult<dim>>& contacts);
+
 /// Whether a contact begins on the axis of revolution.
 template <int dim>
 bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level);

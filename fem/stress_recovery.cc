@@ -49,9 +49,9 @@ struct FaceThere {
 };
 
 /// Share of the difference between the two recoveries at a free surface by which the better one is
-/// off: at Kirsch's hole 0.16 to 0.24, with 16 to 128 cells around it; at slot bottoms up to 0.68,
+/// off: at Kirsch's hole 0.16 to 0.24, with 16 to 128 cells around it; at slot bottoms up to 0.84,
 /// on coarse cells.
-constexpr double share_at_surface = 0.7;
+constexpr double share_at_surface = 0.85;
 /// See doubt_of_linear(). At Kirsch's hole, extrapolated from inside, with 64 cells around it, the
 /// error was 1.5 times the relative difference.
 constexpr double share_inside = 1.5;

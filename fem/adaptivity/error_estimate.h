@@ -36,8 +36,9 @@ struct Convergence {
   bool forces_are_given;  ///< whether loads alone decide how great the contact's force is and where
                           ///< along its length it goes
   bool is_on_axis;  ///< of revolution: the nodes beside it are off, by a share of the order 1/N^2
-  bool peaks_beside_end;          ///< see peaks_beside_end()
-  bool is_peak_in_plane = false;  ///< whose share of the zone's part is known, see extrapolate()
+  bool peaks_beside_end;             ///< see peaks_beside_end()
+  bool is_peak_in_plane = false;     ///< the figure is the peak pressure of a contact in the plane
+  bool is_freed_from_nodes = false;  ///< and as that of a line contact, see correct_for_nodes()
 };
 
 /// With fewer nodes across a contact the load still acts on a point: only the zone is refined.
@@ -62,14 +63,16 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 /// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
 /// the older one leaves at second order, lest two meshes agree by chance. On an axis what the
 /// last change leaves at second order is corrected. In the plane seven tenths of the peak
-/// pressure's are kept where the changes show an order.
+/// pressure's are kept where the changes show an order, a quarter where it is freed from the
+/// nodes.
 ///
 /// The part of the cells around the contact is proportional to their size measure: when that falls
 /// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
-/// assumed. Three quarters are corrected where the forces are given and a fifth stays in doubt;
-/// else what is left lies between nothing and all, and the middle is taken. Where the pressure
-/// peaks beside an end half is corrected and all stays in doubt.
+/// assumed. Three quarters are corrected where the forces are given, three tenths stay in doubt,
+/// and at least 0.02 times the square of the grading; else what is left lies between nothing and
+/// all, and the middle is taken. Where the pressure peaks beside an end half is corrected and all
+/// stays in doubt.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
@@ -79,15 +82,20 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
 /// most 1.
 double error_of(double one, double other);
 
+/// What decides how well the pressure is known between nodes.
+struct EndTraits {
+  bool is_on_axis;           ///< the contact begins on an axis of revolution
+  bool is_freed_from_nodes;  ///< the peak of a line contact, see correct_for_nodes()
+};
+
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 0.47/N^2 in the plane, else 0.8/N^2. In the plane N is twice the number of nodes from
-/// the end to the peak, less one, in 3-D the nodes across; every run of nodes counts as its
-/// pressure is to the maximum.
-/// @param is_on_axis whether the contact begins on an axis of revolution; N are then the nodes from
-/// it
+/// an edge: 0.28/N^2 of line contacts with 7 nodes, 0.47/N^2 with fewer, where they peak beside an
+/// end, and of rings, else 0.8/N^2. In the plane N is twice the number of nodes from the end to the
+/// peak, less one, on an axis the nodes from it, in 3-D the nodes across; every run of nodes counts
+/// as its pressure is to the maximum.
 template <int dim>
 double end_error(const std::vector<ContactInterface<dim>>& interfaces,
-                 const std::vector<ContactState>& states, bool is_on_axis);
+                 const std::vector<ContactState>& states, const EndTraits& traits);
 
 /// Whether the maximum pressure stands much nearer to a free end than to the middle of its
 /// contact, as where a flat becomes round: a third of the contact's nodes away from the end at

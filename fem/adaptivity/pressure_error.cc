@@ -14,7 +14,7 @@ PressureError pressure_error(const std::vector<LevelRecord>& history,
                                   ? Extrapolation{0., 1., 1.}
                                   : extrapolate(values, contact.grading, contact.convergence);
   const bool is_shown = shows_zone_error<dim>(history) && !contact.is_uneven;
-  error.zone = is_shown ? error_of(found.zone_error, contact.end_error) : 1.;
+  error.zone = is_shown ? error_of(found.zone_error, contact.error_by_nodes) : 1.;
   if (error.zone < 1.) error.correction = found.correction;
   const bool is_open = contact.has_free_ends && !contact.surroundings_are_fine;
   error.surroundings = is_open ? found.surroundings_error : 0.;

@@ -11,7 +11,7 @@ namespace geneva::fem {
 struct ContactTraits {
   Convergence convergence;
   double grading;              ///< maximum ratio of cell size to distance from the contact
-  double end_error;            ///< see there
+  double error_by_nodes;       ///< where the ends lie between them, and their scatter; relative
   bool has_free_ends;          ///< see there
   bool is_uneven;              ///< edges of very different lengths, whose pressure is of no use
   bool surroundings_are_fine;  ///< no cell around the contact is larger than asked for

@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "fem/contact/active_set.h"
+#include "fem/contact/last_node.h"
+#include "fem/contact/peak_in_plane.h"
 #include "fem/contact/surface_in_space.h"
 #include "mesh/dense_algebra.h"
 
@@ -29,9 +31,10 @@ Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& po
 }
 
 /// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2
-/// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so the
-/// parabola fitted to this half of the contact without its last node is followed to zero, and kept
-/// between the last but one active node and the first open one.
+/// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so a
+/// parabola is fitted to this half of the contact without its last node. With many nodes it is
+/// followed to zero, and kept between the last but one active node and the first open one. With
+/// few, its slope there tells how the pressure falls, and the last node how far away the end is.
 double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t edge,
                    const int inwards, const std::size_t count) {
   const auto edge_node = nodes.begin() + static_cast<std::ptrdiff_t>(edge);
@@ -48,69 +51,20 @@ double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t e
                         node(i).pressure * node(i).pressure);
   const Eigen::Vector3d c = fitted_parabola(points);
   const double discriminant = c(1) * c(1) - 4. * c(0) * c(2);
-  if (c(1) <= 0. || discriminant < 0.) return last;
+  if (c(1) <= 0. || discriminant <= 0.) return last;
+  const double outside = node(-1).arc_length;
+  constexpr int many = 12;
+  if (half < many) {
+    const double slope = std::sqrt(discriminant) / reach;  // of p^2
+    const double length = std::abs(outside - last);
+    const double shift = shift_of_end(node(0).pressure / std::sqrt(slope * length));
+    return last - inwards * (end_beyond_last_node - shift) * length;
+  }
   const double inside =
       -2. * c(0) / (c(1) + std::sqrt(discriminant));  // distance inwards, usually negative
   const double end = last + inwards * inside * reach;
   const double inner = node(1).arc_length;
-  const double outside = node(-1).arc_length;
   return std::clamp(end, std::min(inner, outside), std::max(inner, outside));
-}
-
-/// Least-squares fit of c0 + c1 x + c2 x^2 (c1 = 0: even) to samples (x, value, weight), the x
-/// scaled to about 1.
-Eigen::Vector3d weighted_parabola(const std::vector<std::array<double, 3>>& samples,
-                                  const bool is_even) {
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(samples.size()), is_even ? 2 : 3);
-  Eigen::VectorXd values(matrix.rows());
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const auto& [x, value, weight] = samples[static_cast<std::size_t>(i)];
-    const double root = std::sqrt(weight);
-    if (is_even)
-      matrix.row(i) << root, root * x * x;
-    else
-      matrix.row(i) << root, root * x, root * x * x;
-    values(i) = root * value;
-  }
-  const Eigen::VectorXd c = mesh::least_squares(matrix, values);
-  return is_even ? Eigen::Vector3d(c(0), 0., c(1)) : Eigen::Vector3d(c(0), c(1), c(2));
-}
-
-/// Maximum pressure, freed from the scatter of the nodes: the top of the parabola through p^2,
-/// which Hertz's p^2 is, fitted to the nodes around the maximum one that carry nine tenths of it,
-/// weighted with what they stand for (next to an axis of revolution that is next to nothing, and
-/// the pressure is 1 to 2 % off there). At the end of the surface the parabola is even. With fewer
-/// than five such nodes, or where the parabola opens upwards, that of the maximum node.
-double fitted_peak(const std::vector<ContactNode<2>>& nodes) {
-  constexpr double share = 0.9;
-  constexpr std::size_t fewest = 5;
-  const auto top = std::max_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) {
-    return a.pressure < b.pressure;
-  });
-  if (top == nodes.end() || top->pressure <= 0.) return 0.;
-  const auto is_near = [&](const ContactNode<2>& node) {
-    return node.pressure >= share * top->pressure;
-  };
-  const auto end = std::find_if_not(top, nodes.end(), is_near);
-  const auto begin =
-      std::find_if_not(std::make_reverse_iterator(top), nodes.rend(), is_near).base();
-  if (static_cast<std::size_t>(end - begin) < fewest) return top->pressure;
-  const bool at_start = begin == nodes.begin();
-  const bool at_end = end == nodes.end();
-  const bool is_even = at_start != at_end;
-  const double first = begin->arc_length;
-  const double last = (end - 1)->arc_length;
-  const double origin = at_start ? first : at_end ? last : 0.5 * (first + last);
-  const double reach = last - first;
-  std::vector<std::array<double, 3>> samples;
-  for (auto node = begin; node != end; ++node)
-    samples.push_back({(node->arc_length - origin) / reach,
-                       std::pow(node->pressure / top->pressure, 2), node->tributary});
-  const Eigen::Vector3d c = weighted_parabola(samples, is_even);
-  const double place = c(2) < 0. ? -c(1) / (2. * c(2)) : 0.;
-  const double square = c(0) + place * (c(1) + place * c(2));
-  const bool is_top = c(2) < 0. && std::abs(place) <= 0.5 && square > 0.;
-  return is_top ? top->pressure * std::sqrt(square) : top->pressure;
 }
 
 /// The contact between nodes `begin` and `end`, its ends fitted where they are free.
@@ -282,7 +236,7 @@ ContactResult<dim> contact_result(const ContactPair& pair, const ContactInterfac
   if constexpr (dim == 2) {
     result.intervals = fitted_intervals(result.nodes);
     take_half_width(result);
-    result.peak_pressure = fitted_peak(result.nodes);
+    result.peak_pressure = fitted_peak(result.nodes).pressure;
   } else {
     add_faces(interface, result);
   }

@@ -24,19 +24,28 @@ ContactState rising(const std::vector<bool>& active, const double peak,
   return state;
 }
 
+constexpr EndTraits in_plane{false, false};
+
 TEST(ErrorEstimate, KnowsThatAFreeEndLiesSomewhereOnAnEdge) {
   const std::vector<bool> free_ends{false, true, true, true, true, true, true, true, false};
   const std::vector<bool> one_end{true, true, true, true, false};
   const std::vector<bool> no_end(8, true);
-  const double with_two = end_error<2>({with_active(free_ends)}, {rising(free_ends, 1.)}, false);
+  const double with_two = end_error<2>({with_active(free_ends)}, {rising(free_ends, 1.)}, in_plane);
   EXPECT_GT(with_two, 0.4 / 49.) << "of the order 1/N^2 with 7 nodes";
-  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, false), with_two,
+  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, in_plane), with_two,
               1e-15)
       << "half of that contact";
-  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, true),
+  EXPECT_NEAR(end_error<2>({with_active(one_end)}, {rising(one_end, 1., 0)}, {true, false}),
               with_two * 0.8 / 0.47 * 49. / 16., 1e-15)
       << "on an axis";
-  EXPECT_EQ(end_error<2>({with_active(no_end)}, {rising(no_end, 1.)}, false), 0.);
+  EXPECT_NEAR(end_error<2>({with_active(free_ends)}, {rising(free_ends, 1.)}, {false, true}),
+              with_two * 0.28 / 0.47, 1e-15)
+      << "freed from the nodes";
+  const std::vector<bool> few{false, true, true, true, true, true, false};
+  EXPECT_EQ(end_error<2>({with_active(few)}, {rising(few, 1.)}, {false, true}),
+            end_error<2>({with_active(few)}, {rising(few, 1.)}, in_plane))
+      << "of too few";
+  EXPECT_EQ(end_error<2>({with_active(no_end)}, {rising(no_end, 1.)}, in_plane), 0.);
   EXPECT_FALSE(has_free_ends<2>({with_active(no_end)}));
   EXPECT_TRUE(has_free_ends<2>({with_active(one_end)}));
 }
@@ -45,14 +54,15 @@ TEST(ErrorEstimate, CountsTheNodesBetweenAFreeEndAndThePeak) {
   std::vector<bool> active(42, true);
   active.front() = active.back() = false;
   const std::vector<bool> seven{false, true, true, true, true, true, true, true, false};
-  const double of_seven = end_error<2>({with_active(seven)}, {rising(seven, 1.)}, false);
-  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 4)}, false), of_seven, 1e-15);
-  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 37)}, false), of_seven,
+  const double of_seven = end_error<2>({with_active(seven)}, {rising(seven, 1.)}, in_plane);
+  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 4)}, in_plane), of_seven,
+              1e-15);
+  EXPECT_NEAR(end_error<2>({with_active(active)}, {rising(active, 1., 37)}, in_plane), of_seven,
               1e-15);
   ContactInterface<2> interface = with_active(active);
   const auto at = [&](const std::size_t i) { return interface.source.nodes[i].arc_length; };
   interface.smooth = {{at(9), at(30)}};
-  EXPECT_NEAR(end_error<2>({interface}, {rising(active, 1., 4)}, false), of_seven, 1e-15)
+  EXPECT_NEAR(end_error<2>({interface}, {rising(active, 1., 4)}, in_plane), of_seven, 1e-15)
       << "and not those of a smooth middle";
 }
 
@@ -80,20 +90,20 @@ TEST(ErrorEstimate, OfALoneNodeBeyondTheContactCountsLittle) {
   const std::vector<bool> active{false, true, false, true, true, true, true, true, true, false};
   ContactState state = rising(active, 1.);
   state.pressure[1] = 0.01;
-  EXPECT_LT(end_error<2>({with_active(active)}, {state}, false), 0.1);
+  EXPECT_LT(end_error<2>({with_active(active)}, {state}, in_plane), 0.1);
 }
 
 TEST(ErrorEstimate, OfSeveralPairsCountsEachAsItsPeakAndNotOpenOnes) {
   const std::vector<bool> eight{false, true, true, true, true, true, true, true, true, false};
   const std::vector<bool> two{false, true, true, false};
   const std::vector<bool> all_open(4, false);
-  const double of_eight = end_error<2>({with_active(eight)}, {rising(eight, 1.)}, false);
-  const double of_two = end_error<2>({with_active(two)}, {rising(two, 1.)}, false);
+  const double of_eight = end_error<2>({with_active(eight)}, {rising(eight, 1.)}, in_plane);
+  const double of_two = end_error<2>({with_active(two)}, {rising(two, 1.)}, in_plane);
   EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(all_open)},
-                                {rising(eight, 3.), rising(all_open, 0.)}, false),
+                                {rising(eight, 3.), rising(all_open, 0.)}, in_plane),
                    of_eight);
   EXPECT_DOUBLE_EQ(end_error<2>({with_active(eight), with_active(two)},
-                                {rising(eight, 4.), rising(two, 2.)}, false),
+                                {rising(eight, 4.), rising(two, 2.)}, in_plane),
                    of_two / 2.);
 }
 
@@ -190,7 +200,7 @@ TEST(Extrapolation, FindsBothPartsOfAnErrorOfSecondOrder) {
                                       {value(0.25, 0.25), Refined::surroundings, 0, 0.25}};
   const Extrapolation found = extrapolate(values, 0.2, forces_given);
   EXPECT_NEAR(found.correction, -0.75 * 0.05 * 0.25, 2e-4);
-  EXPECT_NEAR(found.surroundings_error, 0.2 * 0.05 * 0.25, 2e-4);
+  EXPECT_NEAR(found.surroundings_error, 0.3 * 0.05 * 0.25, 2e-4);
   EXPECT_NEAR(found.zone_error, 0.08 / 16., 2e-4);
 }
 
@@ -200,17 +210,32 @@ TEST(Extrapolation, OfFirstOrderLeavesAsMuchAsTheLastChange) {
   EXPECT_NEAR(extrapolate(values, 0.2, forces_given).zone_error, 0.1 / 1.1, 1e-12);
 }
 
-TEST(Extrapolation, KeepsSevenTenthsOfTheZonesPartInThePlaneWhereChangesShowAnOrder) {
+TEST(Extrapolation, KeepsAShareOfTheZonesPartInThePlane) {
   const std::vector<MeshValue> settling{
       {1.4, Refined::nothing, 0, 1.}, {1.2, Refined::zone, 1, 1.}, {1.1, Refined::zone, 1, 1.}};
   const std::vector<MeshValue> scattered{
       {1.4, Refined::nothing, 0, 1.}, {1., Refined::zone, 1, 1.}, {1.1, Refined::zone, 1, 1.}};
-  constexpr Convergence of_peak_in_plane{true, false, false, true};
+  constexpr Convergence of_peak_in_plane{true, false, false, true, false};
+  constexpr Convergence freed_from_nodes{true, false, false, true, true};
   const auto left = [](const std::vector<MeshValue>& values, const Convergence& convergence) {
     return extrapolate(values, 0.2, convergence).zone_error;
   };
   EXPECT_NEAR(left(settling, of_peak_in_plane), 0.7 * left(settling, forces_given), 1e-12);
   EXPECT_EQ(left(scattered, of_peak_in_plane), left(scattered, forces_given));
+  EXPECT_NEAR(left(settling, freed_from_nodes), 0.25 * left(settling, forces_given), 1e-12);
+  EXPECT_NEAR(left(scattered, freed_from_nodes), 0.25 * left(scattered, forces_given), 1e-12);
+}
+
+TEST(Extrapolation, LeavesSomeDoubtWhereCellsAroundChangedNothing) {
+  const std::vector<MeshValue> values{{1., Refined::nothing, 0, 4.},
+                                      {1., Refined::surroundings, 0, 1.}};
+  const auto doubt = [&](const double grading) {
+    return extrapolate(values, grading, forces_given).surroundings_error;
+  };
+  EXPECT_GT(doubt(0.2), 0.);
+  EXPECT_NEAR(doubt(0.2), 4. * doubt(0.1), 1e-15) << "of second order in the cells' size";
+  EXPECT_EQ(extrapolate(values, 0.2, {false, false, false}).surroundings_error, 0.)
+      << "was not measured";
 }
 
 TEST(Extrapolation, DoesNotTrustTwoMeshesThatAgree) {

@@ -1,0 +1,161 @@
+#include "fem/contact/peak_in_plane.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "fem/contact/last_node.h"
+#include "mesh/dense_algebra.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using Nodes = std::vector<ContactNode<2>>;
+
+Nodes::const_iterator top_of(const Nodes& nodes) {
+  return std::max_element(nodes.begin(), nodes.end(), [](const auto& one, const auto& other) {
+    return one.pressure < other.pressure;
+  });
+}
+
+/// Nodes [begin, end) around the top one that follow each other.
+struct Stretch {
+  Nodes::const_iterator begin, end;
+
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+};
+
+template <typename Belongs>
+Stretch stretch_around(const Nodes& nodes, const Nodes::const_iterator top,
+                       const Belongs& belongs) {
+  return {std::find_if_not(std::make_reverse_iterator(top), nodes.rend(), belongs).base(),
+          std::find_if_not(top, nodes.end(), belongs)};
+}
+
+/// Least-squares fit of c0 + c1 x + c2 x^2 (c1 = 0: even) to samples (x, value, weight), the x
+/// scaled to about 1.
+Eigen::Vector3d weighted_parabola(const std::vector<std::array<double, 3>>& samples,
+                                  const bool is_even) {
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(samples.size()), is_even ? 2 : 3);
+  Eigen::VectorXd values(matrix.rows());
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const auto& [x, value, weight] = samples[static_cast<std::size_t>(i)];
+    const double root = std::sqrt(weight);
+    if (is_even)
+      matrix.row(i) << root, root * x * x;
+    else
+      matrix.row(i) << root, root * x, root * x * x;
+    values(i) = root * value;
+  }
+  const Eigen::VectorXd c = mesh::least_squares(matrix, values);
+  return is_even ? Eigen::Vector3d(c(0), 0., c(1)) : Eigen::Vector3d(c(0), c(1), c(2));
+}
+
+/// Standard error of a parabola's value about the middle of its samples.
+double standard_error(const std::vector<std::array<double, 3>>& samples, const Eigen::Vector3d& c) {
+  double squares = 0.;
+  double weights = 0.;
+  for (const auto& [x, value, weight] : samples) {
+    squares += weight * std::pow(value - c(0) - x * (c(1) + x * c(2)), 2);
+    weights += weight;
+  }
+  constexpr double coefficients = 3.;
+  return std::sqrt(squares / weights / (static_cast<double>(samples.size()) - coefficients));
+}
+
+/// The maximum node, and what its neighbours show of the curvature; nothing at an end of the
+/// surface, where the pressure may have no bound.
+FittedPeak maximum_node(const Nodes& nodes, const Nodes::const_iterator top) {
+  if (top == nodes.begin() || top + 1 == nodes.end()) return {top->pressure, 0., 0.};
+  const double drop = 2. * top->pressure - (top - 1)->pressure - (top + 1)->pressure;
+  return {top->pressure, drop / (12. * top->pressure), 0.};
+}
+
+/// Active nodes that follow each other, and the one with the maximum pressure.
+struct ActiveRun {
+  std::size_t first, last, top;
+};
+
+std::optional<ActiveRun> run_with_peak(const Nodes& nodes) {
+  const auto top = top_of(nodes);
+  if (top == nodes.end() || top->pressure <= 0.) return std::nullopt;
+  const Stretch active =
+      stretch_around(nodes, top, [](const auto& node) { return is_closed(node.status); });
+  return ActiveRun{static_cast<std::size_t>(active.begin - nodes.begin()),
+                   static_cast<std::size_t>(active.end - nodes.begin()) - 1,
+                   static_cast<std::size_t>(top - nodes.begin())};
+}
+
+/// (d/h)^2/N^2 of one end, N nodes from it to the peak and back. Hertz's pressure falls as
+/// 2 p0 (d/(N h))^(1/2) there.
+double share_of_end(const double pressure_over_peak, const std::size_t nodes_to_top) {
+  const double count = 2. * static_cast<double>(nodes_to_top) - 1.;
+  const double shift = shift_of_end(0.5 * pressure_over_peak * std::sqrt(count));
+  return shift * shift / (count * count);
+}
+
+}  // namespace
+
+FittedPeak fitted_peak(const Nodes& nodes) {
+  constexpr double share = 0.9;
+  constexpr std::size_t fewest = 5;
+  const auto top = top_of(nodes);
+  if (top == nodes.end() || top->pressure <= 0.) return {0., 0., 0.};
+  const auto [begin, end] = stretch_around(nodes, top, [&](const ContactNode<2>& node) {
+    return node.pressure >= share * top->pressure;
+  });
+  const auto count = static_cast<std::size_t>(end - begin);
+  if (count < fewest) return maximum_node(nodes, top);
+  const bool at_start = begin == nodes.begin();
+  const bool at_end = end == nodes.end();
+  const double first = begin->arc_length;
+  const double last = (end - 1)->arc_length;
+  const double origin = at_start ? first : at_end ? last : 0.5 * (first + last);
+  const double reach = last - first;
+  std::vector<std::array<double, 3>> samples;
+  for (auto node = begin; node != end; ++node)
+    samples.push_back({(node->arc_length - origin) / reach,
+                       std::pow(node->pressure / top->pressure, 2), node->tributary});
+  const Eigen::Vector3d c = weighted_parabola(samples, at_start != at_end);
+  const double place = c(2) < 0. ? -c(1) / (2. * c(2)) : 0.;
+  const double square = c(0) + place * (c(1) + place * c(2));
+  const bool is_top = c(2) < 0. && std::abs(place) <= 0.5 && square > 0.;
+  if (!is_top) return {top->pressure, 0., 0.};
+  const double edge = 1. / static_cast<double>(count - 1);  // over the reach
+  return {top->pressure * std::sqrt(square), -c(2) * edge * edge / (12. * square),
+          0.5 * standard_error(samples, c) / square};
+}
+
+double share_of_free_ends(const ContactResult<2>& contact) {
+  const Nodes& nodes = contact.nodes;
+  const auto run = run_with_peak(nodes);
+  if (!run) return 0.;
+  const std::size_t before = run->top - run->first + 1;
+  const std::size_t after = run->last - run->top + 1;
+  const auto share_at = [&](const std::size_t end, const std::size_t nodes_to_top) {
+    return share_of_end(nodes[end].pressure / nodes[run->top].pressure, nodes_to_top);
+  };
+  const bool starts_free = run->first > 0;
+  const bool ends_free = run->last + 1 < nodes.size();
+  // Hertz's only where the pressure peaks about the middle of the contact or of its mirror image.
+  if (starts_free && ends_free) {
+    const bool peaks_beside_end = 3 * std::min(before, after) < before + after - 1;
+    return peaks_beside_end ? 0. : share_at(run->first, before) + share_at(run->last, after);
+  }
+  if (!contact.symmetric || starts_free == ends_free) return 0.;
+  const auto [end, to_top] =
+      starts_free ? std::pair(run->first, before) : std::pair(run->last, after);
+  const bool peaks_beside_end = 3 * to_top < 2 * (before + after - 1);
+  return peaks_beside_end ? 0. : 2. * share_at(end, to_top);
+}
+
+void correct_for_nodes(ContactResult<2>& contact) {
+  contact.peak_pressure *=
+      (1. + fitted_peak(contact.nodes).averaging) / (1. + share_of_free_ends(contact));
+}
+
+}  // namespace geneva::fem

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/contact/contact_result.h"
+
+namespace geneva::fem {
+
+/// Top of a contact's pressure in the plane.
+struct FittedPeak {
+  double pressure;   ///< [Pa]; that of the nodes, freed from their scatter
+  double averaging;  ///< share of it that is lost since nodes stand for a mean over their edges
+  double scatter;    ///< its standard error by the nodes' distances from the parabola, relative
+};
+
+/// The top of the parabola through p^2, which Hertz's p^2 is, fitted to the nodes around the
+/// maximum one that carry nine tenths of it, weighted with what they stand for (next to an axis of
+/// revolution that is next to nothing, and the pressure is 1 to 2 % off there). At the end of the
+/// surface the parabola is even. With fewer than five such nodes, or where the parabola opens
+/// upwards, the maximum node.
+///
+/// A node's pressure is the mean of p over its hat function of half-width h, which is p + p''
+/// h^2/12 to second order: p0 (1 - 1/(3 N^2)) on top of Hertz's pressure over N edges.
+FittedPeak fitted_peak(const std::vector<ContactNode<2>>& nodes);
+
+/// Share of a line contact's peak pressure that is too much because each of its free ends lies at a
+/// node and not where the pressure would end: sum of (d/h)^2/N^2 over the ends, h being the edges.
+///
+/// A contact that has to end at distances a + d1 and a + d2 from its middle instead of at a carries
+/// p(x) = p0 (a^2 + c^2 - 2 (x - s)^2 - 2 s (x - s))/(2 a sqrt(c^2 - (x - s)^2)) with
+/// c = a + (d1 + d2)/2 and s = (d1 - d2)/2, whose maximum is p0 (1 + (d1^2 + d2^2)/(4 a^2)); see
+/// doc/theory.md, 4.6. How far an end is off is told by the pressure of the last node.
+///
+/// @param contact with its intervals; the end of a symmetric one counts twice
+/// @return >= 0; 0 where the pressure peaks beside an end or without free ends
+double share_of_free_ends(const ContactResult<2>& contact);
+
+/// Frees the peak pressure of a line contact from both.
+void correct_for_nodes(ContactResult<2>& contact);
+
+}  // namespace geneva::fem
