@@ -189,9 +189,10 @@ void AccuracyLoop<dim>::estimate_pressure() {
   const bool is_on_axis = reaches_axis(solution_.problem, equilibrium_->level());
   const bool is_beside_end = peaks_beside_end(interfaces, found_->contacts);
   const bool is_line_contact = dim == 2 && solution_.problem.plane != PlaneKind::axisymmetric;
-  const bool is_freed_from_nodes = is_line_contact && !is_beside_end;
   const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
   solution_.has_free_ends = has_free_ends(interfaces);
+  const bool is_freed_from_nodes = is_line_contact && solution_.has_free_ends && !is_beside_end &&
+                                   !peaks_at_corner(solution_, equilibrium_->level(), *found_);
   const double of_ends = end_error(interfaces, found_->contacts, {is_on_axis, is_freed_from_nodes});
   error_ = pressure_error<dim>(
       solution_.history,

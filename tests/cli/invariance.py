@@ -27,11 +27,14 @@ OUTPUT_UNITS = {
 class Invariance(CliTest):
 
     def assert_same(self, summary, reference, keys, tolerance):
-        """Compares findings by their relative differences, and names all that differ."""
+        """Compares findings by their relative differences, and names all that differ.
+
+        A half-width hangs on the pressure of the last node, a tenth of the peak, which the solver knows as well as the peak."""
         differing = []
         for key in keys:
             ours, theirs = number(look_up(summary, key)), number(look_up(reference, key))
-            if abs(ours - theirs) > tolerance * abs(theirs):
+            allowed = 10 * tolerance if key.endswith("half_width") else tolerance
+            if abs(ours - theirs) > allowed * abs(theirs):
                 differing.append(f"{key}: {ours!r} and {theirs!r} differ by {ours / theirs - 1:.2e}")
         self.assertFalse(differing, f"allowed: {tolerance:g}")
 
