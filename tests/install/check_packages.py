@@ -96,7 +96,7 @@ class Packages(unittest.TestCase):
 
     def test_the_program_runs_a_case_from_them(self):
         printed = run(self.root / "usr/bin/geneva", "run", self.case, "--output", self.room / "results")
-        self.assertRegex(printed, r"peak contact pressure \[psi\] +7268\d")
+        self.assertRegex(printed, r"peak contact pressure \[psi\] +726[5-9]\d \+-")
         self.assertTrue((self.room / "results/report.html").exists())
 
     def test_manual_pages_and_completions_are_there(self):
@@ -112,7 +112,7 @@ class Packages(unittest.TestCase):
         printed = run(PYTHON, "-B", "-c", script, self.case, environment={"PYTHONPATH": str(packages)})
         place, pressure = printed.split()
         self.assertEqual(place, str(packages / "geneva/__init__.py"))
-        self.assertEqual(round(float(pressure), -1), 72680)
+        self.assertAlmostEqual(float(pressure) / 72675, 1, delta=1e-3, msg="Hertz")
 
     def test_a_program_is_built_against_them(self):
         build = self.room / "build"
