@@ -1,6 +1,7 @@
 #include "fem/mesh_result.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fem/adaptivity/lengthwise_pressure.h"
@@ -102,7 +103,10 @@ const ContactResult<dim>& with_peak(const std::vector<ContactResult<dim>>& conta
 template <int dim>
 double scatter_of_peak([[maybe_unused]] const std::vector<ContactResult<dim>>& contacts) {
   if constexpr (dim == 2)
-    return contacts.empty() ? 0. : fitted_peak(with_peak(contacts).nodes).scatter;
+    if (!contacts.empty()) {
+      const ContactResult<2>& contact = with_peak(contacts);
+      return std::hypot(fitted_peak(contact.nodes).scatter, share_of_free_ends(contact).doubt);
+    }
   return 0.;
 }
 

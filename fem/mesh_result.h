@@ -28,7 +28,8 @@ template <int dim>
 bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,
                      const LevelState& found);
 
-/// Standard error of the maximum pressure by the scatter of its nodes, relative; 0 in 3-D.
+/// What is open of the maximum pressure by the scatter of its nodes: the standard error of its fit,
+/// and the doubt of its ends; relative, 0 in 3-D.
 template <int dim>
 double scatter_of_peak(const std::vector<ContactResult<dim>>& contacts);
 

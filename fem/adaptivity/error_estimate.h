@@ -63,14 +63,14 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 /// The zone's part is that of the order 1 to 2 that the last two changes show, and at least what
 /// the older one leaves at second order, lest two meshes agree by chance. On an axis what the
 /// last change leaves at second order is corrected. In the plane seven tenths of the peak
-/// pressure's are kept where the changes show an order, a quarter where it is freed from the
+/// pressure's are kept where the changes show an order, a fifth where it is freed from the
 /// nodes.
 ///
 /// The part of the cells around the contact is proportional to their size measure: when that falls
 /// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
 /// assumed. Three quarters are corrected where the forces are given, three tenths stay in doubt,
-/// and at least 0.02 times the square of the grading; else what is left lies between nothing and
+/// and at least 0.015 times the square of the grading; else what is left lies between nothing and
 /// all, and the middle is taken. Where the pressure peaks beside an end half is corrected and all
 /// stays in doubt.
 /// @param values the newest last, all with enough nodes in contact
@@ -89,7 +89,7 @@ struct EndTraits {
 };
 
 /// Share of the peak pressure that is open because the free ends of the contacts lie somewhere on
-/// an edge: 0.28/N^2 of line contacts with 7 nodes, 0.47/N^2 with fewer, where they peak beside an
+/// an edge: 0.12/N^2 of line contacts with 7 nodes, 0.47/N^2 with fewer, where they peak beside an
 /// end, and of rings, else 0.8/N^2. In the plane N is twice the number of nodes from the end to the
 /// peak, less one, on an axis the nodes from it, in 3-D the nodes across; every run of nodes counts
 /// as its pressure is to the maximum.

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <optional>
 
-#include "fem/contact/last_node.h"
+#include "fem/contact/free_end.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::fem {
@@ -90,12 +90,18 @@ std::optional<ActiveRun> run_with_peak(const Nodes& nodes) {
                    static_cast<std::size_t>(top - nodes.begin())};
 }
 
-/// (d/h)^2/N^2 of one end, N nodes from it to the peak and back. Hertz's pressure falls as
-/// 2 p0 (d/(N h))^(1/2) there.
-double share_of_end(const double pressure_over_peak, const std::size_t nodes_to_top) {
+/// (d/h)^2/N^2 of an end, N nodes from it to the peak and back, and by how much it changes if the
+/// end is where the parabola has it. Without one the end falls as Hertz's, K = p0 (2/a)^(1/2).
+EndShare share_of_end(const std::optional<FreeEnd>& end, const double pressure_over_peak,
+                      const std::size_t nodes_to_top) {
   const double count = 2. * static_cast<double>(nodes_to_top) - 1.;
-  const double shift = shift_of_end(0.5 * pressure_over_peak * std::sqrt(count));
-  return shift * shift / (count * count);
+  if (!end) {
+    const double shift = shift_by_last_node(0.5 * pressure_over_peak * std::sqrt(count));
+    return {shift * shift / (count * count), 0.};
+  }
+  const double difference = end->by_parabola - end->by_last_node;
+  return {end->shift * end->shift / (count * count),
+          (2. * std::abs(end->shift * difference) + difference * difference) / (count * count)};
 }
 
 }  // namespace
@@ -130,32 +136,35 @@ FittedPeak fitted_peak(const Nodes& nodes) {
           0.5 * standard_error(samples, c) / square};
 }
 
-double share_of_free_ends(const ContactResult<2>& contact) {
+EndShare share_of_free_ends(const ContactResult<2>& contact) {
   const Nodes& nodes = contact.nodes;
   const auto run = run_with_peak(nodes);
-  if (!run) return 0.;
+  if (!run) return {0., 0.};
   const std::size_t before = run->top - run->first + 1;
   const std::size_t after = run->last - run->top + 1;
-  const auto share_at = [&](const std::size_t end, const std::size_t nodes_to_top) {
-    return share_of_end(nodes[end].pressure / nodes[run->top].pressure, nodes_to_top);
-  };
   const bool starts_free = run->first > 0;
   const bool ends_free = run->last + 1 < nodes.size();
+  const bool has_image = contact.symmetric && starts_free != ends_free;
+  if (!has_image && !(starts_free && ends_free)) return {0., 0.};
   // Hertz's only where the pressure peaks about the middle of the contact or of its mirror image.
-  if (starts_free && ends_free) {
-    const bool peaks_beside_end = 3 * std::min(before, after) < before + after - 1;
-    return peaks_beside_end ? 0. : share_at(run->first, before) + share_at(run->last, after);
-  }
-  if (!contact.symmetric || starts_free == ends_free) return 0.;
-  const auto [end, to_top] =
-      starts_free ? std::pair(run->first, before) : std::pair(run->last, after);
-  const bool peaks_beside_end = 3 * to_top < 2 * (before + after - 1);
-  return peaks_beside_end ? 0. : 2. * share_at(end, to_top);
+  const std::size_t count = before + after - 1;
+  const std::size_t nearest = !starts_free ? after : !ends_free ? before : std::min(before, after);
+  if (3 * nearest < (has_image ? 2 * count : count)) return {0., 0.};
+  EndShare sum{0., 0.};
+  const auto add = [&](const std::size_t edge, const int inwards, const std::size_t to_top) {
+    const EndShare share = share_of_end(free_end(nodes, edge, inwards, count),
+                                        nodes[edge].pressure / nodes[run->top].pressure, to_top);
+    sum.share += (has_image ? 2. : 1.) * share.share;
+    sum.doubt += (has_image ? 2. : 1.) * share.doubt;
+  };
+  if (starts_free) add(run->first, 1, before);
+  if (ends_free) add(run->last, -1, after);
+  return sum;
 }
 
 void correct_for_nodes(ContactResult<2>& contact) {
   contact.peak_pressure *=
-      (1. + fitted_peak(contact.nodes).averaging) / (1. + share_of_free_ends(contact));
+      (1. + fitted_peak(contact.nodes).averaging) / (1. + share_of_free_ends(contact).share);
 }
 
 }  // namespace geneva::fem

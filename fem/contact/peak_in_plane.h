@@ -23,17 +23,25 @@ struct FittedPeak {
 /// h^2/12 to second order: p0 (1 - 1/(3 N^2)) on top of Hertz's pressure over N edges.
 FittedPeak fitted_peak(const std::vector<ContactNode<2>>& nodes);
 
+/// What the ends of a contact are worth, relative to its peak pressure.
+struct EndShare {
+  double share;  ///< >= 0, by which it is too much
+  double doubt;  ///< >= 0, of that share
+};
+
 /// Share of a line contact's peak pressure that is too much because each of its free ends lies at a
 /// node and not where the pressure would end: sum of (d/h)^2/N^2 over the ends, h being the edges.
 ///
 /// A contact that has to end at distances a + d1 and a + d2 from its middle instead of at a carries
 /// p(x) = p0 (a^2 + c^2 - 2 (x - s)^2 - 2 s (x - s))/(2 a sqrt(c^2 - (x - s)^2)) with
 /// c = a + (d1 + d2)/2 and s = (d1 - d2)/2, whose maximum is p0 (1 + (d1^2 + d2^2)/(4 a^2)); see
-/// doc/theory.md, 4.6. How far an end is off is told by the pressure of the last node.
+/// doc/theory.md, 4.6. How far an end is off is told by its last node, see free_end(); its doubt is
+/// what would change if the parabola were right.
 ///
 /// @param contact with its intervals; the end of a symmetric one counts twice
-/// @return >= 0; 0 where the pressure peaks beside an end or without free ends
-double share_of_free_ends(const ContactResult<2>& contact);
+/// @return 0 where the pressure peaks beside an end or without free ends; no doubt is known with
+/// fewer than 8 nodes
+EndShare share_of_free_ends(const ContactResult<2>& contact);
 
 /// Frees the peak pressure of a line contact from both.
 void correct_for_nodes(ContactResult<2>& contact);

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "fem/contact/active_set.h"
-#include "fem/contact/last_node.h"
+#include "fem/contact/free_end.h"
 #include "fem/contact/peak_in_plane.h"
 #include "fem/contact/surface_in_space.h"
 #include "mesh/dense_algebra.h"
@@ -17,54 +17,19 @@ namespace geneva::fem {
 
 namespace {
 
-/// Least-squares parabola c0 + c1 x + c2 x^2 through points (x, q), x scaled to about 1 by the
-/// caller.
-Eigen::Vector3d fitted_parabola(const std::vector<std::pair<double, double>>& points) {
-  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(points.size()), 3);
-  Eigen::VectorXd values(matrix.rows());
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const auto& [x, q] = points[static_cast<std::size_t>(i)];
-    matrix.row(i) << 1., x, x * x;
-    values(i) = q;
-  }
-  return mesh::least_squares(matrix, values);
-}
-
-/// Where the pressure falls to zero beyond the last active node `edge`: between smooth bodies p^2
-/// is a smooth function of the place up to the end of the contact (a parabola after Hertz), so a
-/// parabola is fitted to this half of the contact without its last node. With many nodes it is
-/// followed to zero, and kept between the last but one active node and the first open one. With
-/// few, its slope there tells how the pressure falls, and the last node how far away the end is.
+/// Where the pressure falls to zero beyond the last active node `edge`: with many nodes that of the
+/// parabola, kept between the last but one active node and the first open one.
 double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t edge,
                    const int inwards, const std::size_t count) {
-  const auto edge_node = nodes.begin() + static_cast<std::ptrdiff_t>(edge);
-  const auto node = [&](const int steps) -> const ContactNode<2>& {
-    return edge_node[static_cast<std::ptrdiff_t>(inwards) * steps];
+  constexpr std::size_t many = 24;
+  const auto place = [&](const int steps) {
+    return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)].arc_length;
   };
-  const double last = node(0).arc_length;
-  const int half = static_cast<int>(count) / 2;
-  if (half < 4) return last;
-  const double reach = std::abs(node(half).arc_length - last);
-  std::vector<std::pair<double, double>> points;
-  for (int i = 1; i <= half; ++i)
-    points.emplace_back(std::abs(node(i).arc_length - last) / reach,
-                        node(i).pressure * node(i).pressure);
-  const Eigen::Vector3d c = fitted_parabola(points);
-  const double discriminant = c(1) * c(1) - 4. * c(0) * c(2);
-  if (c(1) <= 0. || discriminant <= 0.) return last;
-  const double outside = node(-1).arc_length;
-  constexpr int many = 12;
-  if (half < many) {
-    const double slope = std::sqrt(discriminant) / reach;  // of p^2
-    const double length = std::abs(outside - last);
-    const double shift = shift_of_end(node(0).pressure / std::sqrt(slope * length));
-    return last - inwards * (end_beyond_last_node - shift) * length;
-  }
-  const double inside =
-      -2. * c(0) / (c(1) + std::sqrt(discriminant));  // distance inwards, usually negative
-  const double end = last + inwards * inside * reach;
-  const double inner = node(1).arc_length;
-  return std::clamp(end, std::min(inner, outside), std::max(inner, outside));
+  const std::optional<FreeEnd> end = free_end(nodes, edge, inwards, count);
+  if (!end) return place(0);
+  if (count < many) return place(0) + end->by_last_node * (place(-1) - place(0));
+  const double fitted = place(0) + end->by_parabola * (place(-1) - place(0));
+  return std::clamp(fitted, std::min(place(1), place(-1)), std::max(place(1), place(-1)));
 }
 
 /// The contact between nodes `begin` and `end`, its ends fitted where they are free.

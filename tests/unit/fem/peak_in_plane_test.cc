@@ -88,7 +88,7 @@ TEST(FreeEnds, RaiseThePeakByTheSquareOfHowFarTheyAreOff) {
   constexpr std::size_t n = 25;
   const double about_to_follow = 1.65 / std::sqrt(n);
   const auto share = [&](const double first, const double last) {
-    return share_of_free_ends(contact_of(with_ends(n, first, last), 0.1)) * n * n;
+    return share_of_free_ends(contact_of(with_ends(n, first, last), 0.1)).share * n * n;
   };
   EXPECT_NEAR(share(about_to_follow / 2., about_to_follow / 2.), 0., 1e-14) << "where they belong";
   EXPECT_NEAR(share(1e-12, 1e-12), 0.5, 1e-10) << "half an edge out";
@@ -100,17 +100,35 @@ TEST(FreeEnds, CountTwiceWhereHalfOfTheContactIsModelled) {
   constexpr std::size_t n = 25;
   const std::vector<double> whole = with_ends(n, 0.05, 0.05);
   ContactResult<2> half = contact_of({whole.begin() + 1 + n / 2, whole.end()}, 0.1);
-  EXPECT_EQ(share_of_free_ends(half), 0.) << "unless it ends at a plane of symmetry";
+  EXPECT_EQ(share_of_free_ends(half).share, 0.) << "unless it ends at a plane of symmetry";
   half.symmetric = true;
-  EXPECT_NEAR(share_of_free_ends(half), share_of_free_ends(contact_of(whole, 0.1)), 1e-15);
+  EXPECT_NEAR(share_of_free_ends(half).share, share_of_free_ends(contact_of(whole, 0.1)).share,
+              1e-15);
 }
 
 TEST(FreeEnds, SayNothingWhereThePressurePeaksBesideOneOrNowhere) {
   std::vector<double> pressures = with_ends(24, 0.01, 0.01);
   std::swap(pressures[5], *std::max_element(pressures.begin(), pressures.end()));
-  EXPECT_EQ(share_of_free_ends(contact_of(pressures, 0.1)), 0.);
-  EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 0.), 0.1)), 0.);
-  EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 1.), 0.1)), 0.);
+  EXPECT_EQ(share_of_free_ends(contact_of(pressures, 0.1)).share, 0.);
+  EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 0.), 0.1)).share, 0.);
+  EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 1.), 0.1)).share, 0.);
+}
+
+TEST(FreeEnds, AreInDoubtByWhatParabolaAndLastNodeTellApart) {
+  constexpr double h = 0.1;  // of a contact with the half-width 1 that ends at nodes
+  const auto doubt_with = [&](const double last_over_law) {
+    std::vector<double> pressures;
+    for (int i = -10; i <= 10; ++i) pressures.push_back(std::sqrt(1. - std::pow(i * h, 2)));
+    // the law: 0.31 edges are left of a last node at the end
+    const double last = last_over_law * 0.825 * 0.31 * std::sqrt(2. * h);
+    pressures.front() = pressures.back() = last;
+    pressures.insert(pressures.begin(), 0.);
+    pressures.push_back(0.);
+    return share_of_free_ends(contact_of(pressures, h)).doubt;
+  };
+  EXPECT_NEAR(doubt_with(1.), 0., 1e-9) << "both have the end at the last node";
+  // twice the pressure has it 0.31 edges farther out: d = -0.12 instead of 0.19
+  EXPECT_NEAR(doubt_with(2.), 2. * (2. * 0.12 * 0.31 + 0.31 * 0.31) / (21. * 21.), 1e-6);
 }
 
 TEST(FreeEnds, OfAForcedContactLeaveThePressureOfTheFormula) {
