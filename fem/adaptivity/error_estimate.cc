@@ -210,7 +210,8 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   const bool is_measured = convergence.forces_are_given && !convergence.peaks_beside_end;
   const double taken = is_measured ? 0.75 : 0.5;
   const double doubt = is_measured ? 0.3 : convergence.peaks_beside_end ? 1. : 0.5;
-  const double least_doubt = is_measured ? 0.015 * grading * grading : 0.;
+  const double least_doubt =
+      convergence.is_freed_from_nodes && is_measured ? 0.02 * grading * grading : 0.;
   // A smaller fall of the measure would make more than twice the change of it; and halved cells
   // lower an error of second order to a quarter at best, however far the measure falls. Where a
   // displacement is given, the stiffness of the bodies decides how great the force is, and its
