@@ -56,7 +56,7 @@ SurfaceTraction<dim> of_support(const mesh::MeshData<dim>& mesh, const Problem<d
   if (axis && is_normal_to(*axis, mesh, surface, size) &&
       !is_pulled_along(*axis, mesh, problem, surface))
     return {TractionKind::mirrored, *axis, 0., {}};
-  return {TractionKind::unknown, 0, 0., {}};
+  return {TractionKind::held, 0, 0., {}};
 }
 
 }  // namespace
@@ -76,9 +76,15 @@ BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
   }
   for (const ContactPair& pair : problem.pairs)
     of(pair.source).kind = of(pair.target).kind = TractionKind::contact;
-  for (const Support<dim>& support : problem.supports)
-    of(support.surface) = of_support(mesh, problem, support, scales.length);
-  for (const RigidTie<dim>& tie : problem.ties) of(tie.surface).kind = TractionKind::unknown;
+  for (const Support<dim>& support : problem.supports) {
+    SurfaceTraction<dim>& surface = of(support.surface);
+    const bool is_held_twice =
+        surface.kind == TractionKind::held || surface.kind == TractionKind::mirrored;
+    const SurfaceTraction<dim> held = of_support(mesh, problem, support, scales.length);
+    surface.kind = is_held_twice ? TractionKind::held : held.kind;
+    surface.axis = held.axis;
+  }
+  for (const RigidTie<dim>& tie : problem.ties) of(tie.surface).kind = TractionKind::held;
   for (mesh::Circle circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate /= scales.length;
     circle.radius /= scales.length;
@@ -94,6 +100,16 @@ BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
   return result;
 }
 
+template <int dim>
+BoundaryTractions<dim> boundary_tractions(const Solution<dim>& solution) {
+  BoundaryTractions<dim> result =
+      boundary_tractions(solution.mesh, solution.problem, solution.scales, solution.contacts);
+  result.at_held = solution.held_tractions;
+  return result;
+}
+
+template BoundaryTractions<2> boundary_tractions(const Solution<2>&);
+template BoundaryTractions<3> boundary_tractions(const Solution<3>&);
 template BoundaryTractions<2> boundary_tractions(const mesh::MeshData<2>&, const Problem<2>&,
                                                  const Scales&,
                                                  const std::vector<ContactResult<2>>&);

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
 
-#include <string>
+#include <map>
 #include <vector>
 
 #include "fem/contact/contact_result.h"
 #include "fem/problem/problem.h"
 #include "fem/problem/scaling.h"
+#include "fem/solution.h"
 #include "mesh/mesh_data.h"
 
 namespace geneva::fem {
@@ -17,7 +19,7 @@ enum class TractionKind {
   given,     ///< by the surface's load; zero without one
   mirrored,  ///< a plane of symmetry or the axis of revolution: the field goes on as its image
   contact,   ///< of a contact pair: zero away from the nodes in contact
-  unknown    ///< of a support or rigid tie
+  held       ///< of a support or rigid tie: known at the nodes from their forces, if these are
 };
 
 template <int dim>
@@ -34,11 +36,18 @@ struct BoundaryTractions {
   std::vector<SurfaceTraction<dim>> surfaces;  ///< by boundary id
   std::vector<mesh::Circle> circles;           ///< in the units of the triangulation
   std::vector<dealii::Point<dim>> in_contact;  ///< source nodes that carry pressure, same units
+  /// What holds a surface exerts at its nodes [Pa], beside the surface's load, by dof of the
+  /// displacement.
+  std::map<dealii::types::global_dof_index, double> at_held = {};
 };
 
+/// Those that are known before a solve.
 template <int dim>
 BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
                                           const Problem<dim>& problem, const Scales& scales,
                                           const std::vector<ContactResult<dim>>& contacts);
+
+template <int dim>
+BoundaryTractions<dim> boundary_tractions(const Solution<dim>& solution);
 
 }  // namespace geneva::fem

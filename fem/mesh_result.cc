@@ -48,6 +48,7 @@ template <int dim>
 void put_result(Solution<dim>& solution, const Level<dim>& level, const LevelState& found) {
   solution.contacts = contact_results(solution, level, found);
   solution.reactions = reactions(solution, level, found);
+  solution.held_tractions = tractions_of_holders(solution, level, found);
   solution.contact_couple = contact_couple(solution, level, found);
   const AppliedLoad<dim> load = applied_load(solution, level);
   solution.applied_force = load.force;

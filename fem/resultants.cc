@@ -2,9 +2,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <functional>
 #include <map>
 #include <set>
 
+#include "fem/held_tractions.h"
 #include "fem/linear/constraints.h"
 
 namespace geneva::fem {
@@ -42,6 +44,18 @@ Components<dim> components(const Tensor<1, dim>& vector) {
   for (unsigned int component = 0; component < dim; ++component)
     result[component] = vector[component];
   return result;
+}
+
+/// Force that supports and ties exert at a dof: what acts there less what the contact exerts. Valid
+/// as long as the level and the state are.
+template <int dim>
+std::function<double(global_dof_index)> held_force(const Level<dim>& level,
+                                                   const LevelState& state) {
+  return [&level, &state, contact = contact_forces(level, state)](const global_dof_index dof) {
+    if (level.held.count(dof) == 0) return 0.;
+    const auto of_contact = contact.find(dof);
+    return state.forces(dof) - (of_contact == contact.end() ? 0. : of_contact->second);
+  };
 }
 
 /// Traction of the friction on the source.
@@ -88,11 +102,7 @@ std::map<global_dof_index, double> contact_forces(const Level<dim>& level,
 template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
                                      const LevelState& state) {
-  const std::map<global_dof_index, double> contact = contact_forces(level, state);
-  const auto held_force = [&](const global_dof_index dof) {
-    const auto of_contact = contact.find(dof);
-    return state.forces(dof) - (of_contact == contact.end() ? 0. : of_contact->second);
-  };
+  const auto force_at = held_force(level, state);
   std::vector<Reaction<dim>> result;
   std::set<global_dof_index> counted;
   for (const Holder<dim>& holder : holders_of(solution.problem)) {
@@ -106,7 +116,7 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
         Tensor<1, dim> force;
         for (unsigned int component = 0; component < dim; ++component)
           if (holder.holds[component] && counted.insert(node.dofs[component]).second)
-            force[component] = held_force(node.dofs[component]);
+            force[component] = force_at(node.dofs[component]);
         sum += force;
         moment += moment_of<dim>(node.position, force);
       }
@@ -115,6 +125,20 @@ std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<
                       moment * solution.scales.force() * solution.scales.length});
   }
   return result;
+}
+
+template <int dim>
+std::map<global_dof_index, double> tractions_of_holders(const Solution<dim>& solution,
+                                                        const Level<dim>& level,
+                                                        const LevelState& state) {
+  std::set<unsigned int> surfaces;
+  for (const Holder<dim>& holder : holders_of(solution.problem))
+    surfaces.insert(mesh::index_of(solution.mesh.surfaces, holder.surface));
+  const auto force = held_force(level, state);
+  const double scale = solution.scales.stress;
+  return held_tractions<dim>(level.boundary, scaled(solution.problem, solution.scales), surfaces,
+                             level.hanging_lines,
+                             [&](const global_dof_index dof) { return scale * force(dof); });
 }
 
 template <int dim>
@@ -158,6 +182,12 @@ AppliedLoad<dim> applied_load(const Solution<dim>& solution, const Level<dim>& l
           moment * solution.scales.force() * solution.scales.length};
 }
 
+template std::map<global_dof_index, double> tractions_of_holders(const Solution<2>&,
+                                                                 const Level<2>&,
+                                                                 const LevelState&);
+template std::map<global_dof_index, double> tractions_of_holders(const Solution<3>&,
+                                                                 const Level<3>&,
+                                                                 const LevelState&);
 template std::map<global_dof_index, double> contact_forces(const Level<2>&, const LevelState&);
 template std::map<global_dof_index, double> contact_forces(const Level<3>&, const LevelState&);
 template std::vector<Reaction<2>> reactions(const Solution<2>&, const Level<2>&, const LevelState&);

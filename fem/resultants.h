@@ -15,6 +15,13 @@ template <int dim>
 std::vector<Reaction<dim>> reactions(const Solution<dim>& solution, const Level<dim>& level,
                                      const LevelState& state);
 
+/// Tractions of supports and ties at the nodes of their surfaces, by dof [Pa]; see
+/// held_tractions().
+template <int dim>
+std::map<global_dof_index, double> tractions_of_holders(const Solution<dim>& solution,
+                                                        const Level<dim>& level,
+                                                        const LevelState& state);
+
 /// Forces of the contacts on the bodies, the hanging nodes' shares given to the nodes that they
 /// hang on, by dof, in the units of the triangulation.
 template <int dim>

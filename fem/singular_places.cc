@@ -88,7 +88,7 @@ bool is_re_entrant(const std::vector<CoarseFace>& faces) {
 
 template <int dim>
 bool is_held(const BoundaryTractions<dim>& tractions, const CoarseFace& face) {
-  return tractions.surfaces[face.surface].kind == TractionKind::unknown;
+  return tractions.surfaces[face.surface].kind == TractionKind::held;
 }
 
 /// A face that is neither held nor goes on beyond a plane of symmetry.

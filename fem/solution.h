@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,8 +46,10 @@ struct Solution {
   Vector displacement;  ///< ghosted
 
   std::vector<ContactResult<dim>> contacts;
-  std::vector<Instant<dim>> instants;        ///< by load step, of the last mesh
-  std::vector<Reaction<dim>> reactions;      ///< of supports, then ties
+  std::vector<Instant<dim>> instants;    ///< by load step, of the last mesh
+  std::vector<Reaction<dim>> reactions;  ///< of supports, then ties
+  std::map<dealii::types::global_dof_index, double>
+      held_tractions;                        ///< see tractions_of_holders() [Pa]
   Components<dim> applied_force{};           ///< of body forces and surface loads [N]
   Moment<dim> applied_moment{};              ///< about the origin [N m]
   Moment<dim> contact_couple{};              ///< see contact_couple() [N m]

@@ -55,9 +55,8 @@ void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& befo
 template <int dim>
 std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solution,
                                                        const std::vector<LevelRecord>& before) {
-  stress_.emplace(recovered_stress(
-      *solution.dof_handler, solution.displacement, solution.problem,
-      boundary_tractions(solution.mesh, solution.problem, solution.scales, solution.contacts)));
+  stress_.emplace(recovered_stress(*solution.dof_handler, solution.displacement, solution.problem,
+                                   boundary_tractions(solution)));
   singular_ = by_geometry_;
   for (const SingularPlace<dim>& place : grown_places(mesh_, before)) singular_.push_back(place);
   std::vector<BodyStrength<dim>> found = strength(solution, *stress_, singular_);

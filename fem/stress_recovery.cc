@@ -42,6 +42,7 @@ template <int dim>
 struct FaceThere {
   Tensor<1, dim> normal;                   ///< of the true surface at the vertex, outward
   Tensor<1, dim> inwards;                  ///< from the vertex to the face's middle
+  bool is_held;                            ///< by a support or tie
   std::optional<Tensor<1, dim>> traction;  ///< [Pa], if it is known
   std::size_t cell;                        ///< that it bounds
   std::vector<unsigned int> corners;       ///< vertices of that cell
@@ -55,9 +56,6 @@ constexpr double share_at_surface = 0.85;
 /// See doubt_of_linear(). At Kirsch's hole, extrapolated from inside, with 64 cells around it, the
 /// error was 1.5 times the relative difference.
 constexpr double share_inside = 1.5;
-/// Of surfaces whose tractions are not known. At the clamped bores of three random wheels it was
-/// 1.9 to 2.3.
-constexpr double share_at_support = 2.5;
 /// Faces whose normals differ by less are one smooth surface.
 constexpr double cosine_of_smooth = 0.95;
 
@@ -170,6 +168,7 @@ class StressRecovery {
   [[nodiscard]] std::vector<FaceThere<dim>> faces_at(const std::vector<Corner>& corners) const;
   [[nodiscard]] FaceThere<dim> face_there(const Corner& corner, unsigned int face) const;
   [[nodiscard]] bool carries_contact(const Point<dim>& place, double face_size) const;
+  [[nodiscard]] std::optional<Tensor<1, dim>> held_traction(const Corner& corner) const;
   [[nodiscard]] Tensor<1, dim> displacement_of(const Cell& cell, unsigned int vertex) const;
   [[nodiscard]] std::optional<StressVector<dim>> stress_on(
       const std::vector<Corner>& corners, const std::vector<FaceThere<dim>>& faces) const;
@@ -406,10 +405,14 @@ template <int dim>
 Recovered<dim> StressRecovery<dim>::at_boundary(const std::vector<Corner>& corners,
                                                 const StressVector<dim>& inside) const {
   const Recovered<dim> linear{inside,
-                              doubt_of_linear<dim>(inside, mean_around(corners), share_at_support)};
+                              doubt_of_linear<dim>(inside, mean_around(corners), share_inside)};
   const std::vector<FaceThere<dim>> faces = faces_at(corners);
-  if (!std::all_of(faces.begin(), faces.end(),
-                   [](const auto& face) { return face.traction.has_value(); }))
+  const auto is_held = [](const auto& face) { return face.is_held; };
+  const bool is_at_end_of_support = std::any_of(faces.begin(), faces.end(), is_held) &&
+                                    !std::all_of(faces.begin(), faces.end(), is_held);
+  if (is_at_end_of_support || !std::all_of(faces.begin(), faces.end(), [](const auto& face) {
+        return face.traction.has_value();
+      }))
     return linear;
   if (is_smooth(faces)) {
     const auto found = stress_on(corners, faces);
@@ -441,6 +444,19 @@ bool StressRecovery<dim>::carries_contact(const Point<dim>& place, const double 
       [&](const Point<dim>& node) { return node.distance(place) < 1.5 * face_size; });
 }
 
+/// @return nothing if the force at the node is not known
+template <int dim>
+std::optional<Tensor<1, dim>> StressRecovery<dim>::held_traction(const Corner& corner) const {
+  Tensor<1, dim> traction;
+  for (unsigned int i = 0; i < dim; ++i) {
+    const auto found =
+        tractions_.at_held.find(cells_[corner.cell]->vertex_dof_index(corner.vertex, i));
+    if (found == tractions_.at_held.end()) return std::nullopt;
+    traction[i] = found->second;
+  }
+  return traction;
+}
+
 /// Normal of a face, not of the unit length, in either direction.
 template <typename Face>
 Tensor<1, Face::AccessorType::space_dimension> normal_of(const Face& face) {
@@ -466,13 +482,15 @@ FaceThere<dim> StressRecovery<dim>::face_there(const Corner& corner,
   if (there.normal * flat * (flat * outwards) < 0.) there.normal = -there.normal;
   there.inwards = surface->center() - place;
   const SurfaceTraction<dim>& load = tractions_.surfaces[surface->boundary_id()];
-  const bool is_known =
-      load.kind == TractionKind::given ||
-      (load.kind == TractionKind::contact && !carries_contact(place, surface->diameter()));
-  if (is_known) {
-    there.traction.emplace(-load.pressure * there.normal);
-    for (unsigned int i = 0; i < dim; ++i) (*there.traction)[i] += load.traction[i];
-  }
+  there.is_held = load.kind == TractionKind::held;
+  if (there.is_held)
+    there.traction = held_traction(corner);
+  else if (load.kind == TractionKind::given ||
+           (load.kind == TractionKind::contact && !carries_contact(place, surface->diameter())))
+    there.traction.emplace();
+  if (there.traction)
+    for (unsigned int i = 0; i < dim; ++i)
+      (*there.traction)[i] += load.traction[i] - load.pressure * there.normal[i];
   for (const unsigned int i : surface->vertex_indices())
     there.corners.push_back(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, i));
   for (const unsigned int vertex : there.corners)
@@ -516,16 +534,18 @@ std::optional<StressVector<dim>> StressRecovery<dim>::stress_on(
                                                displacement_of(of_face, vertex) - here};
   }
   around.erase(cell->vertex_index(corners.front().vertex));
-  normal /= normal.norm();
   std::vector<SurfaceNeighbour<dim>> neighbours;
   for (const auto& [vertex, neighbour] : around) neighbours.push_back(neighbour);
   for (const Mirror& mirror : mirrors_at(corners)) {
+    normal[mirror.axis] = 0.;
+    traction[mirror.axis] = 0.;  // what its plane exerts is none of the surface's
     const std::size_t n = neighbours.size();
     for (std::size_t i = 0; i < n; ++i)
       if (std::abs(neighbours[i].offset[mirror.axis]) > 0.)
         neighbours.push_back({mirrored(neighbours[i].offset, mirror.axis),
                               mirrored(neighbours[i].displacement, mirror.axis)});
   }
+  normal /= normal.norm();
   const auto gradient = surface_gradient<dim>(normal, neighbours);
   if (!gradient) return std::nullopt;
   double hoop = 0.;

@@ -27,10 +27,11 @@ struct NodalStress {
 /// best; planes of symmetry and axes of revolution count as inner ones, with the cells' images. At
 /// other nodes the mean of what the linear stresses of its inner neighbours give there. Where the
 /// traction is known and the surface smooth, the strains along the surface are those of the nodes'
-/// displacements and the stress on it is the traction (see surface_stress()); at an edge or corner
-/// that sticks out, what is not along it is zero.
+/// displacements and the stress on it is the traction (see surface_stress()), which at a support or
+/// tie is that of the nodes' forces (see held_tractions()); at an edge or corner that sticks out,
+/// what is not along it is zero.
 ///
-/// The doubt is a share of the difference from a poorer recovery: at free surfaces of that from
+/// The doubt is a share of the difference from a poorer recovery: at those surfaces of that from
 /// inside alone, elsewhere of the mean of the cells around, whose error is of the first order, so
 /// that the share is one in proportion to the relative difference.
 /// @param displacement ghosted

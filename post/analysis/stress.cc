@@ -132,9 +132,8 @@ std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution) {
 
 template <int dim>
 NodalStress<dim> nodal_stress(const fem::Solution<dim>& solution) {
-  return fem::recovered_stress(
-      *solution.dof_handler, solution.displacement, solution.problem,
-      fem::boundary_tractions(solution.mesh, solution.problem, solution.scales, solution.contacts));
+  return fem::recovered_stress(*solution.dof_handler, solution.displacement, solution.problem,
+                               fem::boundary_tractions(solution));
 }
 
 template <int dim>

@@ -18,6 +18,7 @@
 
 #include "fem/elasticity/cell_systems.h"
 #include "fem/elasticity/elasticity.h"
+#include "fem/held_tractions.h"
 #include "fem/stress_recovery.h"
 #include "mesh/triangulation.h"
 
@@ -151,6 +152,7 @@ class HeldBodies {
     smoother.initialize(matrix, 1.2);
     dealii::SolverCG<dealii::Vector<double>>(control).solve(matrix, solution, load, smoother);
     constraints.distribute(solution);
+    find_forces(exact, solution);
     displacement_.reinit(dof_handler_.locally_owned_dofs(), MPI_COMM_SELF);
     for (unsigned int i = 0; i < solution.size(); ++i) displacement_(i) = solution(i);
   }
@@ -158,9 +160,20 @@ class HeldBodies {
   [[nodiscard]] fem::NodalStress<dim> recovered() const {
     fem::BoundaryTractions<dim> tractions =
         fem::boundary_tractions<dim>(mesh_, problem_, {1., 1.}, {});
-    for (std::size_t i = 0; i < mesh_.surfaces.size(); ++i)
-      if (is_held_(mesh_.surfaces[i], 0) && is_held_(mesh_.surfaces[i], 1))
-        tractions.surfaces[i].kind = fem::TractionKind::unknown;
+    std::set<unsigned int> held;
+    for (unsigned int i = 0; i < mesh_.surfaces.size(); ++i)
+      if (is_held_(mesh_.surfaces[i], 0) && is_held_(mesh_.surfaces[i], 1)) {
+        tractions.surfaces[i].kind = fem::TractionKind::held;
+        held.insert(i);
+      }
+    const fem::Boundary<dim> boundary = fem::gather_boundary(dof_handler_, mesh_.circles, 1.);
+    dealii::IndexSet all(dof_handler_.n_dofs());
+    all.add_range(0, dof_handler_.n_dofs());
+    const auto hanging =
+        fem::hanging_lines(dof_handler_, fem::hanging_nodes(dof_handler_, all), boundary);
+    tractions.at_held = fem::held_tractions<dim>(
+        boundary, problem_, held, hanging,
+        [&](const auto dof) { return force_(static_cast<unsigned>(dof)); });
     return fem::recovered_stress(dof_handler_, displacement_, problem_, tractions);
   }
 
@@ -170,6 +183,32 @@ class HeldBodies {
  private:
   void assemble(const ExactField<dim>& exact, const dealii::AffineConstraints<double>& constraints,
                 dealii::SparseMatrix<double>& matrix, dealii::Vector<double>& load) const {
+    visit_systems(exact, [&](const fem::CellSystem& system) {
+      constraints.distribute_local_to_global(system.stiffness, system.load, system.dofs, matrix,
+                                             load);
+    });
+  }
+
+  /// K u - f, the hanging nodes' given to those that they hang on.
+  void find_forces(const ExactField<dim>& exact, const dealii::Vector<double>& solution) {
+    dealii::AffineConstraints<double> hanging;
+    dealii::DoFTools::make_hanging_node_constraints(dof_handler_, hanging);
+    hanging.close();
+    force_.reinit(dof_handler_.n_dofs());
+    visit_systems(exact, [&](const fem::CellSystem& system) {
+      dealii::Vector<double> u(system.load.size());
+      dealii::Vector<double> force(system.load.size());
+      for (unsigned int i = 0; i < u.size(); ++i)
+        u[i] = solution(static_cast<unsigned>(system.dofs[i]));
+      system.stiffness.vmult(force, u);
+      force -= system.load;
+      hanging.distribute_local_to_global(force, system.dofs, force_);
+    });
+  }
+
+  /// Calls visit(system) for every cell, the body force in its load.
+  template <typename Visit>
+  void visit_systems(const ExactField<dim>& exact, const Visit& visit) const {
     const fem::CellSystems systems = fem::cell_systems(dof_handler_, problem_, mesh_.surfaces);
     dealii::FEValues<dim> values(
         element_, dealii::QGauss<dim>(3),
@@ -186,8 +225,7 @@ class HeldBodies {
           system.load[i] += values.shape_value(i, q) *
                             force[element_.system_to_component_index(i).first] * measure;
       }
-      constraints.distribute_local_to_global(system.stiffness, system.load, system.dofs, matrix,
-                                             load);
+      visit(system);
     }
   }
 
@@ -197,6 +235,7 @@ class HeldBodies {
   dealii::FESystem<dim> element_;
   dealii::DoFHandler<dim> dof_handler_;
   fem::Vector displacement_;
+  dealii::Vector<double> force_;  ///< what surfaces that are held exert
 };
 
 /// Root-mean-square differences from an exact field, relative to its own root mean square.

@@ -337,5 +337,32 @@ TEST(Reactions, OfAPlaneOfSymmetryHaveNoForceAlongIt) {
   EXPECT_NEAR(solution.reactions[2].force[1], -contact.force, tolerance);
 }
 
+/// A straight bar or tube without lateral contraction, pulled along y.
+TEST(HeldTractions, BalanceAUniformLoad) {
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(mesh, "bar", {0.01, 0.02, 0.05}, {0., 0.03, 0.08},
+                              {"foot", "", "top", ""});
+  for (const PlaneKind plane :
+       {PlaneKind::plane_strain, PlaneKind::plane_stress, PlaneKind::axisymmetric})
+    for (const double thickness : {0.004, 3.}) {
+      Problem<2> problem;
+      problem.plane = plane;
+      problem.thickness = thickness;
+      problem.bodies = {{"bar", {200e9, 0.}, {}}};
+      problem.supports = {{"foot", {0., 0.}}};
+      problem.loads = {{"top", 0., {0., 3e7}}};
+      Settings settings;
+      settings.max_levels = 2;
+      const Solution<2> solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
+      ASSERT_FALSE(solution.held_tractions.empty());
+      for (const auto& [dof, traction] : solution.held_tractions)
+        EXPECT_NEAR(std::min(std::abs(traction), std::abs(traction + 3e7)), 0., 30.)
+            << "none across the bar, and the load along it";
+      double sum = 0.;
+      for (const auto& [dof, traction] : solution.held_tractions) sum += traction;
+      EXPECT_NEAR(sum / static_cast<double>(solution.held_tractions.size()), -1.5e7, 30.);
+    }
+}
+
 }  // namespace
 }  // namespace geneva::fem::test

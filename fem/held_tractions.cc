@@ -1,0 +1,90 @@
+#include "fem/held_tractions.h"
+
+#include <cmath>
+
+#include "fem/elasticity/elasticity.h"
+
+namespace geneva::fem {
+
+namespace {
+
+using dealii::Point;
+
+/// Measure of an edge that belongs to one of its ends: integral of N over it.
+double share_of_end(const Point<2>& here, const Point<2>& there, const Problem<2>& problem) {
+  const Point<2> nearer = here + (there - here) / 3.;  // N is linear as the radius is
+  return 0.5 * here.distance(there) * out_of_plane_measure(problem, nearer);
+}
+
+/// An edge of a circle stands for its arc: arc / chord.
+double arc_over_chord(const double chord, const mesh::Circle& circle) {
+  const double half = 0.5 * chord / circle.radius;
+  return half < 1. ? std::asin(half) / half : 1.;
+}
+
+std::array<double, 2> shares_of_face(const Boundary<2>& boundary, const BoundaryFace<2>& face,
+                                     const Problem<2>& problem) {
+  const Point<2>& start = boundary.nodes[face.nodes[0]].position;
+  const Point<2>& end = boundary.nodes[face.nodes[1]].position;
+  const double stretch =
+      face.circle < 0 ? 1.
+                      : arc_over_chord(start.distance(end),
+                                       boundary.circles[static_cast<std::size_t>(face.circle)]);
+  return {stretch * share_of_end(start, end, problem), stretch * share_of_end(end, start, problem)};
+}
+
+/// Of a bilinear quadrilateral, by two Gauss points each way.
+std::array<double, 4> shares_of_face(const Boundary<3>& boundary, const BoundaryFace<3>& face,
+                                     const Problem<3>&) {
+  const auto corner = [&](const std::size_t i) { return boundary.nodes[face.nodes[i]].position; };
+  const double low = 0.5 - 0.5 / std::sqrt(3.);
+  std::array<double, 4> shares{};
+  for (const double s : {low, 1. - low})
+    for (const double t : {low, 1. - low}) {
+      const auto along = (1. - t) * (corner(1) - corner(0)) + t * (corner(2) - corner(3));
+      const auto across = (1. - s) * (corner(3) - corner(0)) + s * (corner(2) - corner(1));
+      const double weight = 0.25 * dealii::cross_product_3d(along, across).norm();
+      const std::array<double, 4> shape{(1. - s) * (1. - t), s * (1. - t), s * t, (1. - s) * t};
+      for (std::size_t i = 0; i < shares.size(); ++i) shares[i] += shape[i] * weight;
+    }
+  return shares;
+}
+
+}  // namespace
+
+template <int dim>
+std::map<global_dof_index, double> held_tractions(
+    const Boundary<dim>& boundary, const Problem<dim>& problem,
+    const std::set<unsigned int>& surfaces, const std::vector<ConstraintLine>& hanging_lines,
+    const std::function<double(global_dof_index)>& force) {
+  std::map<global_dof_index, double> shares;
+  for (const BoundaryFace<dim>& face : boundary.faces) {
+    if (surfaces.count(face.surface) == 0) continue;
+    const auto of_face = shares_of_face(boundary, face, problem);
+    for (std::size_t i = 0; i < of_face.size(); ++i)
+      for (const global_dof_index dof : boundary.nodes[face.nodes[i]].dofs)
+        shares[dof] += of_face[i];
+  }
+  for (const ConstraintLine& line : hanging_lines) {
+    const auto hanging = shares.find(line.dof);
+    if (hanging == shares.end()) continue;
+    for (const auto& [dof, part] : line.entries) {
+      const auto carrier = shares.find(dof);
+      if (carrier != shares.end()) carrier->second += part * hanging->second;
+    }
+    shares.erase(hanging);
+  }
+  std::map<global_dof_index, double> tractions;
+  for (const auto& [dof, share] : shares)
+    if (share > 0.) tractions[dof] = force(dof) / share;
+  return tractions;
+}
+
+template std::map<global_dof_index, double> held_tractions(
+    const Boundary<2>&, const Problem<2>&, const std::set<unsigned int>&,
+    const std::vector<ConstraintLine>&, const std::function<double(global_dof_index)>&);
+template std::map<global_dof_index, double> held_tractions(
+    const Boundary<3>&, const Problem<3>&, const std::set<unsigned int>&,
+    const std::vector<ConstraintLine>&, const std::function<double(global_dof_index)>&);
+
+}  // namespace geneva::fem
