@@ -24,7 +24,7 @@ constexpr double maximum_grading_coefficient = 0.35;
 
 /// Share of the peak pressure that is open because a free end of the contact lies somewhere on an
 /// edge, times the square of the number of active nodes. Measured in the plane on a cylinder under
-/// 52 loads, with 7 to 35 nodes: 0.05 +- 0.07 of the pressure that is freed from the nodes; and at
+/// 52 loads, with 7 to 17 nodes: 0.04 +- 0.05 of the pressure that is freed from the nodes; and at
 /// random places of the meshes, with 6 to 100 nodes, 0.22 +- 0.25 of the nodes', at most 0.83.
 /// Changes from mesh to mesh hold a part of this already, so that mean and deviation are enough
 /// there. In 3-D and next to an axis, which lowers the peak by up to 0.6, it is the maximum.
@@ -166,6 +166,23 @@ double zone_error(const std::vector<Change>& changes, const Convergence& converg
   return share_that_stays(convergence, before.size * now.size > 0.) * left;
 }
 
+/// What the cells around a contact leave, from what their size measure promises and, times the
+/// square of the grading, from what others have shown.
+struct LeftAround {
+  double taken, doubt;        ///< shares of what the measure promises
+  double known, least_doubt;  ///< over the square of the grading
+};
+
+/// Measured on random line contacts and wheels under given loads, see doc/theory.md, 5.2. Where the
+/// force depends on the cells, what is left lies between nothing and all. Where the pressure peaks
+/// beside an end, the fields are not those that the measure is made for.
+LeftAround left_around_of(const Convergence& convergence) {
+  if (convergence.peaks_beside_end) return {0.5, 1., 0., 0.};
+  if (!convergence.forces_are_given) return {0.5, 0.5, 0., 0.};
+  if (!convergence.is_freed_from_nodes) return {0.75, 0.3, 0., 0.};
+  return {0.56, 0.2, -0.01, 0.016};
+}
+
 }  // namespace
 
 template <int dim>
@@ -201,17 +218,7 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 
 Extrapolation extrapolate(const std::vector<MeshValue>& values, const double grading,
                           const Convergence& convergence) {
-  // Of what the size measure promises, and in doubt. Measured on random line contacts and wheels
-  // under given loads, see doc/theory.md, 5.2: 0.63 is left in the mean of 28, next to nothing to
-  // all of it in single ones; what is corrected was 0.012 times the square of the grading off, and
-  // up to 0.025, even where the change was small. Where the force depends on the cells, what is
-  // left lies between nothing and all.
-  // Where the pressure peaks beside an end, the fields are not those that the measure is made for.
-  const bool is_measured = convergence.forces_are_given && !convergence.peaks_beside_end;
-  const double taken = is_measured ? 0.75 : 0.5;
-  const double doubt = is_measured ? 0.3 : convergence.peaks_beside_end ? 1. : 0.5;
-  const double least_doubt =
-      convergence.is_freed_from_nodes && is_measured ? 0.02 * grading * grading : 0.;
+  const LeftAround left_around = left_around_of(convergence);
   // A smaller fall of the measure would make more than twice the change of it; and halved cells
   // lower an error of second order to a quarter at best, however far the measure falls. Where a
   // displacement is given, the stiffness of the bodies decides how great the force is, and its
@@ -231,8 +238,9 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
     if (values[i].refined != Refined::surroundings || !(ratio >= minimum_ratio)) continue;
     const double left =
         (1. - values[i - 1].value / values[i].value) / (std::min(ratio, maximum_ratio) - 1.);
-    of_surroundings = taken * left;
-    result.surroundings_error = std::max(doubt * std::abs(left), least_doubt);
+    of_surroundings = left_around.taken * left + left_around.known * grading * grading;
+    result.surroundings_error =
+        std::max(left_around.doubt * std::abs(left), left_around.least_doubt * grading * grading);
   }
   result.correction += of_surroundings;
   return result;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -36,6 +37,17 @@ Stretch stretch_around(const Nodes& nodes, const Nodes::const_iterator top,
           std::find_if_not(top, nodes.end(), belongs)};
 }
 
+/// The top and as many nodes on either side, or nothing if fewer are closed.
+Stretch neighbours_of(const Nodes& nodes, const Nodes::const_iterator top,
+                      const std::ptrdiff_t on_either_side) {
+  if (top - nodes.begin() < on_either_side || nodes.end() - top <= on_either_side)
+    return {top, top};
+  const Stretch around{top - on_either_side, top + on_either_side + 1};
+  const bool are_closed = std::all_of(
+      around.begin, around.end, [](const ContactNode<2>& node) { return is_closed(node.status); });
+  return are_closed ? around : Stretch{top, top};
+}
+
 /// Least-squares fit of c0 + c1 x + c2 x^2 (c1 = 0: even) to samples (x, value, weight), the x
 /// scaled to about 1.
 Eigen::Vector3d weighted_parabola(const std::vector<std::array<double, 3>>& samples,
@@ -55,8 +67,9 @@ Eigen::Vector3d weighted_parabola(const std::vector<std::array<double, 3>>& samp
   return is_even ? Eigen::Vector3d(c(0), 0., c(1)) : Eigen::Vector3d(c(0), c(1), c(2));
 }
 
-/// Standard error of a parabola's value about the middle of its samples.
-double standard_error(const std::vector<std::array<double, 3>>& samples, const Eigen::Vector3d& c) {
+/// Half of the interval that holds a parabola's value about the middle of its samples with a
+/// probability of 95 %: Student's quantile times the standard error.
+double confidence(const std::vector<std::array<double, 3>>& samples, const Eigen::Vector3d& c) {
   double squares = 0.;
   double weights = 0.;
   for (const auto& [x, value, weight] : samples) {
@@ -64,7 +77,9 @@ double standard_error(const std::vector<std::array<double, 3>>& samples, const E
     weights += weight;
   }
   constexpr double coefficients = 3.;
-  return std::sqrt(squares / weights / (static_cast<double>(samples.size()) - coefficients));
+  const double freedom = static_cast<double>(samples.size()) - coefficients;
+  const boost::math::students_t student(freedom);
+  return boost::math::quantile(student, 0.975) * std::sqrt(squares / weights / freedom);
 }
 
 /// The maximum node, and what its neighbours show of the curvature; nothing at an end of the
@@ -111,11 +126,13 @@ FittedPeak fitted_peak(const Nodes& nodes) {
   constexpr std::size_t fewest = 5;
   const auto top = top_of(nodes);
   if (top == nodes.end() || top->pressure <= 0.) return {0., 0., 0.};
-  const auto [begin, end] = stretch_around(nodes, top, [&](const ContactNode<2>& node) {
+  Stretch around = stretch_around(nodes, top, [&](const ContactNode<2>& node) {
     return node.pressure >= share * top->pressure;
   });
-  const auto count = static_cast<std::size_t>(end - begin);
-  if (count < fewest) return maximum_node(nodes, top);
+  if (around.size() < fewest) around = neighbours_of(nodes, top, fewest / 2);
+  if (around.size() < fewest) return maximum_node(nodes, top);
+  const auto [begin, end] = around;
+  const std::size_t count = around.size();
   const bool at_start = begin == nodes.begin();
   const bool at_end = end == nodes.end();
   const double first = begin->arc_length;
@@ -133,7 +150,7 @@ FittedPeak fitted_peak(const Nodes& nodes) {
   if (!is_top) return {top->pressure, 0., 0.};
   const double edge = 1. / static_cast<double>(count - 1);  // over the reach
   return {top->pressure * std::sqrt(square), -c(2) * edge * edge / (12. * square),
-          0.5 * standard_error(samples, c) / square};
+          0.5 * confidence(samples, c) / square};
 }
 
 EndShare share_of_free_ends(const ContactResult<2>& contact) {

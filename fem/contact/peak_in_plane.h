@@ -10,14 +10,15 @@ namespace geneva::fem {
 struct FittedPeak {
   double pressure;   ///< [Pa]; that of the nodes, freed from their scatter
   double averaging;  ///< share of it that is lost since nodes stand for a mean over their edges
-  double scatter;    ///< its standard error by the nodes' distances from the parabola, relative
+  double scatter;  ///< by how much it may be off by the nodes' distances from the parabola, with a
+                   ///< probability of 95 %; relative
 };
 
 /// The top of the parabola through p^2, which Hertz's p^2 is, fitted to the nodes around the
-/// maximum one that carry nine tenths of it, weighted with what they stand for (next to an axis of
-/// revolution that is next to nothing, and the pressure is 1 to 2 % off there). At the end of the
-/// surface the parabola is even. With fewer than five such nodes, or where the parabola opens
-/// upwards, the maximum node.
+/// maximum one that carry nine tenths of it, at least five, weighted with what they stand for (next
+/// to an axis of revolution that is next to nothing, and the pressure is 1 to 2 % off there). At
+/// the end of the surface the parabola is even. Where fewer than two nodes on either side of the
+/// maximum one are closed, or where the parabola opens upwards, the maximum node.
 ///
 /// A node's pressure is the mean of p over its hat function of half-width h, which is p + p''
 /// h^2/12 to second order: p0 (1 - 1/(3 N^2)) on top of Hertz's pressure over N edges.

@@ -255,6 +255,18 @@ TEST(Extrapolation, TakesTheMiddleOfTheFirstOrderWhereTheForceDependsOnTheCellsT
   EXPECT_NEAR(extrapolate(values, 0.2, forces_given).correction, 0.75 * change / 3., 1e-12);
 }
 
+TEST(Extrapolation, OfALineContactIsPulledToWhatOthersHaveShown) {
+  const auto correction = [](const double before, const double grading) {
+    const std::vector<MeshValue> values{{before, Refined::nothing, 0, 4.},
+                                        {1., Refined::surroundings, 0, 1.}};
+    return extrapolate(values, grading, {true, false, false, true, true}).correction;
+  };
+  EXPECT_LT(correction(1., 0.2), 0.) << "coarse cells are stiff, also where no change shows it";
+  EXPECT_NEAR(correction(1., 0.2), 4. * correction(1., 0.1), 1e-15);
+  const double change = 1e-3;
+  EXPECT_NEAR(correction(1. + change, 0.2) - correction(1., 0.2), -0.56 * change / 3., 1e-12);
+}
+
 TEST(ErrorEstimate, AsksForTwoMeshesOfTheZoneWithEnoughNodesInThePlane) {
   std::vector<LevelRecord> history = history_of({1., 1.1, 1.12}, 3);
   for (LevelRecord& level : history) level.refined = Refined::zone;
