@@ -57,7 +57,7 @@ CoupledSections::CoupledSections(const PinLine& pin, const SectionEdges& edges)
     widths_[i] = edges[edge + 1] - edges[edge];
     clearance_[i] = pin.clearance.at(places_[i]);
   }
-  append_pin(pin);
+  append_pin(pin, edges);
   append_wheel(pin);
   for (const Source source : sources) far_.push_back(far_influence_of(source));
 }
@@ -96,22 +96,24 @@ double CoupledSections::share_of(const Source source) const {
 }
 
 /// Beam, and what a round cylinder gives way more than it and a half-space.
-void CoupledSections::append_pin(const PinLine& pin) {
+void CoupledSections::append_pin(const PinLine& pin, const SectionEdges& edges) {
   const HeldBeam beam(pin);
   const CylinderKernel kernel(pin.pin.poissons_ratio, inside_of(pin),
                               pin.inner_radius / pin.radius);
   const double shear = more_shear(pin, kernel);
   const double root = pin.clearance.upper_end;
-  for (Eigen::Index j = 0; j < n_; ++j)
-    for (Eigen::Index i = 0; i < n_; ++i) {
-      const double distance = places_[i] - places_[j];
-      const double half = widths_[j] / 2.;
-      const double local = kernel.integral((distance + half) / pin.radius) -
-                           kernel.integral((distance - half) / pin.radius);
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    // a section ends where the next begins: one integral for both
+    double to_lower_edge = kernel.integral((places_[i] - edges.front()) / pin.radius);
+    for (Eigen::Index j = 0; j < n_; ++j) {
+      const double upper_edge = edges[static_cast<std::size_t>(j) + 1];
+      const double to_upper_edge = kernel.integral((places_[i] - upper_edge) / pin.radius);
       slow_(i, j) += widths_[j] * (beam.flexibility(root - places_[i], root - places_[j]) +
-                                   shear * std::abs(distance)) +
-                     local / pin.pin.youngs_modulus;
+                                   shear * std::abs(places_[i] - places_[j])) +
+                     (to_lower_edge - to_upper_edge) / pin.pin.youngs_modulus;
+      to_lower_edge = to_upper_edge;
     }
+  }
 }
 
 /// Plate, and the turn of the wheel.

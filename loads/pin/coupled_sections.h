@@ -50,7 +50,7 @@ class CoupledSections {
 
   [[nodiscard]] double place_of(Source source, Eigen::Index j) const;
   [[nodiscard]] double share_of(Source source) const;
-  void append_pin(const PinLine& pin);
+  void append_pin(const PinLine& pin, const SectionEdges& edges);
   void append_wheel(const PinLine& pin);
   /// Of a load far away by its width: its logarithm, and what b^2 is multiplied with.
   struct Far {

@@ -101,6 +101,7 @@ CylinderKernel::CylinderKernel(const double poissons_ratio, const PinInside insi
       table.n_radii == 1 ? std::vector<double>{1.} : shares_at(table.x, table.n_radii);
   const std::vector<double> of_ratio = shares_at(4. * poissons_ratio - 1., table.n_ratios);
   place_step_ = table.place_step;
+  for (std::size_t i = 0; i < table.n_places; ++i) places_.push_back(place(i, place_step_));
   values_.assign(table.n_places, 0.);
   slopes_.assign(table.n_places, 0.);
   for (std::size_t radius = 0; radius < table.n_radii; ++radius)
@@ -126,13 +127,13 @@ double CylinderKernel::shear_factor() const {
 /// Beyond the table V grows as -(1 - nu^2)/pi ln z, half of a half-space's.
 double CylinderKernel::integral(const double z) const {
   const double nu = poissons_ratio_;
-  const double end = place(values_.size() - 1, place_step_);
+  const double end = places_.back();
   const double size = std::min(std::abs(z), end);
   if (size == 0.) return 0.;
   const auto i = std::min(static_cast<std::size_t>(std::asinh(size / place_scale) / place_step_),
                           values_.size() - 2);
-  const double width = place(i + 1, place_step_) - place(i, place_step_);
-  const double x = (size - place(i, place_step_)) / width;
+  const double width = places_[i + 1] - places_[i];
+  const double x = (size - places_[i]) / width;
   const double rise = values_[i + 1] - values_[i];
   const double lower = width * slopes_[i];
   const double upper = width * slopes_[i + 1];

@@ -35,6 +35,7 @@ class CylinderKernel {
   double poissons_ratio_;
   double inner_radius_;
   double place_step_;
+  std::vector<double> places_;
   std::vector<double> values_;  ///< V without its logarithm at 0
   std::vector<double> slopes_;
 };
