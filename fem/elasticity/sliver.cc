@@ -130,12 +130,13 @@ StressVector<dim> Slivers<dim>::stress(const unsigned int body, const FacePoint&
 
 namespace {
 
-/// Work of a stress under a displacement of a vertex along an axis, per volume.
+/// Work of a stress under displacements of a vertex along each axis, per volume.
 template <int dim>
-double work(const StressVector<dim>& stress, const Tensor<1, dim>& gradient, const double hoop,
-            const unsigned int component) {
-  const double out_of_plane = dim == 2 && component == 0 ? stress[2] * hoop : 0.;
-  return traction_of(stress, gradient)[component] + out_of_plane;
+Tensor<1, dim> work(const StressVector<dim>& stress, const Tensor<1, dim>& gradient,
+                    const double hoop) {
+  Tensor<1, dim> result = traction_of(stress, gradient);
+  if (dim == 2) result[0] += stress[2] * hoop;
+  return result;
 }
 
 }  // namespace
@@ -152,10 +153,10 @@ void Slivers<dim>::add_stiffness(const Cell& cell, dealii::FullMatrix<double>& s
       for (unsigned int b = 0; b < Geometry::vertices_per_face; ++b)
         for (unsigned int j = 0; j < dim; ++j) {
           const StressVector<dim> by_b = point.volume * stress(cell->material_id(), point, b, j);
-          for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a)
-            for (unsigned int i = 0; i < dim; ++i)
-              stiffness(dof(a, i), dof(b, j)) +=
-                  work<dim>(by_b, point.gradients[a], point.hoop[a], i);
+          for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a) {
+            const Tensor<1, dim> of_a = work<dim>(by_b, point.gradients[a], point.hoop[a]);
+            for (unsigned int i = 0; i < dim; ++i) stiffness(dof(a, i), dof(b, j)) += of_a[i];
+          }
         }
   }
 }
@@ -168,10 +169,11 @@ void Slivers<dim>::add_load(const Cell& cell, const unsigned int face, const dou
     const StressVector<dim> by_traction =
         point.volume * surface_stress(*laws_[cell->material_id()], Tensor<2, dim>(), 0.,
                                       point.normal, shear - pressure * point.normal);
-    for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a)
+    for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a) {
+      const Tensor<1, dim> of_a = work<dim>(by_traction, point.gradients[a], point.hoop[a]);
       for (unsigned int i = 0; i < dim; ++i)
-        load[dim * Geometry::face_to_cell_vertices(face, a) + i] -=
-            work<dim>(by_traction, point.gradients[a], point.hoop[a], i);
+        load[dim * Geometry::face_to_cell_vertices(face, a) + i] -= of_a[i];
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -118,24 +119,53 @@ class PinMotion {
   [[nodiscard]] unsigned int body() const { return body_; }
 
  private:
-  /// Calls f with the evaluation of each cell of the pin that reaches into a slice: at points that
-  /// are evenly spaced, each for the same share of its cell, and denser than the slice is thick.
-  template <typename F>
-  void for_each_cell(const double from, const double to, const F& f) const {
+  using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+  /// Numbers of points along the reference directions of a cell; 0: the cell does not rise along
+  /// it.
+  using Points = std::array<unsigned int, 3>;
+
+  /// Where the cell rises along the pin, more points than the slice needs.
+  [[nodiscard]] Points points_in(const Cell& cell, const double thickness) const {
+    constexpr double level = 1e-6;
     constexpr unsigned int most_points = 16;
     const double length = solution_.scales.length;
-    std::map<unsigned int, dealii::FEValues<3>> values_by_points;
+    Points points{};
+    for (unsigned int k = 0; k < 3; ++k) {
+      double rise = 0.;
+      for (unsigned int vertex = 0; vertex < 8; ++vertex)
+        if ((vertex >> k & 1U) == 0)
+          rise =
+              std::max(rise, std::abs(cell->vertex(vertex | 1U << k)[2] - cell->vertex(vertex)[2]));
+      if (rise > level * cell->diameter())
+        points[k] = std::clamp(static_cast<unsigned int>(std::ceil(4. * rise * length / thickness)),
+                               2U, most_points);
+    }
+    return points;
+  }
+
+  /// Gauss's points, or evenly spaced ones, each for the same share of its cell.
+  static dealii::Quadrature<3> quadrature_of(const Points& points) {
+    const auto along = [](const unsigned int n) -> dealii::Quadrature<1> {
+      if (n == 0) return dealii::QGauss<1>(2);
+      return dealii::QIterated<1>(dealii::QMidpoint<1>(), n);
+    };
+    return dealii::QAnisotropic<3>(along(points[0]), along(points[1]), along(points[2]));
+  }
+
+  /// Calls f with the evaluation of each cell of the pin that reaches into a slice.
+  template <typename F>
+  void for_each_cell(const double from, const double to, const F& f) const {
+    const double length = solution_.scales.length;
+    std::map<Points, dealii::FEValues<3>> values_by_points;
     for (const auto& cell : solution_.dof_handler->active_cell_iterators()) {
       if (!cell->is_locally_owned() || cell->material_id() != body_) continue;
       const double middle = cell->center()[2] * length;
       const double size = cell->diameter() * length;
       if (middle + size < from || middle - size > to) continue;
-      const unsigned int points = std::clamp(
-          static_cast<unsigned int>(std::ceil(4. * size / (to - from))), 2U, most_points);
+      const Points points = points_in(cell, to - from);
       dealii::FEValues<3>& values =
           values_by_points
-              .try_emplace(points, *solution_.element,
-                           dealii::QIterated<3>(dealii::QMidpoint<1>(), points),
+              .try_emplace(points, *solution_.element, quadrature_of(points),
                            dealii::update_values | dealii::update_quadrature_points |
                                dealii::update_JxW_values)
               .first->second;
