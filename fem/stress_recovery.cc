@@ -537,8 +537,8 @@ std::optional<StressVector<dim>> StressRecovery<dim>::stress_on(
   std::vector<SurfaceNeighbour<dim>> neighbours;
   for (const auto& [vertex, neighbour] : around) neighbours.push_back(neighbour);
   for (const Mirror& mirror : mirrors_at(corners)) {
-    normal[mirror.axis] = 0.;
-    traction[mirror.axis] = 0.;  // what its plane exerts is none of the surface's
+    // what the plane of symmetry exerts is none of the surface's
+    if (faces.front().is_held) traction[mirror.axis] = 0.;
     const std::size_t n = neighbours.size();
     for (std::size_t i = 0; i < n; ++i)
       if (std::abs(neighbours[i].offset[mirror.axis]) > 0.)

@@ -64,9 +64,10 @@ def test_a_contact_has_arrays_with_their_units(result):
 
 def test_the_pressure_along_the_contact_is_hertz(result):
     contact = result.contacts[0]
-    inside = contact.pressure > 0
-    difference = np.abs(contact.pressure - contact.hertz_pressure)[inside].max() / contact.peak_pressure
-    assert difference < 0.05  # near the rim, where the slope of Hertz's pressure has no bound
+    difference = np.abs(contact.pressure - contact.hertz_pressure) / contact.peak_pressure
+    assert difference[contact.hertz_pressure > 0.4 * contact.peak_pressure].max() < 0.005
+    # The slope has no bound at the rim: half of an edge 2 a/N within it Hertz's pressure is p0 sqrt(2/N).
+    assert difference.max() < np.sqrt(2 / np.count_nonzero(contact.pressure))
 
 
 def test_fields_are_arrays_of_nodes_and_cells(result):

@@ -176,6 +176,15 @@ TEST(SingularPlaces, AreNoneAtPlanesOfSymmetry) {
       << "what is pulled along the normal is not mirrored";
 }
 
+TEST(SingularPlaces, AreEndsOfASurfaceThatTwoSupportsHold) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"foot", "", "", ""});
+  Problem<2> problem;
+  problem.bodies.push_back({"block", steel, {}});
+  problem.supports = {{"foot", {0., std::nullopt}}, {"foot", {std::nullopt, 0.}}};
+  EXPECT_EQ(singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {})).size(), 2U);
+}
+
 /// Two blocks of one body that make an L.
 TEST(SingularPlaces, AreCornersThatPointIntoTheBody) {
   mesh::MeshData<2> mesh = empty_mesh();
