@@ -157,6 +157,20 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
   return frame.is_mirrored(z_axis) ? mirrored(sections, frame.centre[2]) : sections;
 }
 
+std::size_t nodes_across_middle(const fem::ContactResult<3>& contact, const ContactFrame& frame) {
+  const auto [lowest, highest] = whole_extent(contact, frame, z_axis);
+  const auto distance = [middle = (lowest + highest) / 2.](const Layer& layer) {
+    return std::abs(layer.front()->position[2] - middle);
+  };
+  const std::vector<Layer> layers = loaded_layers(contact, frame);
+  const auto nearest =
+      std::min_element(layers.begin(), layers.end(),
+                       [&](const Layer& a, const Layer& b) { return distance(a) < distance(b); });
+  if (nearest == layers.end()) return 0;
+  return static_cast<std::size_t>(std::count_if(
+      nearest->begin(), nearest->end(), [](const Node* node) { return is_closed(node->status); }));
+}
+
 ShearBelow maximum_shear(const fem::Solution<3>& solution, const ContactFrame& frame,
                          const double half_width, const std::vector<CellStress<3>>& cells) {
   Shear maximum{};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "post/analysis/contact_frame.h"
@@ -15,6 +16,9 @@ std::vector<ContactSection> contact_sections(const fem::Solution<3>& solution,
                                              const fem::ContactResult<3>& contact,
                                              const ContactFrame& frame,
                                              const std::vector<CellStress<3>>& cells);
+
+/// Nodes in contact in the layer that is nearest to the middle of the surfaces' length.
+std::size_t nodes_across_middle(const fem::ContactResult<3>& contact, const ContactFrame& frame);
 
 /// Maximum shear stress of a body below the contact and its depth.
 struct ShearBelow {

@@ -11,7 +11,8 @@ namespace {
 
 /// The cells at a contact, and what is fitted to them.
 struct ContactCells {
-  double size;  ///< over the half-width
+  double size;            ///< over the half-width
+  double size_in_middle;  ///< of the length, over the half-width there
   bool is_axisymmetric;
   bool is_elliptic;  ///< the pressure is spread as Hertz's: p^2 is a parabola
 };
@@ -38,13 +39,17 @@ ContactCells contact_cells(const fem::Solution<2>& solution, const fem::ContactR
   for (const fem::ContactInterval& interval : contact.intervals)
     length += interval.end - interval.begin;
   const bool is_axisymmetric = solution.problem.plane == fem::PlaneKind::axisymmetric;
-  return {length / contact.active_nodes / contact.half_width, is_axisymmetric,
-          is_elliptic(solution, contact, is_axisymmetric)};
+  const double size = length / contact.active_nodes / contact.half_width;
+  return {size, size, is_axisymmetric, is_elliptic(solution, contact, is_axisymmetric)};
 }
 
-ContactCells contact_cells(const fem::Solution<3>& solution,
-                           const fem::ContactResult<3>& /*unused*/) {
-  return {2. / solution.history.back().nodes_across, false, true};
+/// Where a bent or tilted pin presses beside the middle, fewer nodes lie across it there.
+ContactCells contact_cells(const fem::Solution<3>& solution, const fem::ContactResult<3>& contact) {
+  const auto across = static_cast<double>(solution.history.back().nodes_across);
+  const ContactFrame frame = contact_frame(solution, contact);
+  const bool is_along_z = std::abs(frame.along * z_axis) > 1. - 1e-6;
+  const auto in_middle = static_cast<double>(is_along_z ? nodes_across_middle(contact, frame) : 0);
+  return {2. / across, 2. / (in_middle > 0. ? std::min(in_middle, across) : across), false, true};
 }
 
 /// What the nodes and cells leave open that a figure is taken from, with cells of the size s times
@@ -84,6 +89,10 @@ Evaluation evaluation(const Figure figure, const ContactCells& cells, const int 
 
 bool is_depth(const Figure figure) {
   return figure == Figure::max_shear_depth || figure == Figure::mid_length_shear_depth;
+}
+
+bool is_of_middle(const Figure figure) {
+  return Figure::mid_length_pressure <= figure && figure <= Figure::line_load_middle;
 }
 
 /// Whether a figure follows from the balance of forces or from the bodies as a whole, not from the
@@ -148,7 +157,7 @@ double error_of(const Course& course, const Figure figure, const double grading,
   // What the conjugate gradients leave of a force that the loads decide.
   constexpr double solver_tolerance = 1e-7;
   const Evaluation own = evaluation(figure, cells, dim);
-  const double size = cells.size;
+  const double size = is_of_middle(figure) ? cells.size_in_middle : cells.size;
   // Then too few nodes and cells carry a parabola or a cubic.
   constexpr double coarse = 0.17;
   const double unfitted = dim == 2 && own.is_fitted && size > coarse ? 0.5 : 0.;

@@ -76,5 +76,22 @@ TEST(MiddleSection, IsTheNextLoadedOneWhereTheMiddleCarriesNothing) {
   EXPECT_THROW(middle_section(contact_of_length_four(), {}, {}), std::invalid_argument);
 }
 
+TEST(MiddleSection, HasTheNodesInContactOfTheLayerNearestToTheMiddle) {
+  fem::ContactResult<3> contact = contact_of_length_four();
+  const auto add_layer = [&](const double z, const unsigned int closed) {
+    for (unsigned int i = 0; i < 5; ++i) {
+      fem::ContactNode<3> node{};
+      node.position = {0.1 * i, 0., z};
+      node.status = i < closed ? fem::NodeStatus::stick : fem::NodeStatus::open;
+      contact.nodes.push_back(node);
+    }
+  };
+  EXPECT_EQ(nodes_across_middle(contact, {}), 0U) << "nothing is loaded";
+  add_layer(0.5, 5);
+  add_layer(1.8, 2);
+  add_layer(3.5, 4);
+  EXPECT_EQ(nodes_across_middle(contact, {}), 2U);
+}
+
 }  // namespace
 }  // namespace geneva::post
