@@ -41,12 +41,13 @@ struct BoundaryTractions {
   std::map<dealii::types::global_dof_index, double> at_held = {};
 };
 
-/// Those that are known before a solve.
+/// Those that are known without the forces at the nodes of held surfaces.
 template <int dim>
 BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
                                           const Problem<dim>& problem, const Scales& scales,
                                           const std::vector<ContactResult<dim>>& contacts);
 
+/// Those of a solution, with what supports and ties exert at their nodes.
 template <int dim>
 BoundaryTractions<dim> boundary_tractions(const Solution<dim>& solution);
 

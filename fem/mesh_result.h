@@ -28,7 +28,7 @@ template <int dim>
 bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,
                      const LevelState& found);
 
-/// What is open of the maximum pressure by the scatter of its nodes: the standard error of its fit,
+/// What is open of the maximum pressure by the scatter of its nodes: the 95 % interval of its fit,
 /// and the doubt of its ends; relative, 0 in 3-D.
 template <int dim>
 double scatter_of_peak(const std::vector<ContactResult<dim>>& contacts);

@@ -70,11 +70,10 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 /// from q to 1, the change is q - 1 times what is left, or less: changes fall faster than the
 /// measure, since hanging faces and long cells go as well, or cells far away count less than
 /// assumed. Three quarters are corrected where the forces are given, and three tenths stay in
-/// doubt. Of a pressure that is freed from the nodes 0.56 and 0.01 times the square of the grading
-/// are corrected, which what is left depends on less scattered; a fifth stays in doubt, and at
-/// least 0.016 times that square. Where forces are not given, what is left lies between nothing and
-/// all, and the middle is taken. Where the pressure peaks beside an end half is corrected and all
-/// stays in doubt.
+/// doubt. Of a pressure that is freed from the nodes 0.56 of it and 0.01 times the square of the
+/// grading are corrected; a fifth stays in doubt, and at least 0.016 times that square. Where
+/// forces are not given, what is left lies between nothing and all, and the middle is taken. Where
+/// the pressure peaks beside an end half is corrected and all stays in doubt.
 /// @param values the newest last, all with enough nodes in contact
 /// @param grading ratio of size to distance now
 Extrapolation extrapolate(const std::vector<MeshValue>& values, double grading,
