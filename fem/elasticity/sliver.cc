@@ -76,6 +76,12 @@ std::array<Tensor<1, 3>, 2> reciprocal(const std::array<Tensor<1, 3>, 2>& tangen
 }  // namespace
 
 template <int dim>
+unsigned int Slivers<dim>::cell_dof(const unsigned int face, const int face_dof) {
+  const auto dof = static_cast<unsigned int>(face_dof);
+  return dim * dealii::GeometryInfo<dim>::face_to_cell_vertices(face, dof / dim) + dof % dim;
+}
+
+template <int dim>
 Slivers<dim>::Slivers(const Problem<dim>& problem)
     : problem_(problem), laws_(material_laws(problem)) {}
 
@@ -119,61 +125,46 @@ std::vector<typename Slivers<dim>::FacePoint> Slivers<dim>::points(const Cell& c
 }
 
 template <int dim>
-StressVector<dim> Slivers<dim>::stress(const unsigned int body, const FacePoint& point,
-                                       const unsigned int vertex,
-                                       const unsigned int component) const {
-  Tensor<2, dim> gradient;
-  gradient[component] = point.gradients[vertex];
-  return surface_stress(*laws_[body], gradient, component == 0 ? point.hoop[vertex] : 0.,
-                        point.normal, Tensor<1, dim>());
-}
-
-namespace {
-
-/// Work of a stress under displacements of a vertex along each axis, per volume.
-template <int dim>
-Tensor<1, dim> work(const StressVector<dim>& stress, const Tensor<1, dim>& gradient,
-                    const double hoop) {
-  Tensor<1, dim> result = traction_of(stress, gradient);
-  if (dim == 2) result[0] += stress[2] * hoop;
+typename Slivers<dim>::FaceStrains Slivers<dim>::strains(const FacePoint& point) {
+  FaceStrains result;
+  Eigen::Index column = 0;
+  for (std::size_t vertex = 0; vertex < point.gradients.size(); ++vertex)
+    for (unsigned int component = 0; component < dim; ++component) {
+      Tensor<2, dim> gradient;
+      gradient[component] = point.gradients[vertex];
+      result.col(column++) = strain_of<dim>(gradient, component == 0 ? point.hoop[vertex] : 0.);
+    }
   return result;
 }
 
-}  // namespace
-
 template <int dim>
 void Slivers<dim>::add_stiffness(const Cell& cell, dealii::FullMatrix<double>& stiffness) const {
-  using Geometry = dealii::GeometryInfo<dim>;
   for (const unsigned int face : cell->face_indices()) {
     if (!is_round(cell->face(face))) continue;
-    const auto dof = [&](const unsigned int vertex, const unsigned int component) {
-      return dim * Geometry::face_to_cell_vertices(face, vertex) + component;
-    };
-    for (const FacePoint& point : points(cell, face))
-      for (unsigned int b = 0; b < Geometry::vertices_per_face; ++b)
-        for (unsigned int j = 0; j < dim; ++j) {
-          const StressVector<dim> by_b = point.volume * stress(cell->material_id(), point, b, j);
-          for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a) {
-            const Tensor<1, dim> of_a = work<dim>(by_b, point.gradients[a], point.hoop[a]);
-            for (unsigned int i = 0; i < dim; ++i) stiffness(dof(a, i), dof(b, j)) += of_a[i];
-          }
-        }
+    const Tangent<dim> tangent =
+        laws_[cell->material_id()]->respond(StressVector<dim>::Zero(), {}).tangent;
+    Eigen::Matrix<double, n_face_dofs, n_face_dofs> sum;
+    sum.setZero();
+    for (const FacePoint& point : points(cell, face)) {
+      const FaceStrains strains = Slivers::strains(point);
+      const FaceStrains stresses = surface_tangent(tangent, point.normal) * strains;
+      sum += point.volume * (strains.transpose() * stresses);
+    }
+    for (int j = 0; j < n_face_dofs; ++j)
+      for (int i = 0; i < n_face_dofs; ++i)
+        stiffness(cell_dof(face, i), cell_dof(face, j)) += sum(i, j);
   }
 }
 
 template <int dim>
 void Slivers<dim>::add_load(const Cell& cell, const unsigned int face, const double pressure,
                             const Tensor<1, dim>& shear, dealii::Vector<double>& load) const {
-  using Geometry = dealii::GeometryInfo<dim>;
   for (const FacePoint& point : points(cell, face)) {
-    const StressVector<dim> by_traction =
-        point.volume * surface_stress(*laws_[cell->material_id()], Tensor<2, dim>(), 0.,
-                                      point.normal, shear - pressure * point.normal);
-    for (unsigned int a = 0; a < Geometry::vertices_per_face; ++a) {
-      const Tensor<1, dim> of_a = work<dim>(by_traction, point.gradients[a], point.hoop[a]);
-      for (unsigned int i = 0; i < dim; ++i)
-        load[dim * Geometry::face_to_cell_vertices(face, a) + i] -= of_a[i];
-    }
+    const Eigen::Matrix<double, n_face_dofs, 1> forces =
+        point.volume * (strains(point).transpose() *
+                        surface_stress(*laws_[cell->material_id()], Tensor<2, dim>(), 0.,
+                                       point.normal, shear - pressure * point.normal));
+    for (int i = 0; i < n_face_dofs; ++i) load[cell_dof(face, i)] -= forces[i];
   }
 }
 

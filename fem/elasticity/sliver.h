@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/full_matrix.h>
@@ -52,8 +53,14 @@ class Slivers {
   };
 
   [[nodiscard]] std::vector<FacePoint> points(const Cell& cell, unsigned int face) const;
-  [[nodiscard]] StressVector<dim> stress(unsigned int body, const FacePoint& point,
-                                         unsigned int vertex, unsigned int component) const;
+  static constexpr int n_face_dofs = dim * dealii::GeometryInfo<dim>::vertices_per_face;
+  using FaceStrains = Eigen::Matrix<double, n_stress_components<dim>, n_face_dofs>;
+
+  /// Strains by unit displacements of the face's vertices.
+  static FaceStrains strains(const FacePoint& point);
+
+  /// Of the cell's unknowns that of a face.
+  static unsigned int cell_dof(unsigned int face, int face_dof);
 
   Problem<dim> problem_;
   MaterialLaws<dim> laws_;

@@ -1,5 +1,6 @@
 #include "fem/elasticity/surface_stress.h"
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 
@@ -28,18 +29,6 @@ Basis<3> basis(const Tensor<1, 3>& normal) {
   Tensor<1, 3> first = other - (other * normal) * normal;
   first /= first.norm();
   return {normal, first, dealii::cross_product_3d(normal, first)};
-}
-
-/// The strain vector of a displacement gradient.
-StressVector<2> strain_of(const Tensor<2, 2>& gradient, const double hoop) {
-  return {gradient[0][0], gradient[1][1], hoop, gradient[0][1] + gradient[1][0]};
-}
-
-StressVector<3> strain_of(const Tensor<2, 3>& gradient, const double /*hoop*/) {
-  StressVector<3> strain;
-  strain << gradient[0][0], gradient[1][1], gradient[2][2], gradient[0][1] + gradient[1][0],
-      gradient[0][2] + gradient[2][0], gradient[1][2] + gradient[2][1];
-  return strain;
 }
 
 /// Coordinates along a surface, each relative to its maximum among the neighbours, so that long
@@ -118,34 +107,64 @@ Tensor<1, dim> traction_of(const StressVector<dim>& stress, const Tensor<1, dim>
 }
 
 template <int dim>
+StressVector<dim> strain_of(const Tensor<2, dim>& gradient, const double hoop) {
+  StressVector<dim> strain;
+  if constexpr (dim == 2)
+    strain << gradient[0][0], gradient[1][1], hoop, gradient[0][1] + gradient[1][0];
+  else
+    strain << gradient[0][0], gradient[1][1], gradient[2][2], gradient[0][1] + gradient[1][0],
+        gradient[0][2] + gradient[2][0], gradient[1][2] + gradient[2][1];
+  return strain;
+}
+
+namespace {
+
+/// The strains that the traction on a surface decides: along the normal, and the shears with it. As
+/// columns; their products with a stress are the traction along the vectors of basis(normal).
+template <int dim>
+using OpenStrains = Eigen::Matrix<double, n_stress_components<dim>, dim>;
+
+template <int dim>
+OpenStrains<dim> open_strains(const Tensor<1, dim>& normal) {
+  const auto axes = basis(normal);
+  OpenStrains<dim> open;
+  for (unsigned int i = 0; i < dim; ++i)
+    open.col(i) = strain_of<dim>(dealii::outer_product(axes[i], normal), 0.);
+  return open;
+}
+
+}  // namespace
+
+template <int dim>
+Tangent<dim> surface_tangent(const Tangent<dim>& tangent, const Tensor<1, dim>& normal) {
+  const OpenStrains<dim> open = open_strains(normal);
+  const Eigen::Matrix<double, n_stress_components<dim>, dim> stresses = tangent * open;
+  const Eigen::Matrix<double, dim, dim> tractions = open.transpose() * stresses;
+  return tangent - stresses * tractions.inverse() * stresses.transpose();
+}
+
+template <int dim>
 StressVector<dim> surface_stress(const MaterialLaw<dim>& law, const Tensor<2, dim>& gradient,
                                  const double hoop, const Tensor<1, dim>& normal,
                                  const Tensor<1, dim>& traction) {
   const auto axes = basis(normal);
-  // The strains that the traction decides: along the normal, and the shears with it.
-  std::array<StressVector<dim>, static_cast<std::size_t>(dim)> open;
-  for (unsigned int i = 0; i < dim; ++i)
-    open[i] = strain_of(dealii::outer_product(axes[i], normal), 0.);
+  const OpenStrains<dim> open = open_strains(normal);
+  Eigen::Matrix<double, dim, 1> wanted;
+  for (unsigned int i = 0; i < dim; ++i) wanted[i] = axes[i] * traction;
   Tensor<2, dim> along;
   for (unsigned int i = 1; i < dim; ++i)
     for (unsigned int j = 1; j < dim; ++j)
       along += (axes[i] * (gradient * axes[j])) * dealii::outer_product(axes[i], axes[j]);
-  StressVector<dim> strain = strain_of(along, hoop);
+  StressVector<dim> strain = strain_of<dim>(along, hoop);
   // Newton's method, which ends after one step where stresses are linear in strains.
   constexpr unsigned int maximum_steps = 20;
   MaterialResponse<dim> response = law.respond(strain, {});
   for (unsigned int step = 0; step < maximum_steps; ++step) {
-    const Tensor<1, dim> residual = traction - traction_of<dim>(response.stress, normal);
-    Tensor<2, dim> slope;
-    for (unsigned int j = 0; j < dim; ++j) {
-      const Tensor<1, dim> by_strain = traction_of<dim>(response.tangent * open[j], normal);
-      for (unsigned int i = 0; i < dim; ++i) slope[i][j] = by_strain[i];
-    }
-    const Tensor<1, dim> change = dealii::invert(slope) * residual;
-    for (unsigned int j = 0; j < dim; ++j) strain += change[j] * open[j];
+    const Eigen::Matrix<double, dim, dim> slope = open.transpose() * response.tangent * open;
+    strain += open * (slope.inverse() * (wanted - open.transpose() * response.stress));
     response = law.respond(strain, {});
-    if ((traction - traction_of<dim>(response.stress, normal)).norm() <=
-        1e-12 * (response.stress.norm() + traction.norm()))
+    if ((wanted - open.transpose() * response.stress).norm() <=
+        1e-12 * (response.stress.norm() + wanted.norm()))
       break;
   }
   return response.stress;
@@ -155,6 +174,8 @@ StressVector<dim> surface_stress(const MaterialLaw<dim>& law, const Tensor<2, di
   template std::optional<Tensor<2, dim>> surface_gradient(                                  \
       const Tensor<1, dim>&, const std::vector<SurfaceNeighbour<dim>>&);                    \
   template Tensor<1, dim> traction_of(const StressVector<dim>&, const Tensor<1, dim>&);     \
+  template Tangent<dim> surface_tangent(const Tangent<dim>&, const Tensor<1, dim>&);        \
+  template StressVector<dim> strain_of(const Tensor<2, dim>&, double);                      \
   template StressVector<dim> surface_stress(const MaterialLaw<dim>&, const Tensor<2, dim>&, \
                                             double, const Tensor<1, dim>&, const Tensor<1, dim>&);
 INSTANTIATE(2)

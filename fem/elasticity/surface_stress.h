@@ -37,6 +37,18 @@ StressVector<dim> surface_stress(const MaterialLaw<dim>& law,
                                  const dealii::Tensor<1, dim>& normal,
                                  const dealii::Tensor<1, dim>& traction);
 
+/// What a tangent C is for strains of a surface without traction, C - C N (N^T C N)^-1 N^T C with
+/// the strains N that involve the normal: those cause no stress.
+/// @param tangent symmetric [Pa]
+/// @param normal unit vector
+template <int dim>
+Tangent<dim> surface_tangent(const Tangent<dim>& tangent, const dealii::Tensor<1, dim>& normal);
+
+/// Strain of a displacement gradient, with shears twice the tensor's.
+/// @param hoop strain out of the plane of the model; not used in 3-D
+template <int dim>
+StressVector<dim> strain_of(const dealii::Tensor<2, dim>& gradient, double hoop);
+
 /// stress . normal [Pa]
 template <int dim>
 dealii::Tensor<1, dim> traction_of(const StressVector<dim>& stress,
