@@ -83,8 +83,10 @@ std::vector<StressVector<dim>> CellElement<dim>::strains(const Cell& cell,
   Eigen::Map<Eigen::Matrix<double, n_all, 1>> all(amplitudes.data());
   all.template head<n_own>() =
       Eigen::Map<const Eigen::Matrix<double, n_own, 1>>(displacement.begin());
-  const Eigen::MatrixXd modes = whole.block(n_own, n_own, n_modes(), n_modes());
-  const Eigen::VectorXd load =
+  constexpr int most_modes = n_all - n_own;
+  using Modes = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_modes, most_modes>;
+  const Modes modes = whole.block(n_own, n_own, n_modes(), n_modes());
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_modes, 1> load =
       -whole.block(n_own, 0, n_modes(), n_own) * all.template head<n_own>();
   all.segment(n_own, n_modes()) = modes.llt().solve(load);
   std::vector<StressVector<dim>> result(values.n_quadrature_points, StressVector<dim>::Zero());
@@ -198,7 +200,7 @@ typename CellElement<dim>::Stiffness CellElement<dim>::whole_stiffness(const Cel
     for (int b = 0; b <= a; ++b) {
       const Eigen::Matrix3d product = products.template block<3, 3>(3 * a, 3 * b);
       const Eigen::Matrix<double, dim * dim, 1> block =
-          tangent * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(product.data());
+          tangent.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 9, 1>>(product.data()));
       result.template block<dim, dim>(dim * a, dim * b) =
           Eigen::Map<const Eigen::Matrix<double, dim, dim>>(block.data());
     }

@@ -5,7 +5,6 @@
 #include <deal.II/grid/manifold.h>
 
 #include <array>
-#include <utility>
 
 #include "fem/discretisation/round_cell.h"
 #include "fem/elasticity/surface_stress.h"
@@ -26,32 +25,40 @@ const Point<dim>& corner(const RoundFaceCell<dim>& cell, const unsigned int face
   return cell->vertex(dealii::GeometryInfo<dim>::face_to_cell_vertices(face, vertex));
 }
 
-/// How far the middle of the true curve between two corners of a face lies outside of the chord.
+/// From the middle of the chord between two corners of a face to that of the true curve.
 template <int dim>
-double sagitta(const RoundFaceCell<dim>& cell, const unsigned int face, const unsigned int begin,
-               const unsigned int end, const Tensor<1, dim>& normal) {
+Tensor<1, dim> rise(const RoundFaceCell<dim>& cell, const unsigned int face,
+                    const unsigned int begin, const unsigned int end) {
   const Point<dim>& from = corner<dim>(cell, face, begin);
   const Point<dim>& to = corner<dim>(cell, face, end);
   const Point<dim> middle = middle_of_curve(cell->face(face)->get_manifold(), from, to);
-  return (middle - from - 0.5 * (to - from)) * normal;
+  return middle - from - 0.5 * (to - from);
 }
 
-/// Thickness of the sliver over a reference point of the face.
-double thickness(const RoundFaceCell<2>& cell, const unsigned int face, const Point<1>& xi,
-                 const Tensor<1, 2>& normal) {
-  return 4. * xi[0] * (1. - xi[0]) * sagitta<2>(cell, face, 0, 1, normal);
+/// Those of a face's edges, along its first coordinate and along its second.
+template <int dim>
+using Rises = std::array<Tensor<1, dim>, dim == 2 ? 1 : 4>;
+
+Rises<2> rises(const RoundFaceCell<2>& cell, const unsigned int face) {
+  return {rise<2>(cell, face, 0, 1)};
 }
 
-double thickness(const RoundFaceCell<3>& cell, const unsigned int face, const Point<2>& xi,
-                 const Tensor<1, 3>& normal) {
-  const auto between = [](const double begin, const double end, const double at) {
-    return (1. - at) * begin + at * end;
+Rises<3> rises(const RoundFaceCell<3>& cell, const unsigned int face) {
+  return {rise<3>(cell, face, 0, 1), rise<3>(cell, face, 2, 3), rise<3>(cell, face, 0, 2),
+          rise<3>(cell, face, 1, 3)};
+}
+
+/// Vector of the sliver's thickness over a reference point of the face.
+Tensor<1, 2> thickness(const Rises<2>& rises, const Point<1>& xi) {
+  return 4. * xi[0] * (1. - xi[0]) * rises[0];
+}
+
+Tensor<1, 3> thickness(const Rises<3>& rises, const Point<2>& xi) {
+  const auto between = [&](const std::size_t first, const double at) {
+    return (1. - at) * rises[first] + at * rises[first + 1];
   };
-  const auto along = [&](const unsigned int begin, const unsigned int end) {
-    return sagitta<3>(cell, face, begin, end, normal);
-  };
-  return 4. * xi[0] * (1. - xi[0]) * between(along(0, 1), along(2, 3), xi[1]) +
-         4. * xi[1] * (1. - xi[1]) * between(along(0, 2), along(1, 3), xi[0]);
+  return 4. * xi[0] * (1. - xi[0]) * between(0, xi[1]) +
+         4. * xi[1] * (1. - xi[1]) * between(2, xi[0]);
 }
 
 Tensor<1, 2> across(const std::array<Tensor<1, 2>, 1>& tangents) {
@@ -86,12 +93,12 @@ Slivers<dim>::Slivers(const Problem<dim>& problem)
     : problem_(problem), laws_(material_laws(problem)) {}
 
 template <int dim>
-std::vector<typename Slivers<dim>::FacePoint> Slivers<dim>::points(const Cell& cell,
-                                                                   const unsigned int face) const {
-  constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_face;
+auto Slivers<dim>::points(const Cell& cell, const unsigned int face) const
+    -> std::array<FacePoint, n_points> {
   using Reference = dealii::GeometryInfo<dim - 1>;
   const dealii::QGauss<dim - 1> quadrature(2);
-  std::vector<FacePoint> result;
+  const Rises<dim> rises = fem::rises(cell, face);
+  std::array<FacePoint, n_points> result;
   for (unsigned int q = 0; q < quadrature.size(); ++q) {
     const Point<dim - 1>& xi = quadrature.point(q);
     Point<dim> place;
@@ -102,7 +109,7 @@ std::vector<typename Slivers<dim>::FacePoint> Slivers<dim>::points(const Cell& c
       const auto gradient = Reference::d_linear_shape_function_gradient(xi, vertex);
       for (unsigned int k = 0; k + 1 < dim; ++k) tangents[k] += gradient[k] * end;
     }
-    FacePoint point;
+    FacePoint& point = result[q];
     point.normal = across(tangents);
     const double area = point.normal.norm();
     point.normal /=
@@ -113,13 +120,12 @@ std::vector<typename Slivers<dim>::FacePoint> Slivers<dim>::points(const Cell& c
       const auto slope = Reference::d_linear_shape_function_gradient(xi, vertex);
       Tensor<1, dim> gradient;
       for (unsigned int k = 0; k + 1 < dim; ++k) gradient += slope[k] * axes[k];
-      point.gradients.push_back(gradient);
-      point.hoop.push_back(has_hoop ? Reference::d_linear_shape_function(xi, vertex) / place[0]
-                                    : 0.);
+      point.gradients[vertex] = gradient;
+      point.hoop[vertex] =
+          has_hoop ? Reference::d_linear_shape_function(xi, vertex) / place[0] : 0.;
     }
-    point.volume = quadrature.weight(q) * area * thickness(cell, face, xi, point.normal) *
+    point.volume = quadrature.weight(q) * area * (thickness(rises, xi) * point.normal) *
                    out_of_plane_measure(problem_, place);
-    result.push_back(std::move(point));
   }
   return result;
 }

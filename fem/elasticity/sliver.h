@@ -6,7 +6,8 @@
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <vector>
+#include <array>
+#include <cstddef>
 
 #include "fem/elasticity/material_law.h"
 
@@ -43,17 +44,20 @@ class Slivers {
                 const dealii::Tensor<1, dim>& shear, dealii::Vector<double>& load) const;
 
  private:
+  static constexpr std::size_t n_vertices = dealii::GeometryInfo<dim>::vertices_per_face;
+  static constexpr std::size_t n_points = n_vertices;  ///< two along each axis of a face
+
   /// A Gauss point of a face.
   struct FacePoint {
-    dealii::Tensor<1, dim> normal;                  ///< outward
-    std::vector<dealii::Tensor<1, dim>> gradients;  ///< along the face, by its vertices
-    std::vector<double> hoop;                       ///< strain by a displacement along x; 0 unless
-                                                    ///< axisymmetric
-    double volume;  ///< weight times thickness of the sliver, signed
+    dealii::Tensor<1, dim> normal;                             ///< outward
+    std::array<dealii::Tensor<1, dim>, n_vertices> gradients;  ///< along the face, by its vertices
+    std::array<double, n_vertices> hoop;  ///< strain by a displacement along x; 0
+                                          ///< unless axisymmetric
+    double volume;                        ///< weight times thickness of the sliver, signed
   };
 
-  [[nodiscard]] std::vector<FacePoint> points(const Cell& cell, unsigned int face) const;
-  static constexpr int n_face_dofs = dim * dealii::GeometryInfo<dim>::vertices_per_face;
+  [[nodiscard]] std::array<FacePoint, n_points> points(const Cell& cell, unsigned int face) const;
+  static constexpr int n_face_dofs = dim * static_cast<int>(n_vertices);
   using FaceStrains = Eigen::Matrix<double, n_stress_components<dim>, n_face_dofs>;
 
   /// Strains by unit displacements of the face's vertices.

@@ -131,13 +131,15 @@ TEST(Slivers, StretchAlongTheChordsWithAFreeSurface) {
               0.5 * 2. / 0.91 * expected, 1e-14);
 }
 
+/// Its terms, stiffness times the squares of displacements of up to 4, are of the order of 1.
 TEST(Slivers, TakeNoEnergyForRigidMotions) {
+  constexpr double round_off = 1e-14;
   const Field<2> motion = [](const Point<2>& x) { return Tensor<1, 2>({0.3 - x[1], 0.2 + x[0]}); };
-  EXPECT_NEAR(energy<2>(cell_of_ring(), PlaneKind::plane_strain, motion), 0., 1e-15);
+  EXPECT_NEAR(energy<2>(cell_of_ring(), PlaneKind::plane_strain, motion), 0., round_off);
   const Field<3> in_space = [](const Point<3>& x) {
     return Tensor<1, 3>({0.3 + 2. * x[2] - x[1], x[0], -2. * x[0]});
   };
-  EXPECT_NEAR(energy<3>(cell_of_tube(), PlaneKind::plane_strain, in_space), 0., 1e-15);
+  EXPECT_NEAR(energy<3>(cell_of_tube(), PlaneKind::plane_strain, in_space), 0., round_off);
 }
 
 /// A displacement along the radius of an axisymmetric body is a hoop strain everywhere.
