@@ -16,6 +16,7 @@
 #include "fem/contact/surface_in_space.h"
 #include "fem/elasticity/elasticity.h"
 #include "fem/linear/constraints.h"
+#include "fem/problem/source_sides.h"
 
 namespace geneva::fem {
 
@@ -77,17 +78,6 @@ Surface<dim> surface_from(const Boundary<dim>& boundary, const unsigned int id,
     return make_surface(boundary, id, origin);
   else
     return make_surface(boundary, id);
-}
-
-/// Compliance of a body's surface up to a common factor: (1 - nu^2)/E, or 1/E in plane stress.
-template <int dim>
-double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
-                  const std::string& surface) {
-  const Material& material =
-      problem.bodies[*mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin()]
-          .material;
-  const double nu = problem.plane == PlaneKind::plane_stress ? 0. : material.poissons_ratio;
-  return (1. - nu * nu) / material.youngs_modulus;
 }
 
 template <int dim>

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "fem/problem/problem_check.h"
+#include "fem/problem/source_sides.h"
 #include "loads/pi.h"
 #include "mesh/compact_cells.h"
 #include "mesh/extrusion.h"
@@ -228,6 +229,7 @@ Model<dim> make_model(const MPI_Comm communicator, const Case& given, mesh::Mesh
         "this system cannot shut Gmsh in (Landlock and seccomp of Linux 5.13): only its time and "
         "memory were limited; run no geometry of people whom you do not trust");
   fem::order_bodies(model.problem, model.mesh);
+  fem::take_softer_sources(model.problem, model.mesh);
   return model;
 }
 
