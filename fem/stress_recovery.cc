@@ -224,15 +224,15 @@ std::optional<unsigned int> StressRecovery<dim>::mirror_axis(const Cell& cell,
 
 template <int dim>
 void StressRecovery<dim>::look_at_cells() {
-  CellStresses<dim> evaluate(displaced_.get_fe(), problem_, dealii::QMidpoint<dim>());
+  CellStresses<dim> evaluate(problem_, dealii::QMidpoint<dim>());
   corners_.resize(displaced_.get_triangulation().n_vertices());
   boundary_.reinit(result_.dof_handler->locally_owned_dofs(), relevant_,
                    displaced_.get_communicator());
   for (const Cell& cell : displaced_.active_cell_iterators()) {
     if (cell->is_artificial()) continue;
     cells_.push_back(cell);
-    const StressVector<dim> stress = as_vector<dim>(evaluate(cell, displacement_).front());
-    samples_.push_back({evaluate.values().quadrature_point(0), stress});
+    const PointStress<dim> middle = evaluate(cell, displacement_).front();
+    samples_.push_back({middle.place, as_vector<dim>(middle.stress)});
     for (const unsigned int vertex : cell->vertex_indices())
       corners_[cell->vertex_index(vertex)].push_back({cells_.size() - 1, vertex});
     if (!cell->is_locally_owned()) continue;

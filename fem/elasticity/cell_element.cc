@@ -50,20 +50,15 @@ void eliminate(const int last, Matrix& stiffness) {
 }  // namespace
 
 template <int dim>
-CellElement<dim>::CellElement(const dealii::FiniteElement<dim>& element,
-                              const Problem<dim>& problem)
+CellElement<dim>::CellElement(const Problem<dim>& problem)
     : problem_(problem),
       laws_(material_laws(problem)),
-      values_(element, dealii::QGauss<dim>(2),
-              dealii::update_gradients | dealii::update_JxW_values | dealii::update_jacobians |
-                  (dim == 3 ? dealii::update_default
-                            : dealii::update_values | dealii::update_quadrature_points)),
-      centre_(element, dealii::QMidpoint<dim>(),
-              dealii::update_jacobians | dealii::update_inverse_jacobians) {}
+      points_(reference_points<dim>(dealii::QGauss<dim>(2))),
+      middle_(reference_points<dim>(dealii::QMidpoint<dim>()).front()) {}
 
 template <int dim>
-dealii::FullMatrix<double> CellElement<dim>::stiffness(const Cell& cell) {
-  Stiffness condensed = whole_stiffness(cell);
+dealii::FullMatrix<double> CellElement<dim>::stiffness(const Cell& cell) const {
+  Stiffness condensed = whole_stiffness(shape(cell), cell->material_id());
   for (int mode = n_own + n_modes() - 1; mode >= n_own; --mode) eliminate(mode, condensed);
   dealii::FullMatrix<double> result(n_own);
   for (int i = 0; i < n_own; ++i)
@@ -74,10 +69,11 @@ dealii::FullMatrix<double> CellElement<dim>::stiffness(const Cell& cell) {
 }
 
 template <int dim>
-std::vector<StressVector<dim>> CellElement<dim>::strains(const Cell& cell,
-                                                         const dealii::Vector<double>& displacement,
-                                                         const dealii::FEValues<dim>& values) {
-  const Stiffness whole = whole_stiffness(cell);
+std::vector<StressVector<dim>> CellElement<dim>::strains(
+    const Cell& cell, const dealii::Vector<double>& displacement,
+    const std::vector<ReferencePoint<dim>>& points) const {
+  const Shape shape = this->shape(cell);
+  const Stiffness whole = whole_stiffness(shape, cell->material_id());
   Eigen::Matrix<double, dim, n_functions> amplitudes =
       Eigen::Matrix<double, dim, n_functions>::Zero();
   Eigen::Map<Eigen::Matrix<double, n_all, 1>> all(amplitudes.data());
@@ -89,9 +85,10 @@ std::vector<StressVector<dim>> CellElement<dim>::strains(const Cell& cell,
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_modes, 1> load =
       -whole.block(n_own, 0, n_modes(), n_own) * all.template head<n_own>();
   all.segment(n_own, n_modes()) = modes.llt().solve(load);
-  std::vector<StressVector<dim>> result(values.n_quadrature_points, StressVector<dim>::Zero());
-  for (const unsigned int q : values.quadrature_point_indices()) {
-    const Eigen::Matrix<double, dim, 3> gradient = amplitudes * derivatives(values, q).transpose();
+  std::vector<StressVector<dim>> result(points.size(), StressVector<dim>::Zero());
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const Eigen::Matrix<double, dim, 3> gradient =
+        amplitudes * derivatives(shape, CellPoint<dim>(shape.vertices, points[q])).transpose();
     for (int i = 0; i < dim; ++i)
       for (int j = 0; j < 3; ++j)
         if (const int component =
@@ -100,12 +97,6 @@ std::vector<StressVector<dim>> CellElement<dim>::strains(const Cell& cell,
           result[q][component] += gradient(i, j);
   }
   return result;
-}
-
-template <int dim>
-dealii::UpdateFlags CellElement<dim>::update_flags() {
-  return dealii::update_values | dealii::update_gradients | dealii::update_jacobians |
-         dealii::update_quadrature_points;
 }
 
 template <int dim>
@@ -122,79 +113,83 @@ typename CellElement<dim>::ModeShapes CellElement<dim>::reference_shapes(const P
 }
 
 template <int dim>
-typename CellElement<dim>::ModeShapes CellElement<dim>::means() const {
+typename CellElement<dim>::Shape CellElement<dim>::shape(const Cell& cell) const {
+  const CellVertices<dim> vertices = vertices_of<dim>(cell);
+  return {vertices, CellPoint<dim>(vertices, middle_), means(vertices)};
+}
+
+template <int dim>
+typename CellElement<dim>::ModeShapes CellElement<dim>::means(
+    const CellVertices<dim>& vertices) const {
   ModeShapes sum = ModeShapes::Zero();
   if (dim == 2 && !is_axisymmetric()) return sum;
   double weights = 0.;
-  for (const unsigned int q : values_.quadrature_point_indices()) {
-    const double weight = dim == 3 ? values_.JxW(q) : values_.quadrature_point(q)[0];
-    sum += weight * reference_shapes(values_.get_quadrature().point(q));
+  for (const ReferencePoint<dim>& reference : points_) {
+    const CellPoint<dim> point(vertices, reference);
+    const double weight = dim == 3 ? point.measure : point.place[0];
+    sum += weight * reference_shapes(point.xi);
     weights += weight;
   }
   return sum / weights;
 }
 
 template <int dim>
-typename CellElement<dim>::ModeShapes CellElement<dim>::mode_shapes(
-    const dealii::FEValues<dim>& values, const unsigned int point) const {
-  const double ratio =
-      dim == 3 ? 1. : centre_.jacobian(0).determinant() / values.jacobian(point).determinant();
-  return ratio * (reference_shapes(values.get_quadrature().point(point)) - means_);
+typename CellElement<dim>::ModeShapes CellElement<dim>::mode_shapes(const Shape& shape,
+                                                                    const CellPoint<dim>& point) {
+  const double ratio = dim == 3 ? 1. : shape.middle.jacobian / point.jacobian;
+  return ratio * (reference_shapes(point.xi) - shape.means);
 }
 
 template <int dim>
 typename CellElement<dim>::Derivatives CellElement<dim>::derivatives(
-    const dealii::FEValues<dim>& values, const unsigned int point) const {
+    const Shape& shape, const CellPoint<dim>& point) const {
   Derivatives result = Derivatives::Zero();
-  for (unsigned int node = 0; node < n_nodes; ++node) {
-    const Tensor<1, dim> gradient = values.shape_grad(dim * node, point);
-    for (unsigned int axis = 0; axis < dim; ++axis) result(axis, node) = gradient[axis];
-  }
-  const ModeShapes shapes = mode_shapes(values, point);
-  for (unsigned int k = 0; k < dim; ++k)
-    for (unsigned int axis = 0; axis < dim; ++axis)
-      result(axis, n_nodes + k) = shapes[k] * centre_.inverse_jacobian(0)[k][axis];
-  if (is_axisymmetric()) add_hoop_strains(values, point, result);
+  result.template topLeftCorner<dim, n_nodes>() = point.gradients;
+  const ModeShapes shapes = mode_shapes(shape, point);
+  for (int k = 0; k < dim; ++k)
+    result.template block<dim, 1>(0, n_nodes + k) =
+        shapes[k] * shape.middle.inverse.row(k).transpose();
+  if (is_axisymmetric()) add_hoop_strains(shape, point, result);
   return result;
 }
 
 /// u_r/r, and the last mode; the modes of the displacement have none. On the axis, where u_r/r has
 /// no value of its own, it equals the radial strain.
 template <int dim>
-void CellElement<dim>::add_hoop_strains(const dealii::FEValues<dim>& values,
-                                        const unsigned int point, Derivatives& derivatives) const {
+void CellElement<dim>::add_hoop_strains(const Shape& shape, const CellPoint<dim>& point,
+                                        Derivatives& derivatives) const {
   constexpr int hoop = 2;
-  const double radius = values.quadrature_point(point)[0];
+  const double radius = point.place[0];
   if (radius < 1e-12) {
     derivatives.row(hoop) = derivatives.row(0);
     return;
   }
-  for (unsigned int node = 0; node < n_nodes; ++node)
-    derivatives(hoop, node) = values.shape_value(dim * node, point) / radius;
-  derivatives(hoop, n_functions - 1) = mode_shapes(values, point)[hoop];
+  derivatives.template block<1, n_nodes>(hoop, 0) = point.shapes.transpose() / radius;
+  derivatives(hoop, n_functions - 1) = mode_shapes(shape, point)[hoop];
 }
 
 /// With the tangent C, the same at all points, and the integrals G of derivative j of the function
 /// a times derivative l of b, displacements by a along i and by b along k have the stiffness
 /// C_ij,kl G_jl.
 template <int dim>
-typename CellElement<dim>::Stiffness CellElement<dim>::whole_stiffness(const Cell& cell) {
+typename CellElement<dim>::Stiffness CellElement<dim>::whole_stiffness(
+    const Shape& shape, const unsigned int body) const {
   using AtPoints = Eigen::Matrix<double, 3 * n_functions, n_points>;
-  values_.reinit(cell);
-  centre_.reinit(cell);
-  means_ = means();
+  using Products = Eigen::Matrix<double, 3 * n_functions, 3 * n_functions>;
   AtPoints derivatives;
-  Eigen::Matrix<double, n_points, 1> weights;
-  for (const unsigned int q : values_.quadrature_point_indices()) {
-    const Derivatives here = this->derivatives(values_, q);
+  AtPoints weighted;
+  for (int q = 0; q < n_points; ++q) {
+    const CellPoint<dim> point(shape.vertices, points_[static_cast<std::size_t>(q)]);
+    const Derivatives here = this->derivatives(shape, point);
     derivatives.col(q) = Eigen::Map<const Eigen::Matrix<double, 3 * n_functions, 1>>(here.data());
-    weights[q] = values_.JxW(q) *
-                 (dim == 3 ? 1. : out_of_plane_measure(problem_, values_.quadrature_point(q)));
+    weighted.col(q) =
+        (dim == 3 ? point.measure : point.measure * out_of_plane_measure(problem_, point.place)) *
+        derivatives.col(q);
   }
-  const Eigen::Matrix<double, 3 * n_functions, 3 * n_functions> products =
-      derivatives * (weights.asDiagonal() * derivatives.transpose());
-  const auto tangent = by_derivatives<dim>(
-      laws_[cell->material_id()]->respond(StressVector<dim>::Zero(), {}).tangent);
+  const Products products = dim == 2 ? Products(weighted.lazyProduct(derivatives.transpose()))
+                                     : Products(weighted * derivatives.transpose());
+  const auto tangent =
+      by_derivatives<dim>(laws_[body]->respond(StressVector<dim>::Zero(), {}).tangent);
   Stiffness result;
   for (int a = 0; a < n_functions; ++a)
     for (int b = 0; b <= a; ++b) {
@@ -208,21 +203,24 @@ typename CellElement<dim>::Stiffness CellElement<dim>::whole_stiffness(const Cel
 }
 
 template <int dim>
-CellStresses<dim>::CellStresses(const dealii::FiniteElement<dim>& element,
-                                const Problem<dim>& problem, const dealii::Quadrature<dim>& points)
-    : element_(element, problem),
+CellStresses<dim>::CellStresses(const Problem<dim>& problem, const dealii::Quadrature<dim>& points)
+    : element_(problem),
       laws_(material_laws(problem)),
-      values_(element, points, CellElement<dim>::update_flags() | dealii::update_JxW_values),
+      points_(reference_points(points)),
       cell_displacement_(CellElement<dim>::n_own) {}
 
 template <int dim>
-std::vector<Stress<dim>> CellStresses<dim>::stresses(const typename CellElement<dim>::Cell& cell) {
-  values_.reinit(cell);
-  std::vector<Stress<dim>> result;
-  for (const StressVector<dim>& strain : element_.strains(cell, cell_displacement_, values_)) {
-    const StressVector<dim> stress = laws_[cell->material_id()]->respond(strain, {}).stress;
-    result.push_back(
-        assembled_stress<dim>([&](const unsigned int component) { return stress[component]; }));
+std::vector<PointStress<dim>> CellStresses<dim>::stresses(
+    const typename CellElement<dim>::Cell& cell) const {
+  const CellVertices<dim> vertices = vertices_of<dim>(cell);
+  const std::vector<StressVector<dim>> strains =
+      element_.strains(cell, cell_displacement_, points_);
+  std::vector<PointStress<dim>> result;
+  for (std::size_t q = 0; q < points_.size(); ++q) {
+    const CellPoint<dim> point(vertices, points_[q]);
+    const StressVector<dim> stress = laws_[cell->material_id()]->respond(strains[q], {}).stress;
+    result.push_back({point.place, point.measure,
+                      assembled_stress<dim>([&](const unsigned int i) { return stress[i]; })});
   }
   return result;
 }

@@ -2,13 +2,13 @@
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <Eigen/Core>
 #include <vector>
 
+#include "fem/elasticity/cell_point.h"
 #include "fem/elasticity/material_law.h"
 
 namespace geneva::fem {
@@ -31,21 +31,17 @@ class CellElement {
   using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
   static constexpr int n_own = dim * (1 << dim);  ///< displacements of the vertices
 
-  CellElement(const dealii::FiniteElement<dim>& element, const Problem<dim>& problem);
+  explicit CellElement(const Problem<dim>& problem);
 
   /// Stiffness of the vertices' displacements with the modes condensed; forces are those of the
   /// whole thickness or turn.
-  dealii::FullMatrix<double> stiffness(const Cell& cell);
+  [[nodiscard]] dealii::FullMatrix<double> stiffness(const Cell& cell) const;
 
   /// Strains, with those of the modes that make the cell's energy least under displacements of its
   /// vertices.
-  /// @param values at the points asked for, of the cell
-  std::vector<StressVector<dim>> strains(const Cell& cell,
-                                         const dealii::Vector<double>& displacement,
-                                         const dealii::FEValues<dim>& values);
-
-  /// What `values` of strains() must give.
-  static dealii::UpdateFlags update_flags();
+  [[nodiscard]] std::vector<StressVector<dim>> strains(
+      const Cell& cell, const dealii::Vector<double>& displacement,
+      const std::vector<ReferencePoint<dim>>& points) const;
 
  private:
   static constexpr int n_nodes = 1 << dim;
@@ -62,29 +58,42 @@ class CellElement {
   using Stiffness = Eigen::Matrix<double, n_all, n_all>;
   using ModeShapes = Eigen::Matrix<double, 3, 1>;
 
+  /// A cell's vertices and what its modes need of them.
+  struct Shape {
+    CellVertices<dim> vertices;
+    CellPoint<dim> middle;
+    /// Of the reference shapes over the cell, in an axisymmetric model weighted with r; not used in
+    /// other plane ones.
+    ModeShapes means;
+  };
+
   [[nodiscard]] bool is_axisymmetric() const;
   /// Displacements of the modes that this kind of model has.
   [[nodiscard]] int n_modes() const { return dim * dim + (is_axisymmetric() ? 1 : 0); }
+  [[nodiscard]] Shape shape(const Cell& cell) const;
+  [[nodiscard]] ModeShapes means(const CellVertices<dim>& vertices) const;
   /// @return its lower triangle; what stands above is not set
-  [[nodiscard]] Stiffness whole_stiffness(const Cell& cell);
-  [[nodiscard]] Derivatives derivatives(const dealii::FEValues<dim>& values,
-                                        unsigned int point) const;
-  void add_hoop_strains(const dealii::FEValues<dim>& values, unsigned int point,
+  [[nodiscard]] Stiffness whole_stiffness(const Shape& shape, unsigned int body) const;
+  [[nodiscard]] Derivatives derivatives(const Shape& shape, const CellPoint<dim>& point) const;
+  void add_hoop_strains(const Shape& shape, const CellPoint<dim>& point,
                         Derivatives& derivatives) const;
-  /// Means of the reference shapes over the current cell, in an axisymmetric model weighted with r;
-  /// not used in other plane ones.
-  [[nodiscard]] ModeShapes means() const;
   /// Shapes at a reference point: 1 - 2 xi_k for all k, in the plane then their product.
   static ModeShapes reference_shapes(const dealii::Point<dim>& xi);
   /// Those less their means over the cell, in the plane times J0/J.
-  [[nodiscard]] ModeShapes mode_shapes(const dealii::FEValues<dim>& values,
-                                       unsigned int point) const;
+  static ModeShapes mode_shapes(const Shape& shape, const CellPoint<dim>& point);
 
   Problem<dim> problem_;
   MaterialLaws<dim> laws_;
-  dealii::FEValues<dim> values_;
-  dealii::FEValues<dim> centre_;
-  ModeShapes means_ = ModeShapes::Zero();  ///< of the current cell
+  std::vector<ReferencePoint<dim>> points_;  ///< Gauss
+  ReferencePoint<dim> middle_;
+};
+
+/// The stress at a point of a cell.
+template <int dim>
+struct PointStress {
+  dealii::Point<dim> place;
+  double measure;  ///< area or volume that stands for the point in its quadrature
+  Stress<dim> stress;
 };
 
 /// Stresses of a displacement field, from the strains and the law with which the cells resist it,
@@ -92,25 +101,23 @@ class CellElement {
 template <int dim>
 class CellStresses {
  public:
-  CellStresses(const dealii::FiniteElement<dim>& element, const Problem<dim>& problem,
-               const dealii::Quadrature<dim>& points);
+  CellStresses(const Problem<dim>& problem, const dealii::Quadrature<dim>& points);
 
   /// @param displacement ghosted
   template <typename Vector>
-  std::vector<Stress<dim>> operator()(const typename CellElement<dim>::Cell& cell,
-                                      const Vector& displacement) {
+  std::vector<PointStress<dim>> operator()(const typename CellElement<dim>::Cell& cell,
+                                           const Vector& displacement) {
     cell->get_dof_values(displacement, cell_displacement_);
     return stresses(cell);
   }
 
-  [[nodiscard]] const dealii::FEValues<dim>& values() const { return values_; }
-
  private:
-  std::vector<Stress<dim>> stresses(const typename CellElement<dim>::Cell& cell);
+  [[nodiscard]] std::vector<PointStress<dim>> stresses(
+      const typename CellElement<dim>::Cell& cell) const;
 
   CellElement<dim> element_;
   MaterialLaws<dim> laws_;
-  dealii::FEValues<dim> values_;
+  std::vector<ReferencePoint<dim>> points_;
   dealii::Vector<double> cell_displacement_;
 };
 

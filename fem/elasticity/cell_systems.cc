@@ -107,7 +107,7 @@ class CellIntegrator {
                  const std::vector<std::string>& surfaces)
       : problem_(problem),
         turning_densities_(turning_densities(dof_handler, problem)),
-        element_(dof_handler.get_fe(), problem),
+        element_(problem),
         slivers_(problem),
         force_values_(
             dof_handler.get_fe(), dealii::QGauss<dim>(dof_handler.get_fe().degree + 1),

@@ -14,15 +14,13 @@ PointValues remembered(const dealii::DoFHandler<dim>& dof_handler, const Problem
                        const PointValues& before) {
   const auto remembers = [](const auto& law) { return law->remembers(); };
   if (std::none_of(laws.begin(), laws.end(), remembers)) return {};
-  CellElement<dim> element(dof_handler.get_fe(), problem);
-  dealii::FEValues<dim> points(dof_handler.get_fe(), dealii::QGauss<dim>(2),
-                               CellElement<dim>::update_flags());
+  const CellElement<dim> element(problem);
+  const auto points = reference_points<dim>(dealii::QGauss<dim>(2));
   dealii::Vector<double> of_cell(CellElement<dim>::n_own);
   PointValues result(dof_handler.get_triangulation().n_active_cells());
   for (const auto& cell : dof_handler.active_cell_iterators()) {
     if (!cell->is_locally_owned() || !remembers(laws[cell->material_id()])) continue;
     const std::size_t index = cell->active_cell_index();
-    points.reinit(cell);
     cell->get_dof_values(displacement, of_cell);
     for (const StressVector<dim>& strain : element.strains(cell, of_cell, points)) {
       const MaterialHistory before_here =

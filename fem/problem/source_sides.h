@@ -18,8 +18,8 @@ double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
 ///
 /// Where the nodes of two equally fine surfaces lie between each other, pressures that alternate
 /// from node to node move the target by next to nothing. What resists them is the compliance of the
-/// source alone, so that those of a stiff one are the noisier. Pairs of equally stiff bodies stay as
-/// they are, and those whose target is in another pair, too.
+/// source alone, so that those of a stiff one are the noisier. Pairs of equally stiff bodies stay
+/// as they are, and those whose target is in another pair, too.
 /// @param problem with its bodies in the mesh's order
 template <int dim>
 void take_softer_sources(Problem<dim>& problem, const mesh::MeshData<dim>& mesh);

@@ -117,15 +117,15 @@ StressPeak<2> fitted_top(const std::vector<Sample>& samples, const StressPeak<2>
 
 template <int dim>
 std::vector<CellStress<dim>> cell_stresses(const fem::Solution<dim>& solution) {
-  fem::CellStresses<dim> evaluate(*solution.element, solution.problem, dealii::QMidpoint<dim>());
+  fem::CellStresses<dim> evaluate(solution.problem, dealii::QMidpoint<dim>());
   const double length = solution.scales.length;
   std::vector<CellStress<dim>> stresses;
   for (const auto& cell : solution.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned()) continue;
-    const Stress<dim> stress = evaluate(cell, solution.displacement).front();
-    stresses.push_back({Point<dim>(length * evaluate.values().quadrature_point(0)),
-                        std::pow(length, dim) * evaluate.values().JxW(0),
-                        length * cell->extent_in_direction(dim - 1), cell->material_id(), stress});
+    const fem::PointStress<dim> middle = evaluate(cell, solution.displacement).front();
+    stresses.push_back({Point<dim>(length * middle.place), std::pow(length, dim) * middle.measure,
+                        length * cell->extent_in_direction(dim - 1), cell->material_id(),
+                        middle.stress});
   }
   return stresses;
 }
