@@ -67,8 +67,7 @@ std::string message_of(const fem::Stop& stop) {
     case Outcome::linear_solver:
       return fmt::format(
           "the linear solver did not converge on a mesh of {} unknowns (residual {:.2e} after "
-          "{:.0f} iterations); check that supports and contact pairs hold every body, and that the "
-          "softer body of a pair is its source",
+          "{:.0f} iterations); check that supports and contact pairs hold every body",
           stop.unknowns, stop.residual, stop.needed);
   }
   return "";

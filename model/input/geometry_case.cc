@@ -143,7 +143,7 @@ std::vector<fem::ContactPair> read_pairs(const CaseSection& section) {
         place == std::string::npos ? "" : trimmed(part.substr(place + arrow.size()));
     if (source.empty() || target.empty() || target.find(arrow) != std::string::npos)
       section.refuse("Contact pairs",
-                     fmt::format("{}: 'source -> target' is wanted", base::in_quotes(part)));
+                     fmt::format("{}: 'surface -> surface' is wanted", base::in_quotes(part)));
     if (source == target)
       section.refuse("Contact pairs",
                      fmt::format("the surface {} cannot touch itself", base::in_quotes(source)));

@@ -63,10 +63,12 @@ std::vector<Parameter> geometry_list_parameters() {
        "'surface: x y' holds two directions."},
       {section, "Loads", "", TextRule{"names separated by commas"},
        "Physical curves (surfaces) that are loaded; each has its subsection 'Load NAME'."},
-      {section, "Contact pairs", "", TextRule{"a list of 'source -> target', separated by commas"},
-       "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed on "
-       "the source: choose the more curved or the softer one. Without any the maximum stresses are "
-       "found, to the 'Structural accuracy'."},
+      {section, "Contact pairs", "",
+       TextRule{"a list of 'surface -> surface', separated by commas"},
+       "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed at "
+       "the "
+       "nodes of the softer body's surface, of equally stiff ones at the first one's. Without any "
+       "the maximum stresses are found, to the 'Structural accuracy'."},
       {section, "Friction coefficient", "0", one_for_each_pair(),
        "Coulomb's coefficient of friction, one for all contact pairs or one for each: surfaces "
        "stick "

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/errors.h"
+#include "fem/contact/peak_in_plane.h"
 #include "fem/discretisation/gather.h"
 
 namespace geneva::post {
@@ -47,13 +48,26 @@ std::vector<Layer> loaded_layers(const fem::ContactResult<3>& contact, const Con
   return layers;
 }
 
+/// The top of the pressure across a layer, freed from where the nodes lie as that of a line
+/// contact.
+double peak_across(const Layer& layer, const ContactFrame& frame) {
+  std::vector<fem::ContactNode<2>> nodes(layer.size());
+  for (std::size_t i = 0; i < layer.size(); ++i) {
+    nodes[i].arc_length = frame.distance_across(place_of(*layer[i]));
+    nodes[i].pressure = layer[i]->pressure;
+    nodes[i].status = layer[i]->status;
+    nodes[i].tributary = layer[i]->tributary;
+  }
+  const fem::FittedPeak top = fem::fitted_peak(nodes);
+  return top.pressure * (1. + top.averaging);
+}
+
 /// Integrals of the pressure across a layer by the trapezoidal rule, exact for linear pressure.
 ContactSection section_of(const Layer& layer, const ContactFrame& frame) {
-  ContactSection section{layer.front()->position[2], 0., 0., 0., 0., 0.};
+  ContactSection section{layer.front()->position[2], 0., peak_across(layer, frame), 0., 0., 0.};
   double first = 0.;
   double second = 0.;
   for (std::size_t i = 0; i < layer.size(); ++i) {
-    section.peak_pressure = std::max(section.peak_pressure, layer[i]->pressure);
     if (i == 0) continue;
     const double length = place_of(*layer[i]).distance(place_of(*layer[i - 1]));
     for (const Node* node : {layer[i - 1], layer[i]}) {
@@ -125,19 +139,37 @@ std::vector<ContactSection> mirrored(const std::vector<ContactSection>& sections
   return all;
 }
 
-/// Linear between two sections.
-ContactSection between(const ContactSection& below, const ContactSection& above, const double z) {
-  const double share = (z - below.z) / (above.z - below.z);
-  const auto value = [&](double ContactSection::*figure) {
-    return (1. - share) * below.*figure + share * above.*figure;
-  };
+/// Lagrange's basis polynomials of places at another.
+std::vector<double> lagrange_weights(const std::vector<double>& places, const double z) {
+  std::vector<double> weights(places.size(), 1.);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = 0; j < places.size(); ++j)
+      if (j != i) weights[i] *= (z - places[j]) / (places[i] - places[j]);
+  return weights;
+}
+
+/// Between sections [first, last]. In an elliptical contact the line load and the squares of the
+/// other figures are parabolas of z: those are interpolated.
+ContactSection interpolated(const ContactSection* const first, const ContactSection* const last,
+                            const double z) {
   using Section = ContactSection;
+  std::vector<double> places;
+  for (const Section* section = first; section <= last; ++section) places.push_back(section->z);
+  const std::vector<double> weights = lagrange_weights(places, z);
+  const auto root_of_squares = [&](double Section::*const figure) {
+    double sum = 0.;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      sum += weights[i] * std::pow(first[i].*figure, 2);
+    return std::sqrt(std::max(0., sum));
+  };
+  double line_load = 0.;
+  for (std::size_t i = 0; i < weights.size(); ++i) line_load += weights[i] * first[i].line_load;
   return {z,
-          value(&Section::line_load),
-          value(&Section::peak_pressure),
-          value(&Section::half_width),
-          value(&Section::max_shear),
-          value(&Section::max_shear_depth)};
+          line_load,
+          root_of_squares(&Section::peak_pressure),
+          root_of_squares(&Section::half_width),
+          root_of_squares(&Section::max_shear),
+          root_of_squares(&Section::max_shear_depth)};
 }
 
 }  // namespace
@@ -196,7 +228,10 @@ ContactSection middle_section(const fem::ContactResult<3>& contact, const Contac
                    [&](const ContactSection& section) { return section.z >= middle; });
   if (above == sections.begin()) return sections.front();
   if (above == sections.end()) return sections.back();
-  return between(*std::prev(above), *above, middle);
+  const bool has_two_each =
+      std::distance(sections.begin(), above) >= 2 && sections.end() - above >= 2;
+  const std::ptrdiff_t on_each_side = has_two_each ? 2 : 1;
+  return interpolated(&*(above - on_each_side), &*(above + on_each_side - 1), middle);
 }
 
 LineLoad line_load(const fem::ContactResult<3>& contact, const ContactFrame& frame,

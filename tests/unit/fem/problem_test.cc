@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "fem/conditioning.h"
 #include "fem/contact_problem.h"
 #include "fem/problem/load.h"
 #include "fem/problem/problem_check.h"
 #include "fem/problem/scaling.h"
+#include "fem/problem/source_sides.h"
 #include "mesh/extrusion.h"
 #include "tests/support/line_contact.h"
 #include "tests/support/refusal.h"
@@ -335,6 +338,52 @@ TEST(SolveContact, RefusesSupportsThatContradictEachOther) {
         p.supports.push_back({"bottom", {std::nullopt, 1e-6}});
       },
       {"'bottom'", "different displacement"});
+}
+
+Problem<2> with_softer(const std::string& body) {
+  Problem<2> result = problem();
+  order_bodies(result, mesh());
+  for (Body<2>& one : result.bodies)
+    if (one.name == body) one.material.youngs_modulus /= 2.;
+  return result;
+}
+
+TEST(SourceSides, TheSofterBodysSurfaceIsTheSourceWhicheverIsWrittenFirst) {
+  for (const bool is_reversed : {false, true})
+    for (const std::string soft : {"cylinder", "block"}) {
+      Problem<2> given = with_softer(soft);
+      if (is_reversed) std::swap(given.pairs[0].source, given.pairs[0].target);
+      given.pairs[0].friction = {0.2, {1., 0., 0.}};
+      const std::string first = given.pairs[0].source;
+      take_softer_sources(given, mesh());
+      EXPECT_EQ(given.pairs[0].source, soft == "block" ? "top" : "cylinder");
+      EXPECT_EQ(given.pairs[0].target, soft == "block" ? "cylinder" : "top");
+      EXPECT_EQ(given.pairs[0].friction.sliding[0], given.pairs[0].source == first ? 1. : -1.)
+          << "the source's velocity against the target";
+    }
+}
+
+TEST(SourceSides, BetweenEquallyStiffBodiesTheFirstIsTheSource) {
+  Problem<2> given = problem();
+  order_bodies(given, mesh());
+  std::swap(given.pairs[0].source, given.pairs[0].target);
+  take_softer_sources(given, mesh());
+  EXPECT_EQ(given.pairs[0].source, "top");
+}
+
+TEST(SourceSides, ASurfaceInTwoPairsStaysTheirTarget) {
+  Problem<2> given = with_softer("block");
+  given.pairs = {{"cylinder", "top"}, {"core", "top"}};
+  take_softer_sources(given, mesh());
+  for (const ContactPair& pair : given.pairs) EXPECT_EQ(pair.target, "top");
+}
+
+TEST(SourceSides, ComplianceIsThatOfPlaneStrainOrPlaneStress) {
+  Problem<2> given = problem();
+  order_bodies(given, mesh());
+  EXPECT_NEAR(compliance(mesh(), given, "top"), 0.91 / 2e11, 1e-26);
+  given.plane = PlaneKind::plane_stress;
+  EXPECT_NEAR(compliance(mesh(), given, "top"), 1. / 2e11, 1e-26);
 }
 
 }  // namespace

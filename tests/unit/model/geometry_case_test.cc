@@ -372,7 +372,7 @@ TEST(GeometryCase, MisspeltContactPairsAreRefused) {
   };
   const std::string start = "DIR/case.prm, line 5: 'Contact pairs' = '";
   for (const std::string pair : {"a", "a - b", "-> b", "a ->", "a -> b -> c", "a <- b"})
-    EXPECT_EQ(reason(pair), start + pair + "': '" + pair + "': 'source -> target' is wanted");
+    EXPECT_EQ(reason(pair), start + pair + "': '" + pair + "': 'surface -> surface' is wanted");
   EXPECT_EQ(reason("a -> a"), start + "a -> a': the surface 'a' cannot touch itself");
   EXPECT_EQ(reason("a -> b, a->b"), start + "a -> b, a->b': the pair 'a->b' stands there twice");
 }
