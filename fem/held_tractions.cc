@@ -54,16 +54,17 @@ std::array<double, 4> shares_of_face(const Boundary<3>& boundary, const Boundary
 
 template <int dim>
 std::map<global_dof_index, double> held_tractions(
-    const Boundary<dim>& boundary, const Problem<dim>& problem,
-    const std::set<unsigned int>& surfaces, const std::vector<ConstraintLine>& hanging_lines,
+    const Boundary<dim>& boundary, const Problem<dim>& problem, const HeldComponents<dim>& held,
+    const std::vector<ConstraintLine>& hanging_lines,
     const std::function<double(global_dof_index)>& force) {
   std::map<global_dof_index, double> shares;
   for (const BoundaryFace<dim>& face : boundary.faces) {
-    if (surfaces.count(face.surface) == 0) continue;
+    const auto components = held.find(face.surface);
+    if (components == held.end()) continue;
     const auto of_face = shares_of_face(boundary, face, problem);
     for (std::size_t i = 0; i < of_face.size(); ++i)
-      for (const global_dof_index dof : boundary.nodes[face.nodes[i]].dofs)
-        shares[dof] += of_face[i];
+      for (std::size_t c = 0; c < components->second.size(); ++c)
+        if (components->second[c]) shares[boundary.nodes[face.nodes[i]].dofs[c]] += of_face[i];
   }
   for (const ConstraintLine& line : hanging_lines) {
     const auto hanging = shares.find(line.dof);
@@ -81,10 +82,10 @@ std::map<global_dof_index, double> held_tractions(
 }
 
 template std::map<global_dof_index, double> held_tractions(
-    const Boundary<2>&, const Problem<2>&, const std::set<unsigned int>&,
+    const Boundary<2>&, const Problem<2>&, const HeldComponents<2>&,
     const std::vector<ConstraintLine>&, const std::function<double(global_dof_index)>&);
 template std::map<global_dof_index, double> held_tractions(
-    const Boundary<3>&, const Problem<3>&, const std::set<unsigned int>&,
+    const Boundary<3>&, const Problem<3>&, const HeldComponents<3>&,
     const std::vector<ConstraintLine>&, const std::function<double(global_dof_index)>&);
 
 }  // namespace geneva::fem

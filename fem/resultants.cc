@@ -131,12 +131,14 @@ template <int dim>
 std::map<global_dof_index, double> tractions_of_holders(const Solution<dim>& solution,
                                                         const Level<dim>& level,
                                                         const LevelState& state) {
-  std::set<unsigned int> surfaces;
-  for (const Holder<dim>& holder : holders_of(solution.problem))
-    surfaces.insert(mesh::index_of(solution.mesh.surfaces, holder.surface));
+  HeldComponents<dim> held;
+  for (const Holder<dim>& holder : holders_of(solution.problem)) {
+    auto& components = held[mesh::index_of(solution.mesh.surfaces, holder.surface)];
+    for (std::size_t c = 0; c < components.size(); ++c) components[c] |= holder.holds[c];
+  }
   const auto force = held_force(level, state);
   const double scale = solution.scales.stress;
-  return held_tractions<dim>(level.boundary, scaled(solution.problem, solution.scales), surfaces,
+  return held_tractions<dim>(level.boundary, scaled(solution.problem, solution.scales), held,
                              level.hanging_lines,
                              [&](const global_dof_index dof) { return scale * force(dof); });
 }

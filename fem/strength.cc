@@ -79,10 +79,18 @@ std::vector<Beside> beside(const NodalStress<2>& stress, const Candidate<2>& nod
   return result;
 }
 
+/// Whether the boundary turns a corner between two neighbours, along which stresses are not smooth,
+/// and no round of a coarse mesh.
+bool turns_corner(const Beside& before, const Beside& after) {
+  constexpr double cosine_of_most = 0.5;  // 60 degrees
+  return -before.offset * after.offset <
+         cosine_of_most * before.offset.norm() * after.offset.norm();
+}
+
 /// Moves a maximum from its node to the top of the parabola through its neighbours' values.
 void move_to_top(StressMaximum<2>& maximum, const std::vector<Beside>& neighbours,
                  const double length) {
-  if (neighbours.size() != 2) return;
+  if (neighbours.size() != 2 || turns_corner(neighbours[0], neighbours[1])) return;
   const double before = neighbours[0].offset.norm();
   const double after = neighbours[1].offset.norm();
   const double fall_before = maximum.value - neighbours[0].value;

@@ -364,5 +364,23 @@ TEST(HeldTractions, BalanceAUniformLoad) {
     }
 }
 
+/// Where it meets a plane of symmetry, which holds another component, too.
+TEST(HeldTractions, OfACornerAreThoseOfTheSurfaceThatHoldsTheComponent) {
+  mesh::MeshData<2> mesh = geneva::test::empty_mesh();
+  geneva::test::add_rectangle(mesh, "bar", {0.01, 0.02, 0.05}, {0., 0.03, 0.08},
+                              {"foot", "", "top", "middle"});
+  Problem<2> problem;
+  problem.thickness = 0.004;
+  problem.bodies = {{"bar", {200e9, 0.}, {}}};
+  problem.supports = {{"foot", {std::nullopt, 0.}}, {"middle", {0., std::nullopt}}};
+  problem.loads = {{"top", 0., {0., 3e7}}};
+  Settings settings;
+  settings.max_levels = 1;
+  const Solution<2> solution = solve_contact(MPI_COMM_WORLD, mesh, problem, settings, {});
+  for (const auto& [dof, traction] : solution.held_tractions)
+    EXPECT_NEAR(std::min(std::abs(traction), std::abs(traction + 3e7)), 0., 30.)
+        << "the load along the bar, none across it";
+}
+
 }  // namespace
 }  // namespace geneva::fem::test
