@@ -52,20 +52,34 @@ std::array<double, 4> shares_of_face(const Boundary<3>& boundary, const Boundary
 
 }  // namespace
 
+namespace {
+
+/// Calls visit(dof, whether it is held, its share of the face) for the dofs of faces that are held.
+template <int dim, typename Visit>
+void visit_dofs(const Boundary<dim>& boundary, const Problem<dim>& problem,
+                const HeldComponents<dim>& held, const Visit& visit) {
+  for (const BoundaryFace<dim>& face : boundary.faces) {
+    const auto components = held.find(face.surface);
+    if (components == held.end()) continue;
+    const auto shares = shares_of_face(boundary, face, problem);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      for (std::size_t c = 0; c < components->second.size(); ++c)
+        visit(boundary.nodes[face.nodes[i]].dofs[c], components->second[c], shares[i]);
+  }
+}
+
+}  // namespace
+
 template <int dim>
 std::map<global_dof_index, double> held_tractions(
     const Boundary<dim>& boundary, const Problem<dim>& problem, const HeldComponents<dim>& held,
     const std::vector<ConstraintLine>& hanging_lines,
     const std::function<double(global_dof_index)>& force) {
   std::map<global_dof_index, double> shares;
-  for (const BoundaryFace<dim>& face : boundary.faces) {
-    const auto components = held.find(face.surface);
-    if (components == held.end()) continue;
-    const auto of_face = shares_of_face(boundary, face, problem);
-    for (std::size_t i = 0; i < of_face.size(); ++i)
-      for (std::size_t c = 0; c < components->second.size(); ++c)
-        if (components->second[c]) shares[boundary.nodes[face.nodes[i]].dofs[c]] += of_face[i];
-  }
+  visit_dofs(boundary, problem, held,
+             [&](const global_dof_index dof, const bool is_held, const double share) {
+               shares[dof] += is_held ? share : 0.;
+             });
   for (const ConstraintLine& line : hanging_lines) {
     const auto hanging = shares.find(line.dof);
     if (hanging == shares.end()) continue;
@@ -76,8 +90,7 @@ std::map<global_dof_index, double> held_tractions(
     shares.erase(hanging);
   }
   std::map<global_dof_index, double> tractions;
-  for (const auto& [dof, share] : shares)
-    if (share > 0.) tractions[dof] = force(dof) / share;
+  for (const auto& [dof, share] : shares) tractions[dof] = share > 0. ? force(dof) / share : 0.;
   return tractions;
 }
 

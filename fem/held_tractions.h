@@ -20,7 +20,7 @@ using HeldComponents = std::map<unsigned int, std::array<bool, static_cast<std::
 /// they are more accurate than stresses evaluated in cells (G. F. Carey, S. S. Chow and M. K.
 /// Seager, Comput. Methods Appl. Mech. Engrg. 50, 1985).
 /// @param held by boundary id, which components are: a dof has its share of the surfaces that hold
-/// it
+/// it, and no traction if none does
 /// @param hanging_lines of the boundary's dofs: a hanging node's share is that of the nodes that it
 /// hangs on
 /// @param force exerted on the body at a dof of those surfaces

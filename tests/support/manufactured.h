@@ -160,11 +160,11 @@ class HeldBodies {
   [[nodiscard]] fem::NodalStress<dim> recovered() const {
     fem::BoundaryTractions<dim> tractions =
         fem::boundary_tractions<dim>(mesh_, problem_, {1., 1.}, {});
-    std::set<unsigned int> held;
+    fem::HeldComponents<dim> held;
     for (unsigned int i = 0; i < mesh_.surfaces.size(); ++i)
       if (is_held_(mesh_.surfaces[i], 0) && is_held_(mesh_.surfaces[i], 1)) {
         tractions.surfaces[i].kind = fem::TractionKind::held;
-        held.insert(i);
+        for (unsigned int c = 0; c < dim; ++c) held[i][c] = is_held_(mesh_.surfaces[i], c);
       }
     const fem::Boundary<dim> boundary = fem::gather_boundary(dof_handler_, mesh_.circles, 1.);
     dealii::IndexSet all(dof_handler_.n_dofs());
