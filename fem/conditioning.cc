@@ -102,10 +102,10 @@ void check_stiffness_ratio(const Problem<dim>& problem, const mesh::MeshData<dim
   check_ratio(*stiff, *soft, most, "");
   if (dim == 3)
     for (const ContactPair& pair : problem.pairs)
-      check_ratio(body_of(problem, mesh, pair.source), body_of(problem, mesh, pair.target),
-                  most_of_source,
-                  fmt::format("exchange source and target of the pair '{} -> {}', or ", pair.source,
-                              pair.target));
+      check_ratio(
+          body_of(problem, mesh, pair.source), body_of(problem, mesh, pair.target), most_of_source,
+          fmt::format("make '{}' the source, with a surface of its own if it is in two pairs, or ",
+                      pair.target));
 }
 
 /// A line load F' brings two bodies together by about 2 F'/(pi E*) where they touch, whatever their

@@ -50,10 +50,6 @@ std::array<double, 4> shares_of_face(const Boundary<3>& boundary, const Boundary
   return shares;
 }
 
-}  // namespace
-
-namespace {
-
 /// Calls visit(dof, whether it is held, its share of the face) for the dofs of faces that are held.
 template <int dim, typename Visit>
 void visit_dofs(const Boundary<dim>& boundary, const Problem<dim>& problem,

@@ -22,7 +22,7 @@ std::string message_of(const fem::Stop& stop) {
     case Outcome::no_progress:
       return "over the last three refinements of the contact zone neither the number of nodes in "
              "contact grew nor the pressure changed: finer meshes will not help; check supports "
-             "and loads, or exchange source and target of the contact pair";
+             "and loads, or draw another coarse mesh at the contact";
     case Outcome::refinement_limit:
       return fmt::format(
           "the limit of {:.0f} refinement levels was reached; raise 'Maximum refinement levels'",

@@ -66,9 +66,8 @@ std::vector<Parameter> geometry_list_parameters() {
       {section, "Contact pairs", "",
        TextRule{"a list of 'surface -> surface', separated by commas"},
        "Pairs of physical curves (surfaces) that may touch. The contact pressure is computed at "
-       "the "
-       "nodes of the softer body's surface, of equally stiff ones at the first one's. Without any "
-       "the maximum stresses are found, to the 'Structural accuracy'."},
+       "the nodes of the softer body's surface, of equally stiff ones at the first one's. Without "
+       "any the maximum stresses are found, to the 'Structural accuracy'."},
       {section, "Friction coefficient", "0", one_for_each_pair(),
        "Coulomb's coefficient of friction, one for all contact pairs or one for each: surfaces "
        "stick "

@@ -193,7 +193,7 @@ TEST(Conditioning, WantsTheSofterBodyAsTheSourceInSpace) {
   in_space.bodies = {{"cylinder", {2e11, 0.3}, {}}, {"block", {2e7, 0.3}, {}}};
   in_space.pairs = {{"cylinder", "top"}};
   expect_refused([&] { check_stiffness_ratio(in_space, slice); },
-                 {"'cylinder'", "1e+04 times", "1e+03", "exchange", "'cylinder -> top'"});
+                 {"'cylinder'", "1e+04 times", "1e+03", "make 'top' the source"});
   in_space.pairs = {{"top", "cylinder"}};
   EXPECT_NO_THROW(check_stiffness_ratio(in_space, slice));
 }
