@@ -9,6 +9,7 @@
 #include "fem/adaptivity/stopping_rule.h"
 #include "fem/contact/active_set.h"
 #include "fem/contact/zone.h"
+#include "fem/energy_error.h"
 #include "fem/load_path.h"
 #include "fem/mesh_result.h"
 
@@ -152,6 +153,9 @@ void AccuracyLoop<dim>::record() {
   refinement_.record(record);
   find_strength(solution_.history.size());
   record.strength = record_of(solution_.strength);
+  if (force_follows_from_energy(solution_.problem))
+    record.energy_error = energy_error(*solution_.dof_handler, solution_.displacement,
+                                       solution_.problem, *strength_.stress());
   record.seconds = seconds_before_ + timer_.wall_time();
   solution_.history.push_back(record);
   estimate();
@@ -189,19 +193,23 @@ void AccuracyLoop<dim>::estimate_pressure() {
   const bool is_on_axis = reaches_axis(solution_.problem, equilibrium_->level());
   const bool is_beside_end = peaks_beside_end(interfaces, found_->contacts);
   const bool is_line_contact = dim == 2 && solution_.problem.plane != PlaneKind::axisymmetric;
-  const bool forces_are_given = dim == 2 && !has_prescribed_displacement(solution_.problem);
   solution_.has_free_ends = has_free_ends(interfaces);
   const bool is_freed_from_nodes = is_line_contact && solution_.has_free_ends && !is_beside_end &&
                                    !peaks_at_corner(solution_, equilibrium_->level(), *found_);
   const double of_ends = end_error(interfaces, found_->contacts, {is_on_axis, is_freed_from_nodes});
+  const ForcePower force = force_follows_from_energy(solution_.problem)
+                               ? force_of_peak({is_on_axis, is_beside_end, solution_.has_free_ends})
+                               : ForcePower{};
   error_ = pressure_error<dim>(
       solution_.history,
-      {{forces_are_given, is_on_axis, is_beside_end, dim == 2, is_freed_from_nodes},
+      {{force_is_known(solution_.problem), is_on_axis, is_beside_end, dim == 2,
+        is_freed_from_nodes},
        refinement_.grading(),
        error_of(of_ends, is_line_contact ? scatter_of_peak(solution_.contacts) : 0.),
        solution_.has_free_ends,
        refinement_.has_spread(equilibrium_->level()),
-       refinement_.state().surroundings_are_fine});
+       refinement_.state().surroundings_are_fine,
+       force});
   solution_.edge = error_.edge;
   solution_.correction = error_.correction;
   solution_.error_estimate = error_.total();

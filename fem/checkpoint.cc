@@ -105,6 +105,7 @@ void visit_record(Record& record, const Visit& visit) {
   visit("refined", record.refined);
   visit("grading", record.grading);
   visit("size_measure", record.size_measure);
+  visit("energy_error", record.energy_error);
   visit("error_estimate", record.error_estimate);
   visit("mid_length_pressure", record.mid_length_pressure);
   visit("end_pressure", record.end_pressure);

@@ -31,6 +31,16 @@ bool is_resolved(const History& history) {
   return !history.empty() && history.back().nodes_across >= nodes_for_grading;
 }
 
+/// Whether a contact that was a point on the mesh before has nodes enough now, while the cells
+/// around are still those of a point: with a finer zone they would both change at once, and the
+/// pressure by more than the zone's fineness explains.
+template <int dim>
+bool has_skipped_grading(const History& history) {
+  return dim == 2 && history.size() > 1 &&
+         history[history.size() - 2].nodes_across < nodes_for_grading &&
+         history.back().nodes_across >= 2 * fewest_active_nodes;
+}
+
 /// Whether the next mesh, too, would have too few nodes in contact; in the plane, where meshes are
 /// cheap, whether this one has.
 template <int dim>
@@ -94,7 +104,7 @@ double RefinementPass<dim>::flag(const Equilibrium<dim>& equilibrium, const Vect
   return flag_cells(
       *equilibrium.mesh().dof_handler, displacement, equilibrium.level().interfaces, surface_ids_,
       {refined_ == Refined::zone, is_resolved(history) ? std::optional(grading_) : std::nullopt,
-       size_growth(problem_)});
+       size_growth(problem_), refined_ != Refined::nothing});
 }
 
 template <int dim>
@@ -103,6 +113,11 @@ std::optional<double> RefinementPass<dim>::choose(const Equilibrium<dim>& equili
                                                   const PressureError& error) {
   constexpr double share_of_zone = 0.6;
   if (has_spread(equilibrium.level())) return level_off(equilibrium, history);
+  if (has_skipped_grading<dim>(history)) {
+    refined_ = Refined::nothing;
+    const double flagged = flag(equilibrium, found.displacement, history);
+    if (flagged > 0.) return growth_by<dim>(flagged, history);
+  }
   const bool zone_is_fine = error.zone <= share_of_zone * settings_.accuracy;
   double flagged = 0.;
   if (error.surroundings > 0. &&
@@ -177,7 +192,8 @@ State<dim> RefinementPass<dim>::refine(Equilibrium<dim>& equilibrium, const Leve
   last_halvings_ = refined_ == Refined::zone ? 1 : 0;
   ++state_.n_refinements;
   now = equilibrium.refine(found.displacement, std::move(now));
-  if (refined_ == Refined::nothing) return now;
+  if (refined_ == Refined::nothing)
+    return has_skipped_grading<dim>(history) ? grade(equilibrium, std::move(now), history) : now;
   if (next_pressure_is_of_no_use<dim>(history) && state_.n_refinements < settings_.max_levels) {
     const Vector guess = equilibrium.ghosted(now.displacement);
     flag(equilibrium, guess, history);
@@ -186,6 +202,19 @@ State<dim> RefinementPass<dim>::refine(Equilibrium<dim>& equilibrium, const Leve
     last_halvings_ = 2;
   }
   return make_zones_even(equilibrium, std::move(now));
+}
+
+/// Refines the cells around the contact until they are as small as the grading asks for.
+template <int dim>
+State<dim> RefinementPass<dim>::grade(Equilibrium<dim>& equilibrium, State<dim> now,
+                                      const History& history) const {
+  constexpr int most_passes = 12;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const Vector guess = equilibrium.ghosted(now.displacement);
+    if (flag(equilibrium, guess, history) == 0.) break;
+    now = equilibrium.refine(guess, std::move(now));
+  }
+  return now;
 }
 
 /// Ends where it helps little: cells that share a vertex differ by one level at most, so that

@@ -66,6 +66,8 @@ class RefinementPass {
   double level_off(const Equilibrium<dim>& equilibrium, const std::vector<LevelRecord>& history);
   bool surroundings_come_first(const Equilibrium<dim>& equilibrium, const LevelState& found,
                                const std::vector<LevelRecord>& history, const PressureError& error);
+  State<dim> grade(Equilibrium<dim>& equilibrium, State<dim> now,
+                   const std::vector<LevelRecord>& history) const;
   State<dim> make_zones_even(Equilibrium<dim>& equilibrium, State<dim> now) const;
 
   Problem<dim> problem_;

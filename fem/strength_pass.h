@@ -30,6 +30,9 @@ class StrengthPass {
   /// @return number of flagged cells on all ranks
   unsigned int flag(const Solution<dim>& solution) const;
 
+  /// On the last mesh; nothing after forget_stress().
+  [[nodiscard]] const std::optional<NodalStress<dim>>& stress() const { return stress_; }
+
   /// Places left out on the last mesh.
   [[nodiscard]] const std::vector<SingularPlace<dim>>& singular() const { return singular_; }
 

@@ -205,13 +205,14 @@ bool shows_zone_error(const std::vector<LevelRecord>& history) {
 }
 
 std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
-                                       double LevelRecord::*pressure) {
+                                       double LevelRecord::*pressure, const ForcePower& force) {
   std::vector<MeshValue> values;
   for (const LevelRecord& level : history) {
     if (level.nodes_across < nodes_for_grading)
       values.clear();
     else if (level.*pressure > 0.)
-      values.push_back({level.*pressure, level.refined, level.halvings, level.size_measure});
+      values.push_back({under_true_force(level.*pressure, level.energy_error, force), level.refined,
+                        level.halvings, level.size_measure});
   }
   return values;
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fem/adaptivity/force_error.h"
 #include "fem/adaptivity/level_record.h"
 #include "fem/contact/interface.h"
 
@@ -33,8 +34,8 @@ struct Extrapolation {
 
 /// What is known beforehand of how the peak pressure converges.
 struct Convergence {
-  bool forces_are_given;  ///< whether loads alone decide how great the contact's force is and where
-                          ///< along its length it goes
+  bool forces_are_given;  ///< whether it is known how great the contact's force is and where along
+                          ///< its length it goes
   bool is_on_axis;  ///< of revolution: the nodes beside it are off, by a share of the order 1/N^2
   bool peaks_beside_end;             ///< see peaks_beside_end()
   bool is_peak_in_plane = false;     ///< the figure is the peak pressure of a contact in the plane
@@ -54,8 +55,9 @@ bool shows_zone_error(const std::vector<LevelRecord>& history);
 
 /// A pressure [Pa] on the meshes since the last one on which the load acted on a point.
 /// @param history levels so far, the newest last
+/// @param force where it is not given, the pressures are those under the true one
 std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
-                                       double LevelRecord::*pressure);
+                                       double LevelRecord::*pressure, const ForcePower& force);
 
 /// Richardson's extrapolation of the two parts of a figure's error, each from the changes over the
 /// meshes that reduced it.

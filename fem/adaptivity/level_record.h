@@ -35,6 +35,7 @@ struct LevelRecord {
   Refined refined;
   double grading;         ///< maximum ratio of cell size to distance from the contact
   double size_measure;    ///< see there; of the error by the cells' sizes
+  double energy_error;    ///< see there; where supports alone press, else 0
   double error_estimate;  ///< relative, of the peak pressure extrapolated from this mesh
   /// In 3-D: maximum pressure in the middle half of the surfaces' common length, and at its two
   /// ends [Pa].

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/adaptivity/error_estimate.h"
+#include "fem/adaptivity/force_error.h"
 
 namespace geneva::fem {
 
@@ -15,6 +16,7 @@ struct ContactTraits {
   bool has_free_ends;          ///< see there
   bool is_uneven;              ///< edges of very different lengths, whose pressure is of no use
   bool surroundings_are_fine;  ///< no cell around the contact is larger than asked for
+  ForcePower force = {};       ///< how the peak pressure goes with it
 };
 
 /// Estimated error of the peak pressure, or, where that has no bound, of the pressure in the middle

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 
+#include "fem/adaptivity/force_error.h"
 #include "fem/adaptivity/refinement_zone.h"
 
 namespace geneva::fem {
@@ -301,10 +302,11 @@ template <int dim>
 unsigned int flag_only_surroundings(dealii::DoFHandler<dim>& dof_handler,
                                     const Vector& displacement,
                                     const std::vector<ContactInterface<dim>>& interfaces,
-                                    const SurfaceIds& surface_ids, const Sizes& sizes) {
+                                    const SurfaceIds& surface_ids, const Sizes& sizes,
+                                    const bool by_energy) {
   const auto [zones, zone_cells] = zones_with_cells(dof_handler, interfaces, surface_ids);
   unsigned int flagged = flag_surroundings(dof_handler, zones, sizes);
-  flagged += flag_energy(dof_handler, displacement);
+  if (by_energy) flagged += flag_energy(dof_handler, displacement);
   for (const auto& cell : zone_cells)
     if (cell->refine_flag_set()) {
       cell->clear_refine_flag();
@@ -329,7 +331,7 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler, const Vector& disp
     }
   } else if (wanted.grading) {
     flagged += flag_only_surroundings(dof_handler, displacement, interfaces, surface_ids,
-                                      {*wanted.grading, wanted.growth});
+                                      {*wanted.grading, wanted.growth}, wanted.by_energy);
   }
   return dealii::Utilities::MPI::sum(flagged, dof_handler.get_communicator());
 }
@@ -338,7 +340,7 @@ template <int dim>
 int size_decay(const Problem<dim>& problem) {
   if (dim == 3) return 4;
   const int of_given_force = problem.plane == PlaneKind::axisymmetric ? 7 : 6;
-  return has_prescribed_displacement(problem) ? of_given_force - 2 : of_given_force;
+  return force_is_known(problem) ? of_given_force : of_given_force - 2;
 }
 
 template <int dim>

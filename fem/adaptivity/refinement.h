@@ -20,7 +20,8 @@ struct Wanted {
   /// while the contact is not resolved well enough for sizes and energy norm to make sense:
   /// then only the zones are refined.
   std::optional<double> grading;
-  double growth;  ///< see size_growth()
+  double growth;          ///< see size_growth()
+  bool by_energy = true;  ///< of the cells around alone
 };
 
 /// Flags the cells to refine: evenly those along every contact zone, so that the contact pressure
@@ -37,10 +38,11 @@ unsigned int flag_cells(dealii::DoFHandler<dim>& dof_handler, const Vector& disp
 ///
 /// A linear cell is off by h^2 times the second derivatives of the displacement, and that counts as
 /// much as those of the dual solution of the peak pressure. Under a line load the former fall as
-/// 1/r^2. In the plane, where loads give the force of a contact, what is left of the dual solution
+/// 1/r^2. In the plane, where the force of a contact is known, what is left of the dual solution
 /// is a double couple, with b^2/r^4: m = 6; around an axis 1/r^3, b^2/r^5 and cells of the volume
-/// r dA: m = 7. Under a prescribed displacement the cells decide how great the force is, in 3-D
-/// where along the length it goes, and the dual solution is a force: m is less by 2.
+/// r dA: m = 7. Under loads and a prescribed displacement together the cells decide how great the
+/// force is, in 3-D where along the length it goes, and the dual solution is a force: m is less by
+/// 2.
 template <int dim>
 int size_decay(const Problem<dim>& problem);
 

@@ -159,6 +159,18 @@ bool has_prescribed_displacement(const Problem<dim>& problem) {
   });
 }
 
+/// Whether supports that move press the bodies and no load does.
+template <int dim>
+bool is_pressed_by_supports(const Problem<dim>& problem) {
+  const auto is_loaded = [](const Body<dim>& body) {
+    const BodyForce<dim>& force = body.force;
+    return force.uniform != Components<dim>{} || force.acceleration != Components<dim>{} ||
+           force.rotation.inertia != 0. || force.spin != 0.;
+  };
+  return has_prescribed_displacement(problem) && problem.loads.empty() && problem.ties.empty() &&
+         std::none_of(problem.bodies.begin(), problem.bodies.end(), is_loaded);
+}
+
 /// Ratio of the stiffnesses of two bodies from which on point smoothers fail. Up to it the
 /// multigrid takes 38 iterations at most, with a ratio of 1000 it takes 116; in 3-D that holds
 /// for a stiff source.

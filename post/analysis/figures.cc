@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fem/adaptivity/error_estimate.h"
+#include "fem/adaptivity/force_error.h"
 
 namespace geneva::post {
 
@@ -133,6 +134,13 @@ struct Course {
   std::vector<unsigned int> nodes_across;
 };
 
+/// How a figure goes with the contact's force: as Hertz's lengths and stresses do, at most. A depth
+/// has its part from the half-width.
+fem::ForcePower force_of(const Figure figure) {
+  const bool is_of_contact = figure < Figure::bore_torque && !is_depth(figure);
+  return {figure == Figure::force ? 1. : is_of_contact ? 0.5 : 0., 0.};
+}
+
 template <typename OnMesh>
 Course course_of(const std::vector<fem::LevelRecord>& history, const Figure figure,
                  const OnMesh& on_mesh) {
@@ -142,7 +150,8 @@ Course course_of(const std::vector<fem::LevelRecord>& history, const Figure figu
     if (value == 0.) continue;
     const fem::LevelRecord& record = history[mesh];
     course.values.push_back(
-        {value, record.refined, record.halvings,
+        {fem::under_true_force(value, record.energy_error, force_of(figure)), record.refined,
+         record.halvings,
          is_of_bending(figure) ? record.grading * record.grading : record.size_measure});
     course.nodes_across.push_back(record.nodes_across);
   }
@@ -164,7 +173,7 @@ double left_at_second_order(const Course& course) {
 }
 
 double error_of(const Course& course, const Figure figure, const double grading,
-                const bool forces_are_given, const ContactCells& cells, const int dim) {
+                const bool force_is_known, const ContactCells& cells, const int dim) {
   // What the conjugate gradients leave of a force that the loads decide.
   constexpr double solver_tolerance = 1e-7;
   const Evaluation own = evaluation(figure, cells, dim);
@@ -175,11 +184,18 @@ double error_of(const Course& course, const Figure figure, const double grading,
   const double open = own.open(size) + unfitted;
   if (is_depth(figure)) return open;
   const fem::Extrapolation found =
-      fem::extrapolate(course.values, grading, {forces_are_given, false, false});
+      fem::extrapolate(course.values, grading, {force_is_known, false, false});
   const double zone = own.is_fitted && course.values.size() > 1
                           ? std::max(open, left_at_second_order(course))
                           : found.zone_error;
   return zone + std::abs(found.correction) + found.surroundings_error + solver_tolerance;
+}
+
+/// The figures are those of the mesh, under a force that is too great.
+double by_force(const double energy_error, const Figure figure) {
+  const fem::ForcePower force = force_of(figure);
+  return 1. - fem::under_true_force(1., energy_error, force) +
+         fem::open_by_force(energy_error, force);
 }
 
 /// Of the figures on the last mesh. A depth is that of a shear field as wide as the contact: it has
@@ -189,13 +205,14 @@ template <int dim, typename OnMesh>
 Figures errors_of(const fem::Solution<dim>& solution, const ContactCells& cells,
                   const OnMesh& on_mesh) {
   const auto& history = solution.history;
-  const bool forces_are_given = dim == 2 && !fem::has_prescribed_displacement(solution.problem);
+  const bool force_is_known = fem::force_is_known(solution.problem);
   Figures errors;
   for (const auto& [figure, value] : on_mesh(history.size() - 1)) {
     if (value == 0.) continue;
     const bool is_local = solution.has_free_ends && !is_global(figure);
     errors[figure] = error_of(course_of(history, figure, on_mesh), figure,
-                              is_local ? history.back().grading : 0., forces_are_given, cells, dim);
+                              is_local ? history.back().grading : 0., force_is_known, cells, dim);
+    errors[figure] += by_force(history.back().energy_error, figure);
   }
   const double of_width = value_of(errors, Figure::half_width).value_or(0.);
   for (auto& [figure, error] : errors) {

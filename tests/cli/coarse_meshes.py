@@ -9,6 +9,7 @@ import geneva_cli
 from geneva_cli import CliTest, number, read_csv
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "benchmarks"))
+import mesh_choice  # noqa: E402
 import random_cases  # noqa: E402
 from random_cases import Drawing, draw_half_ball, draw_rectangle, draw_ring, lines_of  # noqa: E402
 
@@ -110,6 +111,22 @@ class Cylinders(CoarseMeshes):
                              (hertz[1] - (1 - share) * hertz[0] - share * hertz[2]))
         self.assertGreater(len(found), 4)
         return math.sqrt(sum(value**2 for value in found) / len(found))
+
+
+class FirstContact(CoarseMeshes):
+    """A contact that is a point on one mesh and 23 nodes wide on the next, whose cells around are then too large."""
+
+    def test_costs_at_most_twice_as_much_as_on_other_meshes(self):
+        case = random_cases.draw_case("plane", 44)
+        unknowns = []
+        for variation, files in list(mesh_choice.variations(case, ACCURACY))[:len(mesh_choice.MESHES)]:
+            with self.subTest(variation):
+                directory = self.directory / variation.replace(" ", "-").replace(",", "")
+                directory.mkdir()
+                for name, text in files.items():
+                    (directory / name).write_text(text)
+                unknowns.append(self.run_case(directory)["mesh"]["dofs"])
+        self.assertLess(max(unknowns), 2 * min(unknowns), unknowns)
 
 
 if __name__ == "__main__":

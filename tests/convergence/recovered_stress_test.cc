@@ -4,6 +4,7 @@
 #include <iostream>
 #include <random>
 
+#include "fem/energy_error.h"
 #include "mesh/extrusion.h"
 #include "tests/support/manufactured.h"
 #include "tests/support/structured_mesh.h"
@@ -104,6 +105,18 @@ Orders orders_of(const Study<dim>& study, const unsigned int from, const unsigne
   return orders;
 }
 
+template <int dim>
+void set_at_nodes(fem::NodalStress<dim>& stress, const ExactField<dim>& exact) {
+  fem::Vector own = fem::without_ghosts(stress.values);
+  for (const auto& cell : stress.dof_handler->active_cell_iterators())
+    for (const unsigned int vertex : cell->vertex_indices()) {
+      const auto exact_here = exact.stress(cell->vertex(vertex));
+      for (unsigned int i = 0; i < fem::n_stress_components<dim>; ++i)
+        own(cell->vertex_dof_index(vertex, i)) = exact_here[i];
+    }
+  stress.values = own;
+}
+
 const auto smooth_in_plane = [](const auto& x) {
   using std::exp;
   using std::sin;
@@ -125,6 +138,26 @@ TEST_P(InPlane, RecoveredStressIsOfOrderAbove1_8) {
     EXPECT_GT(orders.displacement, 1.9);
     EXPECT_GT(orders.stress, 1.8);
   }
+}
+
+/// The difference from recovered stresses has the energy of that from the exact ones.
+TEST_P(InPlane, EnergyErrorByRecoveredStressesTendsToTheTrueOne) {
+  const auto exact = manufactured<2>(steel, GetParam(), smooth_in_plane);
+  const mesh::MeshData<2> mesh = distorted_square();
+  const fem::Problem<2> problem = problem_of(mesh, GetParam());
+  auto triangulation = mesh::make_triangulation(MPI_COMM_SELF, mesh, 1.);
+  refine_some(*triangulation);
+  triangulation->refine_global(3);
+  HeldBodies<2> bodies(*triangulation, mesh, problem,
+                       [](const std::string&, unsigned int) { return true; });
+  bodies.solve(exact);
+  fem::NodalStress<2> stress = bodies.recovered();
+  const auto error = [&] {
+    return fem::energy_error(bodies.dof_handler(), bodies.displacement(), problem, stress);
+  };
+  const double estimated = error();
+  set_at_nodes(stress, exact);
+  EXPECT_NEAR(estimated / error(), 1., 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, InPlane,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/adaptivity/force_error.h"
 #include "tests/support/solving.h"
 
 namespace geneva::test {
@@ -52,6 +53,33 @@ TEST(ErrorEstimate, HoldsTheTrueErrorOnEveryMesh) {
       }
     }
   EXPECT_GT(tightest, 0.2);
+}
+
+/// A displacement that presses: the force is that of a stiffer model, and the pressure would go
+/// with its root. Pressed by the force that fine meshes show, the contact has the same pressure.
+TEST(ErrorEstimate, HoldsUnderAPrescribedDisplacement) {
+  LineContact contact;
+  const mesh::MeshData<2> mesh = mesh_of(contact);
+  fem::Problem<2> problem = problem_of(contact);
+  ASSERT_EQ(problem.ties.size(), 1U);
+  problem.supports.push_back({problem.ties[0].surface, {0., -1.5e-6}});
+  problem.ties.clear();
+  const fem::Solution<2> fine = solve(mesh, problem, with_accuracy(5e-4));
+  contact.force = std::abs(fine.contacts.front().force[1]);
+  const double excess = fem::force_excess(fine.history.back().energy_error);
+  const double exact = hertz(contact).peak_pressure / std::sqrt(1. + excess);
+  for (const double accuracy : {0.02, 0.005}) {
+    const fem::Solution<2> solution = solve(mesh, problem, with_accuracy(accuracy));
+    const double neglected = std::pow(hertz(contact).half_width / contact.radius, 2);
+    const double of_force = fem::force_doubt(fine.history.back().energy_error);
+    EXPECT_LE(std::abs(error_of(peak_pressure(solution), exact)),
+              solution.error_estimate + neglected + of_force);
+    EXPECT_LE(solution.error_estimate, accuracy);
+    if (prints())
+      std::printf("force %.6g N, excess %.3f %%; peak %+.4f of %.4f %%\n", contact.force,
+                  100. * excess, 100. * error_of(peak_pressure(solution), exact),
+                  100. * solution.error_estimate);
+  }
 }
 
 }  // namespace

@@ -278,8 +278,8 @@ TEST(ErrorEstimate, AsksForTwoMeshesOfTheZoneWithEnoughNodesInThePlane) {
   EXPECT_TRUE(shows_zone_error<3>(with_nodes({3, 5, 10})));
   EXPECT_TRUE(shows_zone_error<2>(with_nodes({3, 6, 11})));
   EXPECT_FALSE(shows_zone_error<3>(with_nodes({6, 6, 5})));
-  EXPECT_EQ(resolved_values(with_nodes({3, 2, 5}), &LevelRecord::peak_pressure).size(), 1U);
-  EXPECT_EQ(resolved_values(with_nodes({3, 5, 10}), &LevelRecord::peak_pressure).size(), 3U);
+  EXPECT_EQ(resolved_values(with_nodes({3, 2, 5}), &LevelRecord::peak_pressure, {}).size(), 1U);
+  EXPECT_EQ(resolved_values(with_nodes({3, 5, 10}), &LevelRecord::peak_pressure, {}).size(), 3U);
 }
 
 TEST(Extrapolation, TakesNoMoreFromAFallOfTheMeasureThanHalvedCellsCanGive) {

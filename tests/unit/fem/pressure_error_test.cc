@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "fem/adaptivity/lengthwise_pressure.h"
@@ -46,6 +47,40 @@ TEST(PressureError, HasNoPartOfTheSurroundingsWhereTheyAreFineOrNothingDependsOn
   EXPECT_EQ(pressure_error<2>(settling, fine).surroundings, 0.);
   EXPECT_EQ(pressure_error<2>(settling, held).surroundings, 0.);
   EXPECT_GT(pressure_error<2>(settling, free_contact).surroundings, 0.);
+}
+
+/// Under a force that is too great by a tenth, a fiftieth, ... the pressure of a line contact is
+/// too great by half of that, and nothing else is wrong.
+TEST(PressureError, IsThatOfTheForceWhereMovingSupportsPress) {
+  std::vector<LevelRecord> history{level(1e6), level(1e6), level(1e6)};
+  double energy_error = 0.2;
+  for (LevelRecord& mesh : history) {
+    mesh.energy_error = energy_error;
+    mesh.peak_pressure *= std::sqrt(1. + force_excess(energy_error));
+    energy_error /= 10.;
+  }
+  ContactTraits pressed = free_contact;
+  pressed.error_by_nodes = 0.;
+  pressed.force = {0.5, 0.};
+  const PressureError error = pressure_error<2>(history, pressed);
+  EXPECT_NEAR((1. + error.correction) * history.back().peak_pressure, 1e6, 1e-3);
+  EXPECT_NEAR(error.zone, 0., 1e-12);
+  const PressureError given = pressure_error<2>({level(1e6), level(1e6), level(1e6)}, pressed);
+  EXPECT_NEAR(error.surroundings, error_of(given.surroundings, 0.5 * force_doubt(0.002)), 1e-12);
+
+  pressed.has_free_ends = false;  // no cells around count, and the zone's have to be finer
+  const PressureError held = pressure_error<2>(history, pressed);
+  EXPECT_EQ(held.surroundings, 0.);
+  EXPECT_NEAR(held.zone, 0.5 * force_doubt(0.002), 1e-12);
+}
+
+TEST(ForceOfPeak, HasHertzsPowersAndOneWhereTheContactCannotGrow) {
+  EXPECT_EQ(force_of_peak({false, false, true}).power, 1. / 2.);
+  EXPECT_EQ(force_of_peak({true, false, true}).power, 1. / 3.);
+  EXPECT_EQ(force_of_peak({false, false, false}).power, 1.);
+  const ForcePower of_flat = force_of_peak({false, true, true});
+  EXPECT_LE(of_flat.power - of_flat.doubt, 1. / 2.);
+  EXPECT_GE(of_flat.power + of_flat.doubt, 1.);
 }
 
 ContactNode<3> node(const double z, const double pressure) {
