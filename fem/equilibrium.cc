@@ -10,6 +10,7 @@
 #include "fem/conditioning.h"
 #include "fem/contact/active_set.h"
 #include "fem/elasticity/material_history.h"
+#include "fem/rigid_balance.h"
 #include "fem/rigid_motion.h"
 
 namespace geneva::fem {
@@ -163,11 +164,14 @@ Solved Equilibrium<dim>::solve(const State<dim>& from, const Settings& settings,
     auto state = solve_level(*mesh_.dof_handler, level_, from.displacement, settings, observer);
     if (state && state->lifts_off) open_what_pulls(state->contacts);
     if (state && !state->slides) {
-      if (is_held_by_friction_) check_that_contact_holds();
-      return std::move(*state);
-    }
-    if (state)
+      const bool is_singular =
+          is_held_by_friction_ && has_free_motion(level_, problem_, TakenAsClosed::active_nodes);
+      if (is_singular || state->cycled) check_that_contact_holds();
+      if (!is_singular) return std::move(*state);
+    } else if (state) {
       if (const auto stop = sliding_stop(level_, *state, problem_, scales_)) return *stop;
+    }
+    check_that_contact_holds();
     return stop_at_limit(Outcome::active_set_limit, settings.max_active_set_steps + 1.,
                          settings.max_active_set_steps, n_unknowns_);
   } catch (const dealii::SolverControl::NoConvergence& failure) {
@@ -204,21 +208,24 @@ void Equilibrium<dim>::open_what_pulls(const std::vector<ContactState>& contacts
   check_that_contact_holds();
 }
 
-/// @throws base::InputError if a body moves freely since contacts have opened
+/// Where the search for what touches, sticks and slides went wrong, there may be nothing to find.
+/// @throws base::InputError if a body moves freely since contacts have opened, or if no friction
+/// within its bounds can balance the loads
 template <int dim>
 void Equilibrium<dim>::check_that_contact_holds() const {
   const auto open = open_pair(level_);
-  if (!open && !is_held_by_friction_) return;  // others are held as long as they touch
-  if (!has_free_motion(level_, problem_, TakenAsClosed::active_nodes)) return;
-  if (open)
+  const auto motion = is_held_by_friction_
+                          ? unresisted_motion(*mesh_.dof_handler, level_, scaled_problem_)
+                          : std::nullopt;
+  if (motion && (motion->is_rotation || !open))
+    throw base::InputError(motion->what +
+                           " under the load, over what is left of its contact: it tips or rolls; "
+                           "check the place and the direction of the load, or add a support");
+  if (open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
     throw base::InputError(
         fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
                     "check the direction of the load",
                     quoted(problem_.pairs[*open])));
-  throw base::InputError(free_motion(level_, problem_, TakenAsClosed::active_nodes) +
-                         " under the load, over what is left of its contact: it tips or rolls; "
-                         "check the place and the "
-                         "direction of the load, or add a support");
 }
 
 template <int dim>

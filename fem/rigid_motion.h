@@ -19,10 +19,6 @@ enum class TakenAsClosed {
 template <int dim>
 bool has_free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
 
-/// "body 'pin' can rotate freely", of the body that moves most.
-template <int dim>
-std::string free_motion(const Level<dim>& level, const Problem<dim>& problem, TakenAsClosed closed);
-
 /// Whether a body is free to move rigidly if one pair has no friction, and all others stick.
 template <int dim>
 bool is_held_by_friction(const Level<dim>& level, const Problem<dim>& problem,

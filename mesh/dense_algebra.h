@@ -13,6 +13,13 @@ namespace geneva::mesh {
 /// @param values b
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values);
 
+/// The x >= 0 of minimum |A x - b|, by active sets (C. L. Lawson and R. J. Hanson, Solving Least
+/// Squares Problems, 1974, 23.3).
+/// @param matrix A, of any shape
+/// @param values b
+Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& matrix,
+                                          const Eigen::VectorXd& values);
+
 struct Eigenpairs {
   Eigen::VectorXd values;   // ascending
   Eigen::MatrixXd vectors;  // orthonormal columns

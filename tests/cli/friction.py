@@ -495,10 +495,22 @@ class StickAndSlip(CliTest):
                               abs(along) / 5, 1e-6, f"{friction} {along}")
 
     def test_a_block_that_tips_is_named(self):
-        run, _ = self.incline(250, {"Geometry/Friction coefficient": 5})
-        self.assertEqual(run.code, 1, run.describe())
-        self.assertIn("body 'block' can rotate freely", run.err)
-        self.assertIn("tips", run.err)
+        """The resultant leaves the underside where it is twice as great along the incline as across."""
+        for friction, along in ((5, 250), (2.2, 210), (20, 1900), (3, -204), (3, 296)):
+            with self.subTest(friction=friction, along=along):
+                run, _ = self.incline(along, {"Geometry/Friction coefficient": friction})
+                self.assertEqual(run.code, 1, run.describe())
+                self.assertIn("body 'block' can rotate freely", run.err)
+                self.assertIn("tips", run.err)
+
+    def test_a_block_that_much_friction_holds_does_not_tip(self):
+        for friction, along in ((5, 150), (2.2, 190), (20, 100), (3, -196)):
+            with self.subTest(friction=friction, along=along):
+                run, case = self.incline(along, {"Geometry/Friction coefficient": friction})
+                self.assertIn(run.code, (0, 2), run.describe())
+                self.assertNotIn("did not settle", run.err)
+                self.assert_close(look_up(geneva_cli.read_summary(case / "results"), "contact.friction.force.value"),
+                                  abs(along) / 5, 1e-6, f"{friction} {along}")
 
     def test_a_load_step_that_lifts_a_body_is_named(self):
         case = self.case("lifted", "0", [0])

@@ -6,6 +6,7 @@
 #include "fem/active_set_iteration.h"
 #include "fem/contact_problem.h"
 #include "fem/resultants.h"
+#include "fem/rigid_balance.h"
 #include "fem/rigid_motion.h"
 #include "mesh/extrusion.h"
 #include "tests/support/refusal.h"
@@ -144,6 +145,36 @@ TEST(ContactInSpace, ReactionsBalanceLoadsAndTheirMoments) {
   }
   EXPECT_NEAR(force.norm(), 0., 1e-12);
   EXPECT_NEAR(moment.norm(), 0., 1e-12);
+}
+
+/// The upper block, 2 x 1 x 2, under a body force (x, -1, z): the resultant leaves its underside
+/// where x or z is 2, and the cone of friction where the two together are mu.
+TEST(RigidBalance, FindsWhetherABlockSlidesTipsOrStays) {
+  const mesh::MeshData<3> mesh = blocks();
+  const Discretisation<3> grid(mesh);
+  const auto motion_under = [&](const double x, const double z, const double friction) {
+    Problem<3> problem = pressed(mesh);
+    problem.supports = {{"bottom", {0., 0., 0.}}};
+    problem.loads.clear();
+    problem.pairs = {{"bottom of upper", "top of lower"}};
+    problem.pairs[0].friction.coefficient = friction;
+    problem.bodies[1].force.uniform = {x, -1., z};
+    std::optional<SurfaceOrigins<3>> origins;
+    const Level<3> level = make_level(*grid.dof_handler, mesh, problem, {1., 1.}, origins);
+    return unresisted_motion(*grid.dof_handler, level, problem);
+  };
+  EXPECT_FALSE(motion_under(0., 0., 0.));
+  EXPECT_FALSE(motion_under(1.9, -1.9, 5.));
+  EXPECT_FALSE(motion_under(0.35, -0.35, 0.5));
+  const auto tipping = motion_under(0., 2.1, 5.);
+  ASSERT_TRUE(tipping);
+  EXPECT_EQ(tipping->what, "body 'upper' can rotate about x freely");
+  EXPECT_TRUE(tipping->is_rotation);
+  const auto sliding = motion_under(0.6, 0., 0.5);
+  ASSERT_TRUE(sliding);
+  EXPECT_EQ(sliding->what, "body 'upper' can move along x freely");
+  EXPECT_FALSE(sliding->is_rotation);
+  EXPECT_TRUE(motion_under(0.37, 0.37, 0.5));
 }
 
 TEST(ContactInSpace, FindsTheBodyThatIsFreeToMove) {
