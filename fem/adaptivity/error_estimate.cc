@@ -166,6 +166,21 @@ double zone_error(const std::vector<Change>& changes, const Convergence& converg
   return share_that_stays(convergence, before.size * now.size > 0.) * left;
 }
 
+/// A smaller fall of the size measure would make more than twice the change of it.
+constexpr double minimum_ratio = 1.5;
+
+/// By how much halved cells lower their part of the error, however far the measure falls: an error
+/// of second order to a quarter at best. Where a displacement is given, the stiffness of the bodies
+/// decides how great the force is, and its error falls as the energy's does: by half where a
+/// support ends on a straight side, where the displacement goes with the root of the distance
+/// (Williams 1952). Where the energy's error is known, other parts fall as much as that.
+double maximum_ratio(const MeshValue& before, const MeshValue& now,
+                     const Convergence& convergence) {
+  const double most = convergence.forces_are_given ? 4. : 2.;
+  if (!(now.energy_error > 0.)) return most;
+  return std::clamp(before.energy_error / now.energy_error, minimum_ratio, most);
+}
+
 /// What the cells around a contact leave, from what their size measure promises and, times the
 /// square of the grading, from what others have shown.
 struct LeftAround {
@@ -212,7 +227,7 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
       values.clear();
     else if (level.*pressure > 0.)
       values.push_back({under_true_force(level.*pressure, level.energy_error, force), level.refined,
-                        level.halvings, level.size_measure});
+                        level.halvings, level.size_measure, level.energy_error});
   }
   return values;
 }
@@ -220,13 +235,6 @@ std::vector<MeshValue> resolved_values(const std::vector<LevelRecord>& history,
 Extrapolation extrapolate(const std::vector<MeshValue>& values, const double grading,
                           const Convergence& convergence) {
   const LeftAround left_around = left_around_of(convergence);
-  // A smaller fall of the measure would make more than twice the change of it; and halved cells
-  // lower an error of second order to a quarter at best, however far the measure falls. Where a
-  // displacement is given, the stiffness of the bodies decides how great the force is, and its
-  // error falls as the energy's does: by half where a support ends on a straight side, where the
-  // displacement goes with the root of the distance (Williams 1952).
-  constexpr double minimum_ratio = 1.5;
-  const double maximum_ratio = convergence.forces_are_given ? 4. : 2.;
   const auto zone_changes = changes(values, Refined::zone);
   Extrapolation result{0., std::min(1., zone_error(zone_changes, convergence)),
                        std::min(1., maximum_grading_coefficient * grading * grading)};
@@ -237,8 +245,8 @@ Extrapolation extrapolate(const std::vector<MeshValue>& values, const double gra
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double ratio = values[i - 1].size_measure / values[i].size_measure;
     if (values[i].refined != Refined::surroundings || !(ratio >= minimum_ratio)) continue;
-    const double left =
-        (1. - values[i - 1].value / values[i].value) / (std::min(ratio, maximum_ratio) - 1.);
+    const double most = maximum_ratio(values[i - 1], values[i], convergence);
+    const double left = (1. - values[i - 1].value / values[i].value) / (std::min(ratio, most) - 1.);
     of_surroundings = left_around.taken * left + left_around.known * grading * grading;
     result.surroundings_error =
         std::max(left_around.doubt * std::abs(left), left_around.least_doubt * grading * grading);

@@ -21,8 +21,9 @@ constexpr double grading_step = dim == 2 ? 0.5 : 0.7071;
 struct MeshValue {
   double value;
   Refined refined;
-  unsigned int halvings;  ///< of the contact's cells since the mesh before
-  double size_measure;    ///< that the error by the cells' sizes is proportional to
+  unsigned int halvings;     ///< of the contact's cells since the mesh before
+  double size_measure;       ///< that the error by the cells' sizes is proportional to
+  double energy_error = 0.;  ///< see there; 0: not known
 };
 
 /// Where a figure tends to on ever finer meshes; all relative to its value on the last one.

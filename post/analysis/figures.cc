@@ -152,7 +152,8 @@ Course course_of(const std::vector<fem::LevelRecord>& history, const Figure figu
     course.values.push_back(
         {fem::under_true_force(value, record.energy_error, force_of(figure)), record.refined,
          record.halvings,
-         is_of_bending(figure) ? record.grading * record.grading : record.size_measure});
+         is_of_bending(figure) ? record.grading * record.grading : record.size_measure,
+         record.energy_error});
     course.nodes_across.push_back(record.nodes_across);
   }
   return course;

@@ -267,6 +267,17 @@ TEST(Extrapolation, OfALineContactIsPulledToWhatOthersHaveShown) {
   EXPECT_NEAR(correction(1. + change, 0.2) - correction(1., 0.2), -0.56 * change / 3., 1e-12);
 }
 
+TEST(Extrapolation, TakesNoMoreFromAFallOfTheMeasureThanTheEnergysErrorFell) {
+  const auto left_after = [](const double energy_before) {
+    const std::vector<MeshValue> values{{1.1, Refined::nothing, 0, 8., energy_before},
+                                        {1., Refined::surroundings, 0, 1., 0.01}};
+    return -extrapolate(values, 0.2, forces_given).correction / 0.75;
+  };
+  EXPECT_NEAR(left_after(0.025), 0.1 / 1.5, 1e-12);
+  EXPECT_NEAR(left_after(0.08), 0.1 / 3., 1e-12) << "a quarter is the most that is left";
+  EXPECT_NEAR(left_after(0.01), 0.1 / 0.5, 1e-12);
+}
+
 TEST(ErrorEstimate, AsksForTwoMeshesOfTheZoneWithEnoughNodesInThePlane) {
   std::vector<LevelRecord> history = history_of({1., 1.1, 1.12}, 3);
   for (LevelRecord& level : history) level.refined = Refined::zone;
