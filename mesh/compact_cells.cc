@@ -14,8 +14,11 @@ namespace {
 
 /// Cells with this ratio of their sides are left as they are.
 constexpr double compact = 1.5;
-/// No edge is cut into more pieces, however thin the cells are.
-constexpr unsigned int most_pieces = 8;
+/// No edge is cut into more pieces, however thin the cells are: into many only as long as the whole
+/// mesh keeps few cells.
+constexpr unsigned int many_pieces = 64;
+constexpr unsigned int few_pieces = 8;
+constexpr std::size_t few_cells = 2000;
 
 using Point = std::array<double, 2>;
 using Edge = std::pair<unsigned int, unsigned int>;  ///< vertices, the smaller first
@@ -65,14 +68,15 @@ double length(const MeshData<2>& mesh, const unsigned int from, const unsigned i
 /// Number of pieces for the strips that are cut.
 using Pieces = std::map<std::size_t, unsigned int>;
 
-void cut(Pieces& pieces, const std::size_t strip, const double ratio) {
+void cut(Pieces& pieces, const std::size_t strip, const double ratio,
+         const unsigned int most_pieces) {
   if (ratio <= compact) return;
   const auto wanted = static_cast<unsigned int>(std::lround(std::min<double>(ratio, most_pieces)));
   pieces[strip] = std::max(pieces[strip], wanted);
 }
 
 Pieces wanted_pieces(const MeshData<2>& mesh, const Strips& strips,
-                     const std::vector<std::string>& surfaces) {
+                     const std::vector<std::string>& surfaces, const unsigned int most_pieces) {
   std::set<Edge> along;
   for (const Face<2>& face : mesh.faces)
     if (std::find(surfaces.begin(), surfaces.end(), mesh.surfaces[face.surface]) != surfaces.end())
@@ -85,10 +89,23 @@ Pieces wanted_pieces(const MeshData<2>& mesh, const Strips& strips,
       const double depth =
           0.5 * (length(mesh, vertex(1), vertex(2)) + length(mesh, vertex(3), vertex(0)));
       const double ratio = length(mesh, vertex(0), vertex(1)) / depth;
-      cut(pieces, strips.strip(edge_of(vertex(0), vertex(1))), ratio);
-      cut(pieces, strips.strip(edge_of(vertex(1), vertex(2))), 1. / ratio);
+      cut(pieces, strips.strip(edge_of(vertex(0), vertex(1))), ratio, most_pieces);
+      cut(pieces, strips.strip(edge_of(vertex(1), vertex(2))), 1. / ratio, most_pieces);
     }
   return pieces;
+}
+
+/// Of the mesh that is cut.
+std::size_t number_of_cells(const MeshData<2>& mesh, const Strips& strips, const Pieces& pieces) {
+  const auto across = [&](const unsigned int from, const unsigned int to) {
+    const auto found = pieces.find(strips.strip(edge_of(from, to)));
+    return found == pieces.end() ? std::size_t{1} : std::size_t{found->second};
+  };
+  std::size_t number = 0;
+  for (const Cell<2>& cell : mesh.cells)
+    number +=
+        across(cell.vertices[0], cell.vertices[1]) * across(cell.vertices[1], cell.vertices[2]);
+  return number;
 }
 
 /// The point that divides an arc of a circle in the ratio of its angles.
@@ -208,7 +225,9 @@ class CutMesh {
 
 MeshData<2> with_compact_cells(const MeshData<2>& mesh, const std::vector<std::string>& surfaces) {
   const Strips strips(mesh);
-  const Pieces pieces = wanted_pieces(mesh, strips, surfaces);
+  Pieces pieces = wanted_pieces(mesh, strips, surfaces, many_pieces);
+  if (number_of_cells(mesh, strips, pieces) > few_cells)
+    pieces = wanted_pieces(mesh, strips, surfaces, few_pieces);
   if (pieces.empty()) return mesh;
   MeshData<2> result = CutMesh(mesh, strips, pieces).made();
   check(result);

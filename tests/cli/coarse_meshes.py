@@ -96,6 +96,12 @@ class Cylinders(CoarseMeshes):
         self.assertLess(max(unknowns.values()), 2 * min(unknowns.values()), unknowns)
         self.assertLess(max(ripples.values()), ACCURACY / 2, ripples)
 
+    def test_on_a_block_of_one_layer_of_cells_have_the_error_that_is_told(self):
+        """Cells 28 times as deep as wide."""
+        hertz = closed_forms.hertz_line(self.LOAD, self.RADIUS, self.MODULUS / (2 * (1 - self.POISSON**2)))
+        summary = self.run_case(self.case("one-layer", (8, 4), (60, 1), True))
+        self.assert_within_bar(summary, hertz["peak_pressure"])
+
     def ripple(self, case, half_width):
         """Root mean square of the pressure's second difference over the nodes in the middle half of the contact, less
         that of Hertz's pressure, as a share of the peak."""
