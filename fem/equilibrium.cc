@@ -218,9 +218,10 @@ void Equilibrium<dim>::check_that_contact_holds() const {
                           ? unresisted_motion(*mesh_.dof_handler, level_, scaled_problem_)
                           : std::nullopt;
   if (motion && (motion->is_rotation || !open))
-    throw base::InputError(motion->what +
-                           " under the load, over what is left of its contact: it tips or rolls; "
-                           "check the place and the direction of the load, or add a support");
+    throw base::InputError(fmt::format(
+        "{} under the load, over what is left of its contact: {}; check the place and "
+        "the direction of the load, or add a support",
+        motion->what, motion->is_rotation ? "it tips or rolls" : "friction does not hold it"));
   if (open && has_free_motion(level_, problem_, TakenAsClosed::active_nodes))
     throw base::InputError(
         fmt::format("the load pulls contact pair {} apart, and nothing else holds the body; "
