@@ -24,7 +24,6 @@ Eigen::MatrixXd matrix_of(const Columns& columns, const Eigen::Index rows) {
 /// The motions that supports and ties allow, as orthonormal columns.
 template <int dim>
 Eigen::MatrixXd allowed_motions(const Level<dim>& level, const RigidMotions<dim>& motions) {
-  constexpr double free_share = 1e-12;
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(motions.size(), motions.size());
   for (const ConstraintLine& line : level.held_lines) {
     const Eigen::VectorXd row = held_row(line, motions);

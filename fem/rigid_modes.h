@@ -17,6 +17,10 @@
 
 namespace geneva::fem {
 
+/// Eigenvalues of the constraints' Gram matrix below this share of the maximum one mean a free
+/// motion.
+constexpr double free_share = 1e-12;
+
 /// A displacement component of a boundary node.
 template <int dim>
 struct Component {

@@ -11,10 +11,6 @@ namespace geneva::fem {
 
 namespace {
 
-/// Eigenvalues of the constraints' Gram matrix below this share of the maximum one mean a free
-/// motion.
-constexpr double free_share = 1e-12;
-
 /// The constraints as seen by the rigid motions: one row for every line and every contact row,
 /// scaled to size 1.
 /// @param sliding the one without friction; may be null
