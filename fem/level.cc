@@ -144,12 +144,12 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
         boundary, mesh::index_of(mesh.surfaces, problem.pairs[i].source), origins.source[i]);
     interface.target = surface_from(
         boundary, mesh::index_of(mesh.surfaces, problem.pairs[i].target), origins.target[i]);
-    interface.rows = mortar_rows(interface.source, interface.target,
-                                 MortarData<dim>{[&](const dealii::Point<dim>& point) {
-                                                   return out_of_plane_measure(problem, point);
-                                                 },
-                                                 source_share(mesh, problem, problem.pairs[i]),
-                                                 problem.pairs[i].clearance, communicator});
+    interface.source_share = source_share(mesh, problem, problem.pairs[i]);
+    interface.rows = mortar_rows(
+        interface.source, interface.target,
+        MortarData<dim>{
+            [&](const dealii::Point<dim>& point) { return out_of_plane_measure(problem, point); },
+            interface.source_share, problem.pairs[i].clearance, communicator});
     interface.approach = approach_of(mesh, problem, problem.pairs[i]);
     interface.law = law_of<dim>(problem.pairs[i].friction);
     interface.sliding = sliding_of(interface.rows, problem.pairs[i].friction);

@@ -35,8 +35,10 @@ std::vector<ContactResult<dim>> contact_results(const Solution<dim>& solution,
     }
     if constexpr (dim == 2) {
       count_from_mirrors(contact, places, solution.scales.length);
-      if (solution.problem.plane != PlaneKind::axisymmetric) correct_for_nodes(contact);
-      const auto strains = surface_strains(level.interfaces[i], found.displacement);
+      const ContactInterface<2>& interface = level.interfaces[i];
+      if (solution.problem.plane != PlaneKind::axisymmetric)
+        correct_for_nodes(contact, {ratio_of_edges(interface), 1. - interface.source_share});
+      const auto strains = surface_strains(interface, found.displacement);
       for (std::size_t j = 0; j < strains.size(); ++j) contact.nodes[j].strain = strains[j];
     }
     contacts.push_back(std::move(contact));

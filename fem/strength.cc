@@ -296,19 +296,29 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
   return false;
 }
 
+/// Share of the greatest variation over a cell above which cells are halved. Errors go with its
+/// square, so that the root of accuracy over error is left; to less than a half one mesh cannot
+/// lower it.
+template <int dim>
+double share_to_halve(const BodyStrength<dim>& body, const double accuracy) {
+  return std::clamp(std::sqrt(accuracy / std::max(body.von_mises.error, body.tensile.error)), 0.5,
+                    0.7071);
+}
+
 }  // namespace
 
 template <int dim>
 unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
                                const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, const double most_share) {
-  constexpr double of_maximum = 0.7071;
+                               const std::vector<bool>& of_body, const double most_share,
+                               const double accuracy) {
   const Outside<dim> is_outside(solution, singular);
   std::vector<double> limits(of_body.size(), std::numeric_limits<double>::max());
   for (unsigned int body = 0; body < of_body.size(); ++body)
     if (of_body[body])
       limits[body] = std::min(most_share * solution.strength[body].von_mises.value,
-                              of_maximum * maximum_variation(solution, stress, is_outside, body));
+                              share_to_halve(solution.strength[body], accuracy) *
+                                  maximum_variation(solution, stress, is_outside, body));
   unsigned int flagged = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->refine_flag_set() ||
@@ -326,7 +336,7 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
                                                    const std::vector<SingularPlace<dim>>&);       \
   template unsigned int flag_for_strength(const Solution<dim>&, const NodalStress<dim>&,          \
                                           const std::vector<SingularPlace<dim>>&,                 \
-                                          const std::vector<bool>&, double);
+                                          const std::vector<bool>&, double, double);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

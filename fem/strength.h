@@ -24,10 +24,12 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
 /// contact.
 /// @param of_body whether a body's cells are wanted finer
 /// @param most_share of the maximum; less where no cell varies by so much
+/// @param accuracy wanted relative error of the maxima, > 0
 /// @return number of flagged cells on all ranks
 template <int dim>
 unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
                                const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, double most_share);
+                               const std::vector<bool>& of_body, double most_share,
+                               double accuracy);
 
 }  // namespace geneva::fem

@@ -71,7 +71,10 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
 
 template <int dim>
 bool StrengthPass<dim>::is_open(const BodyStrength<dim>& body) const {
-  return accuracy_ && std::max(body.von_mises.error, body.tensile.error) > *accuracy_;
+  const auto is_worth_refining = [&](const StressMaximum<dim>& maximum) {
+    return maximum.error > std::max(*accuracy_, maximum.choice);
+  };
+  return accuracy_ && (is_worth_refining(body.von_mises) || is_worth_refining(body.tensile));
 }
 
 template <int dim>
@@ -90,7 +93,7 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
   constexpr double minimum_share = 1e-3;
   for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
     if (const unsigned int flagged =
-            flag_for_strength(solution, *stress_, singular_, of_body, share))
+            flag_for_strength(solution, *stress_, singular_, of_body, share, *accuracy_))
       return flagged;
   return 0;
 }

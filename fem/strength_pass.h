@@ -22,10 +22,11 @@ class StrengthPass {
   std::vector<BodyStrength<dim>> find(const Solution<dim>& solution,
                                       const std::vector<LevelRecord>& before);
 
-  /// Whether an error is greater than wanted.
+  /// Whether an error by the mesh is greater than wanted, and than what the choice of the contacts'
+  /// own field leaves open, which no mesh lowers.
   [[nodiscard]] bool is_open(const std::vector<BodyStrength<dim>>& strength) const;
 
-  /// Flags the cells that count most of bodies whose errors are greater than wanted. The maxima
+  /// Flags the cells that count most of bodies of which is_open() holds. The maxima
   /// found on this mesh must be `solution`'s.
   /// @return number of flagged cells on all ranks
   unsigned int flag(const Solution<dim>& solution) const;

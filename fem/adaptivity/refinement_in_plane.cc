@@ -12,9 +12,14 @@ namespace {
 
 /// The contact zone is refined this far beyond its ends, as a share of its length.
 constexpr double margin_of_length = 0.25;
-/// The longest edge of a contact zone is at most this many times as long as the shortest, on both
-/// sides together.
+/// The longest edge of one side of a contact zone is at most this many times as long as its
+/// shortest.
 constexpr double evenness = 1.7;
+/// The target's shortest edge over the source's. Targets whose edges are two thirds of the source's
+/// make its pressure alternate by 0.1 % of the peak, longer ones by 0.01 to 0.08 %; doc/theory.md,
+/// 5.1. The range holds a factor of two, so that halving one side leads into it.
+constexpr double least_ratio_of_sides = 0.87;
+constexpr double greatest_ratio_of_sides = 1.75;
 
 /// An edge of the contact zone, named by the dof of its start.
 struct ZoneEdge {
@@ -108,17 +113,25 @@ ZoneSides zone_sides(const ContactInterface<2>& interface) {
   return sides;
 }
 
-/// Maximum length of an edge that does not belong to the part.
-double limit_of(const ZonePart part, const ZoneSides& sides) {
+/// Maximum lengths of edges that do not belong to the part.
+struct Limits {
+  double source, target;
+};
+
+Limits limits_of(const ZonePart part, const ZoneSides& sides) {
+  const double source = shortest(sides.source), target = shortest(sides.target);
   switch (part) {
     case ZonePart::uneven:
-      return evenness * std::min(shortest(sides.source), shortest(sides.target));
-    case ZonePart::longest:
-      return std::max(longest(sides.source), longest(sides.target)) / evenness;
+      return {target < least_ratio_of_sides * source ? 0. : evenness * source,
+              target > greatest_ratio_of_sides * source ? 0. : evenness * target};
+    case ZonePart::longest: {
+      const double limit = std::max(longest(sides.source), longest(sides.target)) / evenness;
+      return {limit, limit};
+    }
     case ZonePart::all:
       break;
   }
-  return 0.;
+  return {0., 0.};
 }
 
 Zone zone_edges(const std::vector<ContactInterface<2>>& interfaces, const SurfaceIds& surface_ids,
@@ -126,9 +139,9 @@ Zone zone_edges(const std::vector<ContactInterface<2>>& interfaces, const Surfac
   Zone zone;
   for (std::size_t i = 0; i < interfaces.size(); ++i) {
     const ZoneSides sides = zone_sides(interfaces[i]);
-    const double limit = limit_of(part, sides);
-    add_longer(zone, surface_ids[i].first, sides.source, limit);
-    add_longer(zone, surface_ids[i].second, sides.target, limit);
+    const Limits limits = limits_of(part, sides);
+    add_longer(zone, surface_ids[i].first, sides.source, limits.source);
+    add_longer(zone, surface_ids[i].second, sides.target, limits.target);
   }
   return zone;
 }

@@ -25,6 +25,7 @@ struct ContactInterface {
   Surface<dim> target;
   std::vector<ContactRow<dim>> rows;
   std::vector<NodeStatus> status;  ///< by row
+  double source_share = 0.5;       ///< of the source body in the compliance of both, 0..1
   ArcIntervals smooth = {};  ///< of the source, in the plane: there the edges are short enough
   dealii::Tensor<1, dim> approach = {};  ///< unit vector along which loads push the source to the
                                          ///< target; 0 if not known

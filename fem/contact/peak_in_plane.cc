@@ -93,6 +93,10 @@ FittedPeak maximum_node(const Nodes& nodes, const Nodes::const_iterator top) {
 /// Active nodes that follow each other, and the one with the maximum pressure.
 struct ActiveRun {
   std::size_t first, last, top;
+
+  [[nodiscard]] std::size_t before_top() const { return top - first + 1; }
+  [[nodiscard]] std::size_t after_top() const { return last - top + 1; }
+  [[nodiscard]] std::size_t size() const { return last - first + 1; }
 };
 
 std::optional<ActiveRun> run_with_peak(const Nodes& nodes) {
@@ -103,6 +107,27 @@ std::optional<ActiveRun> run_with_peak(const Nodes& nodes) {
   return ActiveRun{static_cast<std::size_t>(active.begin - nodes.begin()),
                    static_cast<std::size_t>(active.end - nodes.begin()) - 1,
                    static_cast<std::size_t>(top - nodes.begin())};
+}
+
+/// Active nodes whose pressure is like Hertz's.
+struct HertzianRun {
+  ActiveRun nodes;
+  bool starts_free, ends_free;
+  bool has_image;  ///< beyond an end that is not free
+};
+
+/// Where the pressure peaks about the middle of the contact or of its mirror image.
+std::optional<HertzianRun> hertzian_run(const ContactResult<2>& contact) {
+  const auto run = run_with_peak(contact.nodes);
+  if (!run) return std::nullopt;
+  const bool starts_free = run->first > 0;
+  const bool ends_free = run->last + 1 < contact.nodes.size();
+  const bool has_image = contact.symmetric && starts_free != ends_free;
+  if (!has_image && !(starts_free && ends_free)) return std::nullopt;
+  const std::size_t before = run->before_top(), after = run->after_top();
+  const std::size_t nearest = !starts_free ? after : !ends_free ? before : std::min(before, after);
+  if (3 * nearest < (has_image ? 2 : 1) * run->size()) return std::nullopt;
+  return HertzianRun{*run, starts_free, ends_free, has_image};
 }
 
 /// (d/h)^2/N^2 of an end, N nodes from it to the peak and back, and by how much it changes if the
@@ -154,34 +179,35 @@ FittedPeak fitted_peak(const Nodes& nodes) {
 }
 
 EndShare share_of_free_ends(const ContactResult<2>& contact) {
-  const Nodes& nodes = contact.nodes;
-  const auto run = run_with_peak(nodes);
+  const auto run = hertzian_run(contact);
   if (!run) return {0., 0.};
-  const std::size_t before = run->top - run->first + 1;
-  const std::size_t after = run->last - run->top + 1;
-  const bool starts_free = run->first > 0;
-  const bool ends_free = run->last + 1 < nodes.size();
-  const bool has_image = contact.symmetric && starts_free != ends_free;
-  if (!has_image && !(starts_free && ends_free)) return {0., 0.};
-  // Hertz's only where the pressure peaks about the middle of the contact or of its mirror image.
-  const std::size_t count = before + after - 1;
-  const std::size_t nearest = !starts_free ? after : !ends_free ? before : std::min(before, after);
-  if (3 * nearest < (has_image ? 2 * count : count)) return {0., 0.};
+  const Nodes& nodes = contact.nodes;
   EndShare sum{0., 0.};
   const auto add = [&](const std::size_t edge, const int inwards, const std::size_t to_top) {
-    const EndShare share = share_of_end(free_end(nodes, edge, inwards, count),
-                                        nodes[edge].pressure / nodes[run->top].pressure, to_top);
-    sum.share += (has_image ? 2. : 1.) * share.share;
-    sum.doubt += (has_image ? 2. : 1.) * share.doubt;
+    const EndShare share =
+        share_of_end(free_end(nodes, edge, inwards, run->nodes.size()),
+                     nodes[edge].pressure / nodes[run->nodes.top].pressure, to_top);
+    sum.share += (run->has_image ? 2. : 1.) * share.share;
+    sum.doubt += (run->has_image ? 2. : 1.) * share.doubt;
   };
-  if (starts_free) add(run->first, 1, before);
-  if (ends_free) add(run->last, -1, after);
+  if (run->starts_free) add(run->nodes.first, 1, run->nodes.before_top());
+  if (run->ends_free) add(run->nodes.last, -1, run->nodes.after_top());
   return sum;
 }
 
-void correct_for_nodes(ContactResult<2>& contact) {
+double share_of_target(const ContactResult<2>& contact, const TargetEdges& target) {
+  constexpr double measured = 0.4;
+  const auto run = hertzian_run(contact);
+  if (!run) return 0.;
+  const auto count = static_cast<double>(run->nodes.size());
+  const double across = run->has_image ? 2. * count - 1. : count;
+  return measured * target.share * (target.ratio * target.ratio - 1.) / (across * across);
+}
+
+void correct_for_nodes(ContactResult<2>& contact, const TargetEdges& target) {
   contact.peak_pressure *=
-      (1. + fitted_peak(contact.nodes).averaging) / (1. + share_of_free_ends(contact).share);
+      (1. + fitted_peak(contact.nodes).averaging) /
+      (1. + share_of_free_ends(contact).share + share_of_target(contact, target));
 }
 
 }  // namespace geneva::fem

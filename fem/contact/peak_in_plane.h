@@ -44,7 +44,19 @@ struct EndShare {
 /// fewer than 8 nodes
 EndShare share_of_free_ends(const ContactResult<2>& contact);
 
-/// Frees the peak pressure of a line contact from both.
-void correct_for_nodes(ContactResult<2>& contact);
+/// The target's edges under a contact.
+struct TargetEdges {
+  double ratio;  ///< of their mean length to that of the source's edges, > 0
+  double share;  ///< of the target's body in the compliance of both, 0..1
+};
+
+/// Share of a line contact's peak pressure that is too much because the target's edges are longer
+/// than the source's, at whose ends share_of_free_ends() is measured: 0.4 share (ratio^2 -
+/// 1)/N^2, negative where they are shorter; see doc/theory.md, 4.6.
+/// @return 0 where share_of_free_ends() knows nothing
+double share_of_target(const ContactResult<2>& contact, const TargetEdges& target);
+
+/// Frees the peak pressure of a line contact from all three.
+void correct_for_nodes(ContactResult<2>& contact, const TargetEdges& target);
 
 }  // namespace geneva::fem

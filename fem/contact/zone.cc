@@ -27,6 +27,19 @@ double bend_of_pressure(const ContactInterface<2>& interface, const ContactState
          *std::max_element(state.pressure.begin(), state.pressure.end());
 }
 
+/// Mean length of the edges between chosen nodes; 0 without any.
+double mean_edge(const Surface<2>& surface, const std::vector<bool>& chosen) {
+  double length = 0.;
+  unsigned int count = 0;
+  for (const SurfaceFace<2>& face : surface.faces) {
+    const auto [begin, end] = face.nodes;
+    if (!chosen[begin] || !chosen[end]) continue;
+    length += surface.nodes[begin].position.distance(surface.nodes[end].position);
+    ++count;
+  }
+  return count > 0 ? length / count : 0.;
+}
+
 }  // namespace
 
 template <int dim>
@@ -97,6 +110,17 @@ unsigned int nodes_across(const ContactInterface<3>& interface) {
   for (const unsigned int steps : steps_from(interface.source, open))
     depth = std::max(depth, steps);
   return depth == 0 ? 0 : 2 * depth - 1;
+}
+
+double ratio_of_edges(const ContactInterface<2>& interface) {
+  const std::vector<bool> is_closed_row = closed(interface.status);
+  std::vector<bool> opposite(interface.target.nodes.size(), false);
+  for (std::size_t i = 0; i < interface.rows.size(); ++i)
+    if (is_closed_row[i])
+      for (const auto& [node, coupling] : interface.rows[i].coupling) opposite[node] = true;
+  const double source = mean_edge(interface.source, nodes_of_rows(interface, is_closed_row));
+  const double target = mean_edge(interface.target, opposite);
+  return source > 0. && target > 0. ? target / source : 1.;
 }
 
 ArcIntervals zone_intervals(const ContactInterface<2>& interface) {

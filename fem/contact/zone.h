@@ -31,6 +31,10 @@ bool peaks_at_corner(const ContactInterface<2>& interface, const ContactState& s
 unsigned int nodes_across(const ContactInterface<2>& interface);
 unsigned int nodes_across(const ContactInterface<3>& interface);
 
+/// The target's mean edge over the source's, where the contact is closed; 1 where it has no edge on
+/// one of them.
+double ratio_of_edges(const ContactInterface<2>& interface);
+
 /// Arc-length intervals of the source surface covered by the nodes of the zone.
 ArcIntervals zone_intervals(const ContactInterface<2>& interface);
 

@@ -13,6 +13,7 @@
 #include "fem/discretisation/element.h"
 #include "fem/discretisation/gather.h"
 #include "fem/elasticity/cell_element.h"
+#include "fem/singular_places.h"
 #include "mesh/dense_algebra.h"
 
 namespace geneva::post {
@@ -164,7 +165,9 @@ StressPeak<2> peak_shear(const fem::Solution<2>& solution,
   int body = 0;
   for (const CellStress<2>& cell : stresses) {
     const double shear = in_plane_shear(cell.stress);
-    if (cell.centre.distance(around) >= distance || shear <= local.value) continue;
+    if (cell.centre.distance(around) >= distance || shear <= local.value ||
+        fem::is_beside(solution.singular, cell.centre))
+      continue;
     local = {shear, {cell.centre[0], cell.centre[1]}};
     body = static_cast<int>(cell.body);
   }

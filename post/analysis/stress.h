@@ -56,8 +56,8 @@ template <int dim>
 StressPeak<dim> peak_von_mises(const fem::Solution<dim>& solution, const NodalStress<dim>& stress,
                                unsigned int body);
 
-/// Maximum in-plane shear stress within a distance of a point, over all ranks: the top of the
-/// paraboloid fitted to the cell middles within a radius of the maximum one.
+/// Maximum in-plane shear stress within a distance of a point, beside no singular place, over all
+/// ranks: the top of the paraboloid fitted to the cell middles within a radius of the maximum one.
 StressPeak<2> peak_shear(const fem::Solution<2>& solution,
                          const std::vector<CellStress<2>>& stresses, const dealii::Point<2>& around,
                          double distance, double radius);

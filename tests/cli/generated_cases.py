@@ -23,6 +23,9 @@ SPECIMENS = {("plane", 0): "Value = 2.1803068", ("space", 2): "Crown radius = 10
 # below its middle, and a sphere under a prescribed displacement with coarse cells far away.
 ONCE_MISSED = {92: (0.02, 0.002), 97: (0.02, 0.005), 442: (0.02, 0.005), 378: (0.005, 0.0005)}
 
+# A punch so low that its rigid tie's ends, where stresses have no bound, are within three half-widths of the contact.
+LOW_PUNCH = 1162
+
 # Crossed cylinders in 3-D whose peak pressure with its correction is more than a thousandth above that of every node.
 ABOVE_ALL_NODES = 36
 
@@ -116,6 +119,15 @@ class Run(CliTest):
             with self.subTest(index):
                 coarse, fine = (number(contact["peak_pressure"]) for contact in contacts)
                 self.assert_close(coarse, fine, contacts[0]["peak_pressure_error"], "within the error of the coarse run")
+
+    def test_the_maximum_shear_is_the_contact_s_where_stresses_near_it_have_no_bound(self):
+        directory = self.directory / "low-punch"
+        directory.mkdir()
+        for name, text in random_cases.draw_case("plane", LOW_PUNCH).files(0.02).items():
+            (directory / name).write_text(text)
+        contact = self.run_case(directory)["contact"]
+        self.assertLess(number(contact["max_shear_depth"]), 0.5 * number(contact["half_width"]))
+        self.assert_close(number(contact["max_shear"]), 0.36 * number(contact["peak_pressure"]), 0.03, "shear over pressure")
 
     def test_a_peak_above_that_of_all_nodes_is_shown(self):
         directory = self.directory / "above"

@@ -7,6 +7,9 @@
 #include <functional>
 #include <vector>
 
+#include "fem/contact/zone.h"
+#include "tests/unit/fem/flat_pair.h"
+
 namespace geneva::fem::test {
 namespace {
 
@@ -115,6 +118,41 @@ TEST(FreeEnds, SayNothingWhereThePressurePeaksBesideOneOrNowhere) {
   EXPECT_EQ(share_of_free_ends(contact_of(pressures, 0.1)).share, 0.);
   EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 0.), 0.1)).share, 0.);
   EXPECT_EQ(share_of_free_ends(contact_of(std::vector<double>(9, 1.), 0.1)).share, 0.);
+}
+
+TEST(TargetEdges, RaiseThePeakByTheirSquareOverTheSourcesOnlyInACompliantBody) {
+  constexpr std::size_t n = 25;
+  const std::vector<double> whole_pressures = with_ends(n, 0.05, 0.05);
+  const ContactResult<2> whole = contact_of(whole_pressures, 0.1);
+  const auto share = [&](const double ratio, const double of_compliance) {
+    return n * n / 0.4 * share_of_target(whole, {ratio, of_compliance});
+  };
+  EXPECT_NEAR(share(1., 0.5), 0., 1e-15);
+  EXPECT_NEAR(share(1.5, 0.4), 0.5, 1e-14);
+  EXPECT_LT(share(0.9, 0.5), 0.);
+  EXPECT_EQ(share(1.5, 0.), 0.) << "of a rigid body they do not count";
+  ContactResult<2> half =
+      contact_of({whole_pressures.begin() + 1 + n / 2, whole_pressures.end()}, 0.1);
+  half.symmetric = true;
+  EXPECT_NEAR(share_of_target(half, {1.5, 0.4}), share_of_target(whole, {1.5, 0.4}), 1e-16);
+  std::vector<double> beside_end = with_ends(24, 0.01, 0.01);
+  std::swap(beside_end[5], *std::max_element(beside_end.begin(), beside_end.end()));
+  EXPECT_EQ(share_of_target(contact_of(beside_end, 0.1), {1.5, 0.4}), 0.);
+}
+
+TEST(TargetEdges, AreComparedWhereTheContactIsClosed) {
+  std::vector<double> source, target;
+  for (int i = 0; i <= 16; ++i) source.push_back(i / 16.);
+  for (int i = 0; i <= 8; ++i) target.push_back(i / 16.);
+  for (int i = 1; i <= 4; ++i) target.push_back(0.5 + i / 8.);
+  ContactInterface<2> interface;
+  interface.source = underside(source, 0.);
+  interface.target = upper_side(target);
+  interface.rows = mortar_rows(interface.source, interface.target, plane_data());
+  interface.status.assign(interface.rows.size(), NodeStatus::open);
+  EXPECT_EQ(ratio_of_edges(interface), 1.) << "nowhere";
+  for (std::size_t i = 10; i < 15; ++i) interface.status[i] = NodeStatus::slip;
+  EXPECT_NEAR(ratio_of_edges(interface), 2., 1e-12);
 }
 
 TEST(FreeEnds, AreInDoubtByWhatParabolaAndLastNodeTellApart) {
