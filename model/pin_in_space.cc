@@ -48,10 +48,10 @@ loads::PinHold hold_of(const Hold hold) {
   return hold == Hold::core ? loads::PinHold::core : loads::PinHold::one_end;
 }
 
-/// Line contacts are those of a straight wall.
-/// @throws base::InputError if the contact reaches the slot's round bottom
-void refuse_bottom(const MechanismCase& mechanism, const MechanismState& state) {
-  if (mechanism.is_local || !state.wheel) return;
+}  // namespace
+
+bool reaches_bottom(const MechanismCase& mechanism, const MechanismState& state) {
+  if (mechanism.is_local || !state.wheel) return false;
   const double line_load = state.load.force / state.sizes.thickness;
   const double reach =
       loads::hertz_line(line_load, state.sizes.pin_diameter / 2., contact_modulus(mechanism))
@@ -61,13 +61,8 @@ void refuse_bottom(const MechanismCase& mechanism, const MechanismState& state) 
         return std::abs(state.load.pin_distance - slot_bottom_centre(wheel));
       },
       *state.wheel);
-  if (from_bottom < reach)
-    throw base::InputError(
-        "the pin stands in the round bottom of its slot: line contacts along the pin are known on "
-        "its straight walls");
+  return from_bottom < reach;
 }
-
-}  // namespace
 
 double contact_modulus(const MechanismCase& mechanism) {
   const auto elastic = [](const CaseMaterial& material) {
@@ -135,7 +130,10 @@ loads::PinLine pin_line(const MechanismCase& mechanism, const MechanismState& st
       throw base::InputError(
           fmt::format("Poisson's ratio {:.6g}: line contacts along the pin are known from 0 on",
                       material.poissons_ratio));
-  refuse_bottom(mechanism, state);
+  if (reaches_bottom(mechanism, state))
+    throw base::InputError(
+        "the pin stands in the round bottom of its slot: line contacts along the pin are known on "
+        "its straight walls");
   const double radius = state.sizes.pin_diameter / 2.;
   return {{mechanism.pin.youngs_modulus, mechanism.pin.poissons_ratio},
           {mechanism.wheel.youngs_modulus, mechanism.wheel.poissons_ratio},

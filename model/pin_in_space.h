@@ -23,6 +23,9 @@ PinLengths pin_lengths(const MechanismCase& mechanism, const MechanismSizes& siz
 /// tells them apart.
 bool is_half_model(const MechanismCase& mechanism);
 
+/// Whether the contact reaches the slot's round bottom, where the wall is not straight.
+bool reaches_bottom(const MechanismCase& mechanism, const MechanismState& state);
+
 /// E* of pin and wheel [Pa].
 double contact_modulus(const MechanismCase& mechanism);
 

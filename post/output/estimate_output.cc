@@ -129,7 +129,10 @@ json estimate_summary(const EstimateReport& report) {
                {"safety", limits_section(report.limits)},
                {"left_out", report.left_out}};
   summary["engagement"] = engagement_section(report.engagement);
-  if (!report.line) return summary;
+  if (!report.line) {
+    if (report.expected_error) summary["hertz"]["expected_error"] = *report.expected_error;
+    return summary;
+  }
   summary["half_space_and_beam"] = line_section(*report.line, report.wheel_twist);
   summary["half_space_and_beam"]["peak_doubt"] = name_of(report.doubt);
   if (report.expected_error)

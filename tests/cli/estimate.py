@@ -31,6 +31,23 @@ class Estimate(CliTest):
         self.assertAlmostEqual(max(table["shear [psi]"]) / 21823., 1., delta=0.001)
         self.assertEqual(table["depth [in]"][0], 0.)
 
+    def test_in_the_plane_peak_and_shear_are_those_of_finite_elements(self):
+        for name in ("johnson-optimum-wheel", "internal-six-station", "long-dwell", "four-bar-geneva"):
+            with self.subTest(name):
+                case = self.copy_case(name)
+                _, summary = self.estimate(case)
+                contact = self.run_case(case)["contact"]
+                self.assert_close(self.value(summary, "peak contact pressure"), geneva_cli.number(contact["peak_pressure"]),
+                                  contact["peak_pressure_error"] + summary["hertz"]["expected_error"], "peak")
+                self.assert_close(self.value(summary, "maximum shear"), geneva_cli.number(contact["max_shear"]),
+                                  contact["max_shear_error"], "shear")
+
+    def test_in_the_round_bottom_no_error_is_expected_of_hertz_s_contact(self):
+        case = self.changed("johnson-optimum-wheel", {"Mechanism/Driver angle": "0 deg", "Mechanism/Slot clearance": "0.001 in"})
+        run, summary = self.estimate(case)
+        self.assertIn("the round bottom of the slot, where the pin stands", run.out)
+        self.assertNotIn("expected_error", summary["hertz"])
+
     def test_a_crowned_pin_s_contact_is_that_of_finite_elements(self):
         case = self.copy_case("crowned-pin")
         run, summary = self.estimate(case)
