@@ -202,8 +202,8 @@ void AccuracyLoop<dim>::estimate_pressure() {
                                : ForcePower{};
   error_ = pressure_error<dim>(
       solution_.history,
-      {{force_is_known(solution_.problem), is_on_axis, is_beside_end, dim == 2,
-        is_freed_from_nodes},
+      {{force_is_known(solution_.problem), is_on_axis, is_beside_end, dim == 2, is_freed_from_nodes,
+        poissons_ratio_at_peak(solution_)},
        refinement_.grading(),
        error_of(of_ends, is_line_contact ? scatter_of_peak(solution_.contacts) : 0.),
        solution_.has_free_ends,

@@ -11,6 +11,7 @@
 #include "fem/contact/result.h"
 #include "fem/contact/surface_strain.h"
 #include "fem/contact/zone.h"
+#include "fem/problem/source_sides.h"
 #include "fem/resultants.h"
 #include "fem/symmetry.h"
 
@@ -114,6 +115,13 @@ double scatter_of_peak([[maybe_unused]] const std::vector<ContactResult<dim>>& c
 }
 
 template <int dim>
+double poissons_ratio_at_peak(const Solution<dim>& solution) {
+  const auto pair =
+      static_cast<std::size_t>(&with_peak(solution.contacts) - solution.contacts.data());
+  return mean_poissons_ratio(solution.mesh, solution.problem, solution.problem.pairs[pair]);
+}
+
+template <int dim>
 bool peaks_at_corner([[maybe_unused]] const Solution<dim>& solution,
                      [[maybe_unused]] const Level<dim>& level,
                      [[maybe_unused]] const LevelState& found) {
@@ -141,6 +149,7 @@ bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level) {
   template LevelRecord record_of(const Solution<dim>&, const Equilibrium<dim>&, const LevelState&, \
                                  const SurfaceIds&);                                               \
   template double scatter_of_peak(const std::vector<ContactResult<dim>>&);                         \
+  template double poissons_ratio_at_peak(const Solution<dim>&);                                    \
   template bool peaks_at_corner(const Solution<dim>&, const Level<dim>&, const LevelState&);       \
   template bool reaches_axis(const Problem<dim>&, const Level<dim>&);
 INSTANTIATE(2)

@@ -33,6 +33,10 @@ bool peaks_at_corner(const Solution<dim>& solution, const Level<dim>& level,
 template <int dim>
 double scatter_of_peak(const std::vector<ContactResult<dim>>& contacts);
 
+/// See mean_poissons_ratio(), of the contact with the peak pressure.
+template <int dim>
+double poissons_ratio_at_peak(const Solution<dim>& solution);
+
 /// Whether a contact begins on the axis of revolution.
 template <int dim>
 bool reaches_axis(const Problem<dim>& problem, const Level<dim>& level);

@@ -41,6 +41,7 @@ struct Convergence {
   bool peaks_beside_end;             ///< see peaks_beside_end()
   bool is_peak_in_plane = false;     ///< the figure is the peak pressure of a contact in the plane
   bool is_freed_from_nodes = false;  ///< and as that of a line contact, see correct_for_nodes()
+  double poissons_ratio = 0.;        ///< of that, see mean_poissons_ratio()
 };
 
 /// With fewer nodes across a contact the load still acts on a point: only the zone is refined.

@@ -5,14 +5,35 @@
 
 namespace geneva::fem {
 
+namespace {
+
+template <int dim>
+const Material& material_at(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                            const std::string& surface) {
+  return problem.bodies[*mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin()]
+      .material;
+}
+
+}  // namespace
+
 template <int dim>
 double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                   const std::string& surface) {
-  const Material& material =
-      problem.bodies[*mesh::bodies_of(mesh, mesh::index_of(mesh.surfaces, surface)).begin()]
-          .material;
+  const Material& material = material_at(mesh, problem, surface);
   const double nu = problem.plane == PlaneKind::plane_stress ? 0. : material.poissons_ratio;
   return (1. - nu * nu) / material.youngs_modulus;
+}
+
+template <int dim>
+double mean_poissons_ratio(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                           const ContactPair& pair) {
+  const auto ratio_at = [&](const std::string& surface) {
+    const double nu = material_at(mesh, problem, surface).poissons_ratio;
+    return problem.plane == PlaneKind::plane_stress ? nu / (1. + nu) : nu;
+  };
+  const double source = compliance(mesh, problem, pair.source);
+  const double target = compliance(mesh, problem, pair.target);
+  return (source * ratio_at(pair.source) + target * ratio_at(pair.target)) / (source + target);
 }
 
 namespace {
@@ -48,6 +69,10 @@ void take_softer_sources(Problem<dim>& problem, const mesh::MeshData<dim>& mesh)
   }
 }
 
+template double mean_poissons_ratio(const mesh::MeshData<2>&, const Problem<2>&,
+                                    const ContactPair&);
+template double mean_poissons_ratio(const mesh::MeshData<3>&, const Problem<3>&,
+                                    const ContactPair&);
 template double compliance(const mesh::MeshData<2>&, const Problem<2>&, const std::string&);
 template double compliance(const mesh::MeshData<3>&, const Problem<3>&, const std::string&);
 template void take_softer_sources(Problem<2>&, const mesh::MeshData<2>&);

@@ -14,6 +14,12 @@ template <int dim>
 double compliance(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                   const std::string& surface);
 
+/// Poisson's ratio of the bodies of a pair, in the mean by their compliance; in plane stress that
+/// of plane strain with the same in-plane stresses, nu/(1 + nu).
+template <int dim>
+double mean_poissons_ratio(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
+                           const ContactPair& pair);
+
 /// Makes the softer body's surface the source of every pair.
 ///
 /// Where the nodes of two equally fine surfaces lie between each other, pressures that alternate

@@ -371,6 +371,20 @@ TEST(SourceSides, BetweenEquallyStiffBodiesTheFirstIsTheSource) {
   EXPECT_EQ(given.pairs[0].source, "top");
 }
 
+TEST(SourceSides, PoissonsRatioIsMeanByComplianceAndLessInPlaneStress) {
+  Problem<2> given = problem();
+  order_bodies(given, mesh());
+  given.bodies[0].material = {100., 0.};
+  given.bodies[1].material = {25.,
+                              0.5};  // compliances 1 and 3 in plane strain, 1 and 4 in plane stress
+  const auto ratio = [&] { return mean_poissons_ratio(mesh(), given, given.pairs[0]); };
+  EXPECT_NEAR(ratio(), 0.75 * 0.5, 1e-15);
+  std::swap(given.pairs[0].source, given.pairs[0].target);
+  EXPECT_NEAR(ratio(), 0.75 * 0.5, 1e-15);
+  given.plane = PlaneKind::plane_stress;
+  EXPECT_NEAR(ratio(), 0.8 * (0.5 / 1.5), 1e-15);
+}
+
 TEST(SourceSides, ASurfaceInTwoPairsStaysTheirTarget) {
   Problem<2> given = with_softer("block");
   given.pairs = {{"cylinder", "top"}, {"core", "top"}};
