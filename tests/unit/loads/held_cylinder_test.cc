@@ -44,6 +44,16 @@ TEST(HeldCylinder, AddsMoreWithALargerCore) {
   EXPECT_NEAR(added(0.01, 0.7, 0.3), 3.272, 0.01);
 }
 
+TEST(HeldCylinder, WithASmallCoreIsFlamantsAndKelvinsFieldInACircle) {
+  // A force at the middle, a uniform tension and r^3 cos(theta) free the circle of traction; the
+  // arc takes away 0.14 b/R (doc/theory.md, 7), and forces normal to it instead of parallel ones
+  // add 0.093 b/R, by Flamant's field of their parts along the surface.
+  for (const double nu : {0., 0.3, 0.45}) {
+    const double tension = (3. - 2. * nu) / (1. - nu) / (8. * 0.3003);
+    EXPECT_NEAR(added(0.01, 0.01, nu), tension - 0.14 + 0.093, 0.01) << nu;
+  }
+}
+
 TEST(HeldCylinder, IsContinuousWhereWavesNoLongerReachTheCore) {
   EXPECT_NEAR(added(0.01, 0.5 + 1e-6, 0.3), added(0.01, 0.5, 0.3), 1e-3);
   EXPECT_NEAR(added(0.01, 0.9 + 1e-6, 0.3), added(0.01, 0.9, 0.3), 1e-2);
