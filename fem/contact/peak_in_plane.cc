@@ -196,7 +196,7 @@ EndShare share_of_free_ends(const ContactResult<2>& contact) {
 }
 
 double share_of_target(const ContactResult<2>& contact, const TargetEdges& target) {
-  constexpr double measured = 0.4;
+  constexpr double measured = 0.2;
   const auto run = hertzian_run(contact);
   if (!run) return 0.;
   const auto count = static_cast<double>(run->nodes.size());

@@ -51,7 +51,7 @@ struct TargetEdges {
 };
 
 /// Share of a line contact's peak pressure that is too much because the target's edges are longer
-/// than the source's, at whose ends share_of_free_ends() is measured: 0.4 share (ratio^2 -
+/// than the source's, at whose ends share_of_free_ends() is measured: 0.2 share (ratio^2 -
 /// 1)/N^2, negative where they are shorter; see doc/theory.md, 4.6.
 /// @return 0 where share_of_free_ends() knows nothing
 double share_of_target(const ContactResult<2>& contact, const TargetEdges& target);

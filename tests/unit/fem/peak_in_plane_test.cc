@@ -125,7 +125,7 @@ TEST(TargetEdges, RaiseThePeakByTheirSquareOverTheSourcesOnlyInACompliantBody) {
   const std::vector<double> whole_pressures = with_ends(n, 0.05, 0.05);
   const ContactResult<2> whole = contact_of(whole_pressures, 0.1);
   const auto share = [&](const double ratio, const double of_compliance) {
-    return n * n / 0.4 * share_of_target(whole, {ratio, of_compliance});
+    return n * n / 0.2 * share_of_target(whole, {ratio, of_compliance});
   };
   EXPECT_NEAR(share(1., 0.5), 0., 1e-15);
   EXPECT_NEAR(share(1.5, 0.4), 0.5, 1e-14);
