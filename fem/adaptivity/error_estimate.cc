@@ -196,7 +196,7 @@ LeftAround left_around_of(const Convergence& convergence) {
   if (!convergence.forces_are_given) return {0.5, 0.5, 0., 0.};
   if (!convergence.is_freed_from_nodes) return {0.75, 0.3, 0., 0.};
   const double nu = convergence.poissons_ratio;
-  return {0.4, 0.2, -0.011 - 0.055 * nu * nu, 0.013};
+  return {0.4, 0.2, -0.011 - 0.055 * nu * nu, 0.012};
 }
 
 }  // namespace
