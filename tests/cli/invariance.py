@@ -264,10 +264,10 @@ class Meshes(Invariance):
                 self.assert_hertz_pressure(table, peak, half_width)
 
     def assert_hertz_pressure(self, table, peak, half_width):
-        inner = [(x, p) for x, p in zip(table["x [mm]"], table["contact_pressure [MPa]"])
-                 if abs(x) < 0.9 * half_width]
-        self.assertGreater(len(inner), 10)
-        for x, pressure in inner:
+        """At the nodes but the two next to each end, over whose edges the pressure changes by its own size."""
+        touching = sorted((x, p) for x, p in zip(table["x [mm]"], table["contact_pressure [MPa]"]) if p > 0)
+        self.assertGreater(len(touching), 16)
+        for x, pressure in touching[2:-2]:
             exact = peak * math.sqrt(1 - (x / half_width)**2)
             self.assertLessEqual(abs(pressure - exact), 0.01 * peak, f"x = {x / half_width:.3f} b")
 
