@@ -43,7 +43,8 @@ void append_expected_error(post::EstimateReport& report, const double error) {
 /// The contact in the plane: Hertz's pressure, and the shear below it in a pin of finite size.
 ///
 /// The pressure of wheels and pins of finite size differs from Hertz's by a share of the order
-/// (b/R)^2; of 168 random ones at 0.05 % by 2.5 times that at most, see doc/validation.md.
+/// (b/R)^2: of 168 random ones by at most 2.5 times that (0.01 % at least) and the finite elements'
+/// own error, see doc/validation.md.
 void append_plane(post::EstimateReport& report, const model::MechanismCase& mechanism,
                   const model::MechanismState& state) {
   constexpr double of_square = 2.5;

@@ -1,5 +1,7 @@
 #include "loads/held_cylinder.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -114,13 +116,18 @@ void check(const HertzLine& contact, const double radius, const double core_radi
   require_positive_length("the cylinder's radius", radius);
   require_positive_length("its core's radius", core_radius);
   if (!(contact.half_width < radius / 4.))
-    throw base::InputError(
-        "the contact is wider than half of the cylinder's radius: the shear "
-        "below it is not known in closed form; give a smaller force");
+    throw base::InputError(fmt::format(
+        "the contact's half-width is {:.3g} of the cylinder's radius: the shear below it is known "
+        "below 0.25; give a smaller force",
+        contact.half_width / radius));
   if (!(core_radius < 0.95 * radius))
-    throw base::InputError("the cylinder's core is larger than 0.95 of it; give a smaller one");
+    throw base::InputError(fmt::format(
+        "the cylinder's core is {:.3g} of its radius: it must be smaller than 0.95 of it",
+        core_radius / radius));
   if (!(poissons_ratio > -1. && poissons_ratio < 0.5))
-    throw base::InputError("the cylinder's Poisson's ratio must lie between -1 and 0.5");
+    throw base::InputError(
+        fmt::format("the cylinder's Poisson's ratio is {:.6g}: it must lie between -1 and 0.5",
+                    poissons_ratio));
 }
 
 }  // namespace

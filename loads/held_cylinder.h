@@ -7,7 +7,7 @@ namespace geneva::loads {
 /// Maximum shear below a line contact of a cylinder that is held at a rigid core, in plane strain.
 ///
 /// In a half-plane it is 0.300 p0 at 0.786 b; the cylinder's size adds a share of the order b/R,
-/// which depends on core and Poisson's ratio alone: 2.04 b/R with a core of R/2 and nu = 0.3.
+/// which depends on core and Poisson's ratio alone: 2.06 b/R with a core of R/2 and nu = 0.3.
 /// Hertz's pressure on the surface is taken apart into waves p_n cos(n theta), each of which makes
 /// Michell's stresses in the ring between surface and core (J. R. Barber, Elasticity, 3rd ed.,
 /// chapters 8 and 9); see doc/theory.md, 2.1.

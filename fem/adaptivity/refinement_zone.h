@@ -16,8 +16,9 @@ using SurfaceIds = std::vector<std::pair<unsigned int, unsigned int>>;
 /// Which cells along a contact zone.
 enum class ZonePart {
   all,
-  uneven,  ///< in the plane whose edges are long beside the shortest of the zone, in 3-D of lower
-           ///< levels than the highest of their side
+  uneven,  ///< in the plane whose edges are long beside the shortest of their side, or all of a
+           ///< side whose edges are too long beside the other's; in 3-D of lower levels than the
+           ///< highest of their side
   longest  ///< in the plane whose edges are about as long as the longest of the zone, in 3-D all
 };
 

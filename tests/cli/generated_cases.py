@@ -97,12 +97,17 @@ class Run(CliTest):
             sys.argv = given
         return out.getvalue(), progress.getvalue()
 
+    def written(self, name, case, accuracy):
+        """A case directory."""
+        directory = self.directory / name
+        directory.mkdir()
+        for file, text in case.files(accuracy).items():
+            (directory / file).write_text(text)
+        return directory
+
     def test_the_program_takes_a_case_of_every_kind(self):
         for kind, case in all_kinds().items():
-            directory = self.directory / case.name
-            directory.mkdir()
-            for name, text in case.files(0.05).items():
-                (directory / name).write_text(text)
+            directory = self.written(case.name, case, 0.05)
             with self.subTest(kind):
                 summary = self.run_case(directory)
                 self.assertTrue(summary["solver"]["converged"])
@@ -111,29 +116,20 @@ class Run(CliTest):
         for index, accuracies in ONCE_MISSED.items():
             contacts = []
             for accuracy in accuracies:
-                directory = self.directory / f"plane-{index}-{accuracy}"
-                directory.mkdir()
-                for name, text in random_cases.draw_case("plane", index).files(accuracy).items():
-                    (directory / name).write_text(text)
+                directory = self.written(f"plane-{index}-{accuracy}", random_cases.draw_case("plane", index), accuracy)
                 contacts.append(self.run_case(directory)["contact"])
             with self.subTest(index):
                 coarse, fine = (number(contact["peak_pressure"]) for contact in contacts)
                 self.assert_close(coarse, fine, contacts[0]["peak_pressure_error"], "within the error of the coarse run")
 
     def test_the_maximum_shear_is_the_contact_s_where_stresses_near_it_have_no_bound(self):
-        directory = self.directory / "low-punch"
-        directory.mkdir()
-        for name, text in random_cases.draw_case("plane", LOW_PUNCH).files(0.02).items():
-            (directory / name).write_text(text)
+        directory = self.written("low-punch", random_cases.draw_case("plane", LOW_PUNCH), 0.02)
         contact = self.run_case(directory)["contact"]
         self.assertLess(number(contact["max_shear_depth"]), 0.5 * number(contact["half_width"]))
         self.assert_close(number(contact["max_shear"]), 0.36 * number(contact["peak_pressure"]), 0.03, "shear over pressure")
 
     def test_a_peak_above_that_of_all_nodes_is_shown(self):
-        directory = self.directory / "above"
-        directory.mkdir()
-        for name, text in random_cases.draw_case("space", ABOVE_ALL_NODES).files(0.05).items():
-            (directory / name).write_text(text)
+        directory = self.written("above", random_cases.draw_case("space", ABOVE_ALL_NODES), 0.05)
         contact = self.run_case(directory)["contact"]
         maximum = max(float(row["contact_pressure [Pa]"]) for row in csv.DictReader(
             (directory / "results" / "contact.csv").read_text().splitlines()))

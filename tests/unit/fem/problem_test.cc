@@ -374,9 +374,9 @@ TEST(SourceSides, BetweenEquallyStiffBodiesTheFirstIsTheSource) {
 TEST(SourceSides, PoissonsRatioIsMeanByComplianceAndLessInPlaneStress) {
   Problem<2> given = problem();
   order_bodies(given, mesh());
+  // Compliances in the ratio 1 to 3 in plane strain, 1 to 4 in plane stress.
   given.bodies[0].material = {100., 0.};
-  given.bodies[1].material = {25.,
-                              0.5};  // compliances 1 and 3 in plane strain, 1 and 4 in plane stress
+  given.bodies[1].material = {25., 0.5};
   const auto ratio = [&] { return mean_poissons_ratio(mesh(), given, given.pairs[0]); };
   EXPECT_NEAR(ratio(), 0.75 * 0.5, 1e-15);
   std::swap(given.pairs[0].source, given.pairs[0].target);
