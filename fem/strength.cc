@@ -271,10 +271,10 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
 namespace {
 
 /// Whether a cell bounds a contact surface near nodes in contact: the contact's refinement keeps
-/// its faces even.
+/// its faces even. Not farther: a slot's wall ends at its bottom, where the maximum may be.
 template <int dim>
 bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& cell) {
-  constexpr double near = 3.;  // diameters of the cell
+  constexpr double near = 2.;  // diameters of the cell
   if (!cell->at_boundary()) return false;
   const auto is_of_pair = [&](const unsigned int face) {
     if (!cell->face(face)->at_boundary()) return false;

@@ -59,6 +59,16 @@ class Strength(CliTest):
         for one, other in zip(self.stresses(rough), self.stresses(exact)):
             self.assert_close(one["value"], other["value"], one["error"], "within its error")
 
+    def test_the_slots_bottom_is_refined_on_the_meshes_that_the_contact_needs(self):
+        case = self.copy_case("internal-six-station")
+        with_search = self.run_case(case)
+        file = case / "case.prm"
+        file.write_text(set_parameter(file.read_text(), "Structural accuracy", "off"))
+        without = self.run_case(case)
+        self.assertEqual(look_up(with_search, "strength.wheel.tensile")["where"], "bottom of the engaged slot")
+        self.assertLess(look_up(with_search, "strength.wheel.tensile")["error"], 0.02)
+        self.assertLessEqual(len(with_search["solver"]["levels"]), len(without["solver"]["levels"]) + 1)
+
     def test_units_and_ranks_give_the_same(self):
         alone = self.run_with("alone")
         inches = self.run_with("inches", {"Mechanism/Wheel diameter": f"{100 / 25.4!r} in",
