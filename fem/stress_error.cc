@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/discretisation/cell_measure.h"
 #include "fem/stress_variation.h"
 
 namespace geneva::fem {
@@ -34,9 +35,10 @@ OpenByCell open_by(const NodalStress<dim>& stress, const std::vector<SingularPla
   // that of the body as a whole and falls no more.
   constexpr double share_of_extent = 0.1;
   const double varying = variation(stress, cell);
-  const double size = std::pow(cell->measure(), 1. / dim);
+  const double measure = cell_measure<dim>(cell);
+  const double size = std::pow(measure, 1. / dim);
   const auto at_distance = [&](const double distance) {
-    return open_by_cell<dim>(varying, cell->measure(), size, distance) / maximum.value;
+    return open_by_cell<dim>(varying, measure, size, distance) / maximum.value;
   };
   dealii::Point<dim> place;
   for (unsigned int i = 0; i < dim; ++i) place[i] = maximum.place[i] / length;

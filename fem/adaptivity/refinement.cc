@@ -12,6 +12,7 @@
 
 #include "fem/adaptivity/force_error.h"
 #include "fem/adaptivity/refinement_zone.h"
+#include "fem/discretisation/cell_measure.h"
 
 namespace geneva::fem {
 
@@ -357,7 +358,7 @@ double size_measure(dealii::DoFHandler<dim>& dof_handler,
               [&](const auto& cell, const ZoneOutline<dim>& zone, const BesideZone& beside) {
                 const double size = size_of<dim>(cell, zone.elongation);
                 if (size > size_slack * beside.next_size)
-                  sum += size * size * cell->measure() /
+                  sum += size * size * cell_measure<dim>(cell) /
                          std::pow(std::max(beside.distance, zone.zone_width / 2.), decay);
               });
   return dealii::Utilities::MPI::sum(sum, dof_handler.get_communicator());

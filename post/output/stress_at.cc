@@ -29,10 +29,12 @@ Place solved(const std::array<Place, 3>& columns, const Place& r) {
 }  // namespace
 
 StressAt::StressAt(const NodalFields& fields) : fields_(fields) {
-  std::vector<BoxOfCell> boxes;
-  for (std::size_t cell = 0; cell < fields.cells.size(); ++cell)
-    boxes.emplace_back(box_of(cell), cell);
-  tree_ = Tree(boxes.begin(), boxes.end());
+  std::vector<BoxOfCell> numbered;
+  for (std::size_t cell = 0; cell < fields.cells.size(); ++cell) {
+    boxes_.push_back(box_of(cell));
+    numbered.emplace_back(boxes_.back(), cell);
+  }
+  tree_ = Tree(numbered.begin(), numbered.end());
 }
 
 StressAt::Weights StressAt::weights_at(const Place& reference, const std::size_t corners) {
@@ -46,18 +48,39 @@ StressAt::Weights StressAt::weights_at(const Place& reference, const std::size_t
 }
 
 std::array<double, 6> StressAt::operator()(const Place& place, const unsigned int body) const {
+  if (const auto weights = weights_within(last_, place, body)) return stress_in(last_, *weights);
+  const auto boxes = bg::index::intersects(Point(place[0], place[1], place[2]));
+  for (auto at = tree_.qbegin(boxes); at != tree_.qend(); ++at)
+    if (const auto weights = weights_within(at->second, place, body)) {
+      last_ = at->second;
+      return stress_in(last_, *weights);
+    }
+  return stress_in_nearest(place, body);
+}
+
+std::optional<StressAt::Weights> StressAt::weights_within(const std::size_t cell,
+                                                          const Place& place,
+                                                          const unsigned int body) const {
+  if (fields_.bodies[cell] != body ||
+      !bg::covered_by(Point(place[0], place[1], place[2]), boxes_[cell]))
+    return std::nullopt;
+  const Weights weights = clamped_weights(cell, place);
+  if (distance_to(cell, weights, place) >= inside(cell)) return std::nullopt;
+  return weights;
+}
+
+std::array<double, 6> StressAt::stress_in_nearest(const Place& place,
+                                                  const unsigned int body) const {
   constexpr unsigned int nearest_cells = 12;
-  if (fields_.bodies[last_] == body) {
-    const Weights weights = clamped_weights(last_, place);
-    if (distance_to(last_, weights, place) < inside(last_)) return stress_in(last_, weights);
-  }
-  const auto near = bg::index::nearest(Point(place[0], place[1], place[2]), nearest_cells) &&
-                    bg::index::satisfies([&](const BoxOfCell& value) {
-                      return fields_.bodies[value.second] == body;
-                    });
+  const Point point(place[0], place[1], place[2]);
+  const auto near =
+      bg::index::nearest(point, nearest_cells) && bg::index::satisfies([&](const BoxOfCell& value) {
+        return fields_.bodies[value.second] == body;
+      });
   double least = std::numeric_limits<double>::max();
   Weights of_nearest{};
   for (auto at = tree_.qbegin(near); at != tree_.qend(); ++at) {  // one by one
+    if (bg::distance(point, at->first) >= least) break;           // so are all the others
     const std::size_t cell = at->second;
     const Weights weights = clamped_weights(cell, place);
     const double distance = distance_to(cell, weights, place);
@@ -80,7 +103,7 @@ std::array<double, 6> StressAt::stress_in(const std::size_t cell, const Weights&
 
 double StressAt::inside(const std::size_t cell) const {
   constexpr double share = 1e-9;
-  const Box box = box_of(cell);
+  const Box& box = boxes_[cell];
   return share * bg::distance(box.min_corner(), box.max_corner());
 }
 

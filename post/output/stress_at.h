@@ -3,6 +3,7 @@
 #include <array>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,11 +41,19 @@ class StressAt {
   [[nodiscard]] Weights clamped_in_plane(std::size_t cell, const Place& place) const;
   [[nodiscard]] Weights clamped_in_space(std::size_t cell, const Place& place) const;
 
+  /// Nothing if the place is not in the cell, or the cell is another body's.
+  [[nodiscard]] std::optional<Weights> weights_within(std::size_t cell, const Place& place,
+                                                      unsigned int body) const;
+  /// Of places that rounding or a turn has put outside of all cells.
+  [[nodiscard]] std::array<double, 6> stress_in_nearest(const Place& place,
+                                                        unsigned int body) const;
+
   [[nodiscard]] std::array<double, 6> stress_in(std::size_t cell, const Weights& weights) const;
   /// Distance from a cell up to which a place is within it [m].
   [[nodiscard]] double inside(std::size_t cell) const;
 
   const NodalFields& fields_;
+  std::vector<Box> boxes_;  ///< by cell
   Tree tree_;
   mutable std::size_t last_ = 0;  ///< cell of the last place, which may have the next one, too
 };
