@@ -15,9 +15,9 @@ double cell_measure(const typename dealii::Triangulation<dim>::cell_iterator& ce
   for (unsigned int q = 0; q < quadrature.size(); ++q) {
     dealii::Tensor<2, dim> jacobian;
     for (const unsigned int vertex : cell->vertex_indices())
-      jacobian += outer_product(cell->vertex(vertex) - cell->vertex(0),
-                                dealii::GeometryInfo<dim>::d_linear_shape_function_gradient(
-                                    quadrature.point(q), vertex));
+      jacobian += outer_product(
+          cell->vertex(vertex) - cell->vertex(0),
+          dealii::GeometryInfo<dim>::d_linear_shape_function_gradient(quadrature.point(q), vertex));
     measure += quadrature.weight(q) * determinant(jacobian);
   }
   return measure;
