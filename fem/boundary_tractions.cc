@@ -88,6 +88,7 @@ BoundaryTractions<dim> boundary_tractions(const mesh::MeshData<dim>& mesh,
   for (mesh::Circle circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate /= scales.length;
     circle.radius /= scales.length;
+    circle.ring_radius /= scales.length;
     result.circles.push_back(circle);
   }
   for (const ContactResult<dim>& contact : contacts)

@@ -257,7 +257,32 @@ std::array<double, 3> radial(const Circle& circle, const std::array<double, 3>& 
     along += arm[i] * circle.axis[i];
   }
   for (std::size_t i = 0; i < 3; ++i) arm[i] -= along * circle.axis[i];
+  if (circle.ring_radius == 0.) return arm;
+  const double off_axis = std::hypot(arm[0], arm[1], arm[2]);
+  for (std::size_t i = 0; i < 3; ++i)
+    arm[i] += along * circle.axis[i] - circle.ring_radius / off_axis * arm[i];
   return arm;
+}
+
+std::array<std::array<double, 3>, 3> curvature(const Circle& circle,
+                                               const std::array<double, 3>& point,
+                                               const std::array<double, 3>& normal) {
+  const bool is_torus = circle.ring_radius > 0.;
+  const std::array<double, 3> arm = radial({circle.centre, circle.radius, circle.axis}, point);
+  const double off_axis = std::hypot(arm[0], arm[1], arm[2]);
+  // cos(a) of the point's tube from the distances of its middle and of the point from the axis
+  const double around_axis =
+      is_torus ? (off_axis - circle.ring_radius) / (circle.radius * off_axis) : 0.;
+  std::array<std::array<double, 3>, 3> tensor{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double across_axis = (i == k ? 1. : 0.) - circle.axis[i] * circle.axis[k];
+      const double tangent = is_torus ? across_axis - arm[i] * arm[k] / (off_axis * off_axis) : 0.;
+      const double of_tube =
+          (is_torus ? (i == k ? 1. : 0.) - tangent : across_axis) - normal[i] * normal[k];
+      tensor[i][k] = of_tube / circle.radius + around_axis * tangent;
+    }
+  return tensor;
 }
 
 template <int dim>

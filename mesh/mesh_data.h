@@ -11,16 +11,26 @@
 
 namespace geneva::mesh {
 
-/// The circle that a boundary curve of a plane mesh is part of; in 3-D the cylinder or the sphere
-/// that a boundary surface is part of.
+/// The circle that a boundary curve of a plane mesh is part of; in 3-D the cylinder, the sphere or
+/// the torus that a boundary surface is part of.
 struct Circle {
   std::array<double, 3> centre;               ///< [m]; of a cylinder a point of its axis
-  double radius;                              ///< [m], > 0
+  double radius;                              ///< [m], > 0; of a torus that of its tube
   std::array<double, 3> axis = {0., 0., 1.};  ///< unit vector; zero: a sphere
+  double ring_radius = 0.;                    ///< [m], of the middle of a torus's tube; else 0
 };
 
-/// From the axis of the circle or cylinder, or the centre of the sphere, to a point [m].
+/// From the axis of the circle or cylinder, the centre of the sphere or the middle of the torus's
+/// tube to a point [m].
 std::array<double, 3> radial(const Circle& circle, const std::array<double, 3>& point);
+
+/// Curvatures of a cylinder, sphere or torus at a point of it as a tensor [1/m], positive towards
+/// the axis, the centre or the middle of the tube: 1/r; around a torus's axis cos(a)/(R + r
+/// cos(a)), a being the angle around the tube from its outermost point.
+/// @param normal unit vector; may be 0 if the tensor is only used with tangent directions
+std::array<std::array<double, 3>, 3> curvature(const Circle& circle,
+                                               const std::array<double, 3>& point,
+                                               const std::array<double, 3>& normal);
 
 /// A quadrilateral or hexahedron, and the body that it belongs to: four vertices counter-clockwise,
 /// or four counter-clockwise as seen from above and the four above them.
@@ -31,7 +41,7 @@ struct Cell {
 };
 
 /// A boundary edge or quadrilateral (its vertices one after the other around it), the surface that
-/// it belongs to and the circle, cylinder or sphere that its vertices lie on.
+/// it belongs to and the circle, cylinder, sphere or torus that its vertices lie on.
 template <int dim>
 struct Face {
   std::array<unsigned int, 1U << (dim - 1)> vertices;

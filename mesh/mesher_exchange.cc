@@ -76,14 +76,15 @@ std::array<double, n> place_of(const json& row) {
 }
 
 Circle circle_of(const json& value) {
-  const json& row = row_of(value, 7, "circle");
-  std::array<double, 7> numbers{};
+  const json& row = row_of(value, 8, "circle");
+  std::array<double, 8> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = number_of(row[i], "circle");
-  const auto& [x, y, z, radius, ax, ay, az] = numbers;
+  const auto& [x, y, z, radius, ax, ay, az, ring_radius] = numbers;
   if (!(radius > 0.)) refuse("a radius is not positive");
   const double length = std::hypot(ax, ay, az);
   if (length != 0. && !(std::abs(length - 1.) < 1e-9)) refuse("an axis is not of length 1");
-  return {{x, y, z}, radius, {ax, ay, az}};
+  if (!(ring_radius >= 0.)) refuse("the radius of a torus's ring is negative");
+  return {{x, y, z}, radius, {ax, ay, az}, ring_radius};
 }
 
 json json_of(const Point& point) { return {point.x, point.y}; }
@@ -191,6 +192,7 @@ json json_of(const MeshData<dim>& mesh) {
     json row = circle.centre;
     row.push_back(circle.radius);
     for (const double component : circle.axis) row.push_back(component);
+    row.push_back(circle.ring_radius);
     circles.push_back(std::move(row));
   }
   return {{"dimension", dim},         {"vertices", mesh.vertices}, {"cells", cells},

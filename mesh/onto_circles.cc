@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "base/errors.h"
@@ -77,11 +78,48 @@ Eigen::MatrixXd gradients(const MeshData<dim>& mesh, const Bounds& bounds, const
   return matrix;
 }
 
+/// Where a torus touches a plane across its axis or a cylinder about it along a circle, the place
+/// on that circle nearest to a vertex of both; Newton's method is slow at such a double root, and
+/// the shortest way onto the torus leads off the plane.
+template <int dim>
+std::optional<Vector3d> on_touching_circle(const MeshData<dim>& mesh, const Bounds& bounds,
+                                           const Vector3d& place) {
+  constexpr double same = 1e-6;
+  const auto circle_at = [&](const int index) -> const Circle& {
+    return mesh.circles[static_cast<std::size_t>(index)];
+  };
+  for (const int index : bounds.circles) {
+    const Circle& torus = circle_at(index);
+    if (torus.ring_radius == 0.) continue;
+    const Vector3d centre(torus.centre.data());
+    const Vector3d axis(torus.axis.data());
+    const double along = (place - centre).dot(axis);
+    const Vector3d outwards = (place - centre - along * axis).normalized();
+    const auto on_it = [&](const double off_axis, const double height) {
+      return Vector3d(centre + off_axis * outwards + height * axis);
+    };
+    for (const Vector3d& normal : bounds.normals)
+      if (std::abs(normal.dot(axis)) > 1. - same &&
+          std::abs(std::abs(along) - torus.radius) < same * torus.radius)
+        return on_it(torus.ring_radius, std::copysign(torus.radius, along));
+    for (const int other : bounds.circles) {
+      const Circle& cylinder = circle_at(other);
+      const Vector3d other_axis(cylinder.axis.data());
+      const double off = std::abs(std::abs(cylinder.radius - torus.ring_radius) - torus.radius);
+      if (cylinder.ring_radius == 0. && std::abs(other_axis.dot(axis)) > 1. - same &&
+          arm_to(cylinder, centre).norm() < same * torus.radius && off < same * torus.radius)
+        return on_it(cylinder.radius, 0.);
+    }
+  }
+  return std::nullopt;
+}
+
 /// Newton's method by the shortest steps. The planes stay as they are: a step has no part across
 /// them.
 template <int dim>
 Vector3d moved(const MeshData<dim>& mesh, const Bounds& bounds, Vector3d place) {
   constexpr double minimum_reciprocal_condition = 1e-6;
+  if (const auto touching = on_touching_circle(mesh, bounds, place)) return *touching;
   const Eigen::MatrixXd start = gradients(mesh, bounds, place);
   for (int step = 0; step < 50; ++step) {
     Eigen::MatrixXd matrix = start;

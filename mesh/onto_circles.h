@@ -6,7 +6,7 @@
 
 namespace geneva::mesh {
 
-/// Moves the vertices of the faces that belong to some circles (in 3-D cylinders and spheres)
+/// Moves the vertices of the faces that belong to some circles (in 3-D cylinders, spheres and tori)
 /// onto them by the shortest way; where a flat face ends there, along that face, and where another
 /// circle ends there, onto both.
 /// @param circles indices into MeshData::circles

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/dense_algebra.h"
+#include "mesh/torus_through.h"
 
 namespace geneva::mesh {
 
@@ -125,10 +126,10 @@ Circle fitted_cylinder(const Eigen::MatrixX3d& rows, const Vector3d& mean, Vecto
 }
 
 /// The direction normal to all normals of a cylinder.
-Vector3d axis_across(const std::vector<Place>& normals) {
+Vector3d axis_across(const std::vector<SurfaceNormal>& normals) {
   Eigen::MatrixX3d directions(static_cast<Eigen::Index>(normals.size()), 3);
   for (Eigen::Index i = 0; i < directions.rows(); ++i)
-    directions.row(i) = vector_of(normals[static_cast<std::size_t>(i)]);
+    directions.row(i) = vector_of(normals[static_cast<std::size_t>(i)].direction);
   return minimum_direction(directions);
 }
 
@@ -181,7 +182,7 @@ std::optional<Circle> circle_through(const std::vector<Place>& points) {
 }
 
 std::optional<Circle> round_surface_through(const std::vector<Place>& points,
-                                            const std::vector<Place>& normals) {
+                                            const std::vector<SurfaceNormal>& normals) {
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;
   const Eigen::MatrixX3d rows = centred(points, mean);
@@ -190,7 +191,8 @@ std::optional<Circle> round_surface_through(const std::vector<Place>& points,
   const Circle sphere = fitted_sphere(rows, mean);
   if (all_on(sphere, points, exactly)) return sphere;
   const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));
-  return all_on(cylinder, points, exactly) ? std::optional(cylinder) : std::nullopt;
+  if (all_on(cylinder, points, exactly)) return cylinder;
+  return torus_through(points, normals);
 }
 
 bool all_on(const Circle& circle, const std::vector<Place>& points, const double tolerance) {
@@ -209,7 +211,7 @@ std::optional<Circle> circle_near(const std::vector<Place>& points, const double
 }
 
 std::optional<Circle> round_surface_near(const std::vector<Place>& points,
-                                         const std::vector<Place>& normals,
+                                         const std::vector<SurfaceNormal>& normals,
                                          const double tolerance) {
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;

@@ -79,6 +79,9 @@ std::string shape_of(const MeshData<dim>& mesh, const std::vector<const Face<dim
   if (*circles.begin() < 0)
     return is_flat(mesh, faces) ? (dim == 2 ? "straight" : "plane") : "of flat pieces";
   const Circle& circle = mesh.circles[static_cast<std::size_t>(*circles.begin())];
+  if (circle.ring_radius > 0.)
+    return fmt::format("torus of radii {:.6g} and {:.6g} {}", circle.ring_radius / metres,
+                       circle.radius / metres, unit);
   const char* const kind = dim == 2 ? "circle" : length(circle.axis) == 0. ? "sphere" : "cylinder";
   return fmt::format("{} of radius {:.6g} {}", kind, circle.radius / metres, unit);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mesh/graded_manifold.h"
+#include "mesh/torus_manifold.h"
 
 namespace geneva::mesh {
 
@@ -39,6 +40,7 @@ FlatMesh flatten(const MeshData<dim>& mesh) {
     flat.reals.insert(flat.reals.end(), circle.centre.begin(), circle.centre.end());
     flat.reals.push_back(circle.radius);
     flat.reals.insert(flat.reals.end(), circle.axis.begin(), circle.axis.end());
+    flat.reals.push_back(circle.ring_radius);
   }
   for (const auto& cell : mesh.cells) {
     flat.integers.insert(flat.integers.end(), cell.vertices.begin(), cell.vertices.end());
@@ -72,6 +74,7 @@ MeshData<dim> unflatten(const FlatMesh& flat) {
     for (double& coordinate : circle.centre) coordinate = *real++;
     circle.radius = *real++;
     for (double& component : circle.axis) component = *real++;
+    circle.ring_radius = *real++;
   }
   auto integer = flat.integers.begin() + 5;
   for (auto& cell : mesh.cells) {
@@ -139,7 +142,7 @@ void bend_lines(dealii::Triangulation<dim>& triangulation) {
         face->set_all_manifold_ids(face->manifold_id());
 }
 
-/// The circle, cylinder or sphere in the units of the triangulation.
+/// The circle, cylinder, sphere or torus in the units of the triangulation.
 template <int dim>
 std::unique_ptr<dealii::Manifold<dim>> manifold(const Circle& circle, const double length) {
   dealii::Point<dim> centre;
@@ -147,6 +150,8 @@ std::unique_ptr<dealii::Manifold<dim>> manifold(const Circle& circle, const doub
     centre[component] = circle.centre[component] / length;
   if constexpr (dim == 3) {
     const dealii::Tensor<1, 3> axis({circle.axis[0], circle.axis[1], circle.axis[2]});
+    if (circle.ring_radius > 0.)
+      return std::make_unique<TorusManifold>(axis, centre, circle.ring_radius / length);
     if (axis.norm() > 0.) return std::make_unique<dealii::CylindricalManifold<3>>(axis, centre);
   }
   return std::make_unique<dealii::SphericalManifold<dim>>(centre);

@@ -61,6 +61,7 @@ void scale(MeshData<dim>& mesh, const double length_unit) {
   for (Circle& circle : mesh.circles) {
     for (double& coordinate : circle.centre) coordinate *= length_unit;
     circle.radius *= length_unit;
+    circle.ring_radius *= length_unit;
   }
 }
 

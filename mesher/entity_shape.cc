@@ -15,6 +15,7 @@
 namespace geneva::mesher {
 
 using mesh::Place;
+using mesh::SurfaceNormal;
 
 namespace {
 
@@ -80,11 +81,11 @@ std::vector<Place> nodes_of_surface(const int surface) {
   return places;
 }
 
-/// Normals of a surface's cells: the cross products of two edges of a triangle, of the diagonals of
-/// a quadrilateral.
-std::vector<Place> facet_normals(const int surface) {
+/// Normals of a surface's cells, at their middles: the cross products of two edges of a triangle,
+/// of the diagonals of a quadrilateral.
+std::vector<SurfaceNormal> facet_normals(const int surface) {
   const std::map<std::size_t, Place> place_of = places_of_nodes();
-  std::vector<Place> normals;
+  std::vector<SurfaceNormal> normals;
   for (const ElementBlock& block : element_blocks(2, surface))
     for (std::size_t i = 0; i < block.nodes.size(); i += block.nodes_of_one) {
       const auto corner = [&](const std::size_t k) -> const Place& {
@@ -93,23 +94,32 @@ std::vector<Place> facet_normals(const int surface) {
       const bool is_triangle = block.corners == 3;
       const Place u = difference(corner(is_triangle ? 1 : 2), corner(0));
       const Place v = difference(corner(is_triangle ? 2 : 3), corner(is_triangle ? 0 : 1));
+      Place middle{};
+      for (std::size_t k = 0; k < block.corners; ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+          middle[c] += corner(k)[c] / static_cast<double>(block.corners);
       normals.push_back(
-          {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]});
+          {middle,
+           {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]}});
     }
   return normals;
 }
 
 /// Normals of a surface of a geometry at its sample points.
-std::vector<Place> sample_normals(const int surface) {
-  std::vector<double> normals;
-  gmsh::model::getNormal(surface, sample_parameters(2, surface), normals);
-  return as_places(normals);
+std::vector<SurfaceNormal> sample_normals(const int surface) {
+  std::vector<double> directions;
+  gmsh::model::getNormal(surface, sample_parameters(2, surface), directions);
+  const std::vector<Place> places = sample_points(2, surface);
+  std::vector<SurfaceNormal> normals;
+  for (const Place& direction : as_places(directions))
+    normals.push_back({places.at(normals.size()), direction});
+  return normals;
 }
 
 /// Points of a curve or surface, and for a surface its normals.
 struct ShapePoints {
   std::vector<Place> points;
-  std::vector<Place> normals;
+  std::vector<SurfaceNormal> normals;
 };
 
 /// @return none of a straight line or plane

@@ -8,7 +8,7 @@ namespace geneva::mesher {
 
 using mesh::Circle;
 
-/// A curve or surface that is part of a circle, cylinder or sphere.
+/// A curve or surface that is part of a circle, cylinder, sphere or torus.
 struct RoundEntity {
   Circle circle;
   bool is_fitted;  ///< its nodes are only near to it

@@ -206,7 +206,8 @@ int circle_index(std::vector<Circle>& circles, const Circle& circle) {
   };
   const auto same = [&](const Circle& other) {
     return near(other.centre, circle.centre, circle.radius) && near(other.axis, circle.axis, 1.) &&
-           std::abs(other.radius - circle.radius) <= same_circle * circle.radius;
+           std::abs(other.radius - circle.radius) <= same_circle * circle.radius &&
+           std::abs(other.ring_radius - circle.ring_radius) <= same_circle * circle.radius;
   };
   const auto found = std::find_if(circles.begin(), circles.end(), same);
   const auto index = static_cast<int>(found - circles.begin());

@@ -43,7 +43,7 @@ template <int dim>
 struct Surface {
   std::vector<SurfaceNode<dim>> nodes;
   std::vector<SurfaceFace<dim>> faces;
-  std::vector<mesh::Circle> circles;  ///< in 3-D cylinders and spheres
+  std::vector<mesh::Circle> circles;  ///< in 3-D cylinders, spheres and tori
   bool closed = false;                ///< in the plane: the last node is joined to the first
   double length = 0.;  ///< total arc length; in 3-D the diagonal of the box around it
 };
@@ -56,7 +56,7 @@ struct SurfaceOrigins {
   std::vector<dealii::Point<dim>> target;
 };
 
-/// From the centre of a circle or sphere, or the axis of a cylinder, to a point.
+/// See mesh::radial().
 template <int dim>
 dealii::Tensor<1, dim> radial(const mesh::Circle& circle, const dealii::Point<dim>& point);
 

@@ -12,7 +12,7 @@ using dealii::Tensor;
 
 namespace {
 
-/// 1 where the body is inside the cylinder or sphere, -1 where it is outside.
+/// 1 where the body is inside the cylinder, sphere or torus, -1 where it is outside.
 double side(const Surface<3>& surface, const SurfaceFace<3>& face) {
   const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
   const Point<3> middle = face_middle(surface, face);
@@ -137,10 +137,13 @@ Point<3> true_point(const Surface<3>& surface, const SurfaceFace<3>& face,
 
 double bulge(const Surface<3>& surface, const SurfaceFace<3>& face, const Tensor<1, 3>& along) {
   if (face.circle < 0) return 0.;
-  const mesh::Circle& circle = surface.circles[static_cast<std::size_t>(face.circle)];
-  const Tensor<1, 3> axis({circle.axis[0], circle.axis[1], circle.axis[2]});
-  const double of_axis = along * axis;
-  return side(surface, face) * (along.norm_square() - of_axis * of_axis) / circle.radius;
+  const Point<3> middle = face_middle(surface, face);
+  const auto curvature = mesh::curvature(surface.circles[static_cast<std::size_t>(face.circle)],
+                                         {middle[0], middle[1], middle[2]}, {});
+  double of_edge = 0.;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int k = 0; k < 3; ++k) of_edge += along[i] * curvature[i][k] * along[k];
+  return side(surface, face) * of_edge;
 }
 
 }  // namespace geneva::fem

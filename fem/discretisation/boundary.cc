@@ -109,6 +109,7 @@ Boundary<dim> gather_boundary(const dealii::DoFHandler<dim>& dof_handler,
   for (mesh::Circle circle : circles) {
     for (double& coordinate : circle.centre) coordinate /= length;
     circle.radius /= length;
+    circle.ring_radius /= length;
     boundary.circles.push_back(circle);
   }
 

@@ -30,15 +30,15 @@ std::pair<double, double> extent_along(const fem::ContactResult<3>& contact,
 
 /// Curvatures of a surface in the directions of its tangent plane, positive where it bulges [1/m].
 Tensor<2, 3> curvatures(const fem::Solution<3>& solution, const int circle, const bool is_convex,
-                        const Tensor<1, 3>& normal) {
+                        const ContactFrame& frame) {
   Tensor<2, 3> tensor;
   if (circle < 0) return tensor;
-  const mesh::Circle& shape = solution.mesh.circles[static_cast<std::size_t>(circle)];
-  const Tensor<1, 3> axis({shape.axis[0], shape.axis[1], shape.axis[2]});
+  const auto curvature = mesh::curvature(solution.mesh.circles[static_cast<std::size_t>(circle)],
+                                         {frame.centre[0], frame.centre[1], frame.centre[2]},
+                                         {frame.normal[0], frame.normal[1], frame.normal[2]});
   for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int k = 0; k < 3; ++k)
-      tensor[i][k] = (i == k ? 1. : 0.) - normal[i] * normal[k] - axis[i] * axis[k];
-  return (is_convex ? 1. : -1.) / shape.radius * tensor;
+    for (unsigned int k = 0; k < 3; ++k) tensor[i][k] = (is_convex ? 1. : -1.) * curvature[i][k];
+  return tensor;
 }
 
 /// Directions of the minimum and the maximum curvature in the tangent plane; along z where both are
@@ -161,8 +161,8 @@ ContactFrame contact_frame(const fem::Solution<3>& solution, const fem::ContactR
     }
   frame.normal /= frame.normal.norm();
   const Tensor<2, 3> curvature =
-      curvatures(solution, contact.source_circle, contact.source_is_convex, frame.normal) +
-      curvatures(solution, contact.target_circle, contact.target_is_convex, frame.normal);
+      curvatures(solution, contact.source_circle, contact.source_is_convex, frame) +
+      curvatures(solution, contact.target_circle, contact.target_is_convex, frame);
   const fem::ContactPair& pair = pair_of(solution, contact);
   set_directions(frame, curvature, static_cast<bool>(pair.clearance));
   const auto [lowest, highest] = loaded_part(contact, frame.along);

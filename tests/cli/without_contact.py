@@ -85,6 +85,26 @@ v[] = Extrude {{0, 0, h}} {{ Surface{{1}}; Layers{{2}}; Recombine; }};
 Physical Volume("beam") = {{v[1]}};
 Physical Surface("root") = {{v[5]}}; Physical Surface("end") = {{v[3]}};
 """
+# The section of a hollow shaft with a shoulder: x is the radius, y the axis.
+SHAFT = """d = 30; D = 45; r = 3; L = 45; b = 12;
+Point(1) = {b / 2, 0, 0}; Point(2) = {D / 2, 0, 0}; Point(3) = {D / 2, L, 0}; Point(4) = {d / 2 + r, L, 0};
+Point(5) = {d / 2, L + r, 0}; Point(6) = {d / 2, 2 * L, 0}; Point(7) = {b / 2, 2 * L, 0}; Point(8) = {d / 2 + r, L + r, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Circle(4) = {4, 8, 5}; Line(5) = {5, 6}; Line(6) = {6, 7};
+Line(7) = {7, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7}; Plane Surface(1) = {1};
+Mesh.MeshSizeMax = 8; Mesh.MeshSizeMin = 2;
+"""
+PLANE_SHAFT = SHAFT + """Physical Surface("shaft") = {1};
+Physical Curve("thick end") = {1}; Physical Curve("shoulder") = {3}; Physical Curve("fillet") = {4};
+Physical Curve("thin part") = {5}; Physical Curve("thin end") = {6}; Physical Curve("bore") = {7};
+"""
+SHAFT_IN_SPACE = SHAFT + """Recombine Surface{1};
+v[] = Extrude {{0, 1, 0}, {0, 0, 0}, ANGLE} {Surface{1}; Layers{LAYERS}; Recombine;};
+Physical Volume("shaft") = {v[1]};
+Physical Surface("begin") = {1}; Physical Surface("middle") = {v[0]}; Physical Surface("thick end") = {v[2]};
+Physical Surface("shoulder") = {v[4]}; Physical Surface("fillet") = {v[5]}; Physical Surface("thin part") = {v[6]};
+Physical Surface("thin end") = {v[7]}; Physical Surface("bore") = {v[8]};
+"""
 
 
 class WithoutContact(CliTest):
@@ -234,6 +254,31 @@ Physical Surface("ring") = {1}; Physical Curve("below") = {1};
             self.assert_within_its_error(summary, truth, exact_to=self.stress(fine)["error"])
             self.assertEqual(self.stress(summary)["where"], "fillet")
             self.assert_close(truth / nominal[name], fitted[name], 0.04, "Peterson")
+
+    def test_a_revolved_fillet_is_a_torus_and_has_the_stress_of_the_axisymmetric_model(self):
+        section = """  set Bodies = shaft
+  set Supports = thick end: y{supports}
+  set Loads = thin end
+{plane}  subsection Load thin end
+    set Type = traction
+    set Value = 100 MPa
+    set Direction = {direction}
+  end
+"""
+        plane = self.write("plane", PLANE_SHAFT,
+                           section.format(supports="", plane="  set Plane = axisymmetric\n", direction="0, 1"),
+                           "set Structural accuracy = 0.5 %\n")
+        quarter = self.write("quarter", SHAFT_IN_SPACE.replace("ANGLE", "Pi / 2").replace("LAYERS", "5"),
+                             section.format(supports=", begin: z, middle: x", plane="", direction="0, 1, 0"),
+                             "set Dimension = 3\nset Structural accuracy = 8 %\n")
+        listed = self.geneva("surfaces", quarter).out
+        self.assertRegex(listed, r"fillet +torus of radii 18 and 3 mm")
+        self.assertRegex(listed, r"shoulder +plane")
+        self.assertRegex(listed, r"thin part +cylinder of radius 15 mm")
+        truth = self.stress(self.run_case(plane))
+        summary = self.run_case(quarter)
+        self.assert_within_its_error(summary, number(truth["value"]), accuracy=0.08, exact_to=truth["error"])
+        self.assertEqual(self.stress(summary)["where"], "fillet")
 
     def test_the_error_of_notches_and_fillets_holds_beside_a_finer_run(self):
         for name in ("shaft-fillet", "plate-with-hole"):

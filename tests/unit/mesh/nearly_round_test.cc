@@ -70,7 +70,7 @@ TEST(CircleNear, IsNoneOfALineThatIsNotStraight) {
 /// normals.
 struct Patch {
   std::vector<Place> points;
-  std::vector<Place> normals;
+  std::vector<SurfaceNormal> normals;
 };
 Patch patch(const bool is_sphere, const double off) {
   const Place axis{2. / 3., 1. / 3., 2. / 3.};
@@ -93,7 +93,7 @@ Patch patch(const bool is_sphere, const double off) {
         point[c] = 1. + radius * normal[c] + (is_sphere ? 0. : 0.7 * k * axis[c]);
       }
       result.points.push_back(point);
-      result.normals.push_back(normal);
+      result.normals.push_back({point, normal});
     }
   return result;
 }
@@ -116,7 +116,7 @@ TEST(RoundSurfaceNear, IsNoneOfAPlaneThatIsNotFlat) {
   Patch plane;
   for (int i = 0; i < 30; ++i) {
     plane.points.push_back({0.1 * (i % 6), 0.1 * std::floor(i / 6.), off(random)});
-    plane.normals.push_back({1e-4 * off(random), 0., 1.});
+    plane.normals.push_back({plane.points.back(), {1e-4 * off(random), 0., 1.}});
   }
   EXPECT_FALSE(round_surface_near(plane.points, plane.normals, 1e-2));
 }
