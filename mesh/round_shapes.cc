@@ -182,14 +182,15 @@ std::optional<Circle> circle_through(const std::vector<Place>& points) {
 }
 
 std::optional<Circle> round_surface_through(const std::vector<Place>& points,
-                                            const std::vector<SurfaceNormal>& normals) {
+                                            const std::vector<SurfaceNormal>& normals,
+                                            const MayBe may_be) {
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;
   const Eigen::MatrixX3d rows = centred(points, mean);
   const Vector3d off_plane = minimum_direction(rows);
   if ((rows * off_plane).norm() <= flatness * rows.norm()) return std::nullopt;
   const Circle sphere = fitted_sphere(rows, mean);
-  if (all_on(sphere, points, exactly)) return sphere;
+  if (may_be == MayBe::any_shape && all_on(sphere, points, exactly)) return sphere;
   const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));
   if (all_on(cylinder, points, exactly)) return cylinder;
   return torus_through(points, normals);
@@ -212,7 +213,7 @@ std::optional<Circle> circle_near(const std::vector<Place>& points, const double
 
 std::optional<Circle> round_surface_near(const std::vector<Place>& points,
                                          const std::vector<SurfaceNormal>& normals,
-                                         const double tolerance) {
+                                         const double tolerance, const MayBe may_be) {
   if (points.size() < fewest_on_surface) return std::nullopt;
   Vector3d mean;
   const Eigen::MatrixX3d rows = centred(points, mean);
@@ -220,7 +221,8 @@ std::optional<Circle> round_surface_near(const std::vector<Place>& points,
   if (off_plane <= flatness * rows.norm()) return std::nullopt;
   const Circle sphere = fitted_sphere(rows, mean);
   const Circle cylinder = fitted_cylinder(rows, mean, axis_across(normals));
-  const bool is_cylinder = farthest_off(cylinder, points) <= farthest_off(sphere, points);
+  const bool is_cylinder =
+      may_be == MayBe::no_sphere || farthest_off(cylinder, points) <= farthest_off(sphere, points);
   return if_round(is_cylinder ? cylinder : sphere, points, tolerance, off_plane);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/round_shapes.h"
@@ -14,6 +15,7 @@
 
 namespace geneva::mesher {
 
+using mesh::MayBe;
 using mesh::Place;
 using mesh::SurfaceNormal;
 
@@ -116,10 +118,33 @@ std::vector<SurfaceNormal> sample_normals(const int surface) {
   return normals;
 }
 
+/// Whether a surface of a mesh has a node that is not a corner of an element at its outline.
+bool has_inner_node(const int surface) {
+  std::map<std::pair<std::size_t, std::size_t>, int> facets_at;
+  std::set<std::size_t> inner;
+  for (const ElementBlock& block : element_blocks(2, surface)) {
+    if (block.order > 1) return true;
+    for (std::size_t i = 0; i < block.nodes.size(); i += block.nodes_of_one)
+      for (std::size_t k = 0; k < block.corners; ++k) {
+        const std::size_t begin = block.nodes[i + k];
+        const std::size_t end = block.nodes[i + (k + 1) % block.corners];
+        ++facets_at[std::minmax(begin, end)];
+        inner.insert(begin);
+      }
+  }
+  for (const auto& [edge, facets] : facets_at)
+    if (facets == 1) {
+      inner.erase(edge.first);
+      inner.erase(edge.second);
+    }
+  return !inner.empty();
+}
+
 /// Points of a curve or surface, and for a surface its normals.
 struct ShapePoints {
   std::vector<Place> points;
   std::vector<SurfaceNormal> normals;
+  MayBe may_be;
 };
 
 /// @return none of a straight line or plane
@@ -130,21 +155,23 @@ ShapePoints shape_points(const int entity) {
   if (type == "Line" || type == "Plane") return {};
   const bool is_discrete = type.rfind("Discrete", 0) == 0;
   if constexpr (dim == 2)
-    return {is_discrete ? nodes_of_curve(entity) : sample_points(1, entity), {}};
-  if (is_discrete) return {nodes_of_surface(entity), facet_normals(entity)};
-  return {sample_points(2, entity), sample_normals(entity)};
+    return {is_discrete ? nodes_of_curve(entity) : sample_points(1, entity), {}, MayBe::any_shape};
+  if (is_discrete)
+    return {nodes_of_surface(entity), facet_normals(entity),
+            has_inner_node(entity) ? MayBe::any_shape : MayBe::no_sphere};
+  return {sample_points(2, entity), sample_normals(entity), MayBe::any_shape};
 }
 
 template <int dim>
 std::optional<Circle> exact_shape(const ShapePoints& of) {
   return dim == 2 ? mesh::circle_through(of.points)
-                  : mesh::round_surface_through(of.points, of.normals);
+                  : mesh::round_surface_through(of.points, of.normals, of.may_be);
 }
 
 template <int dim>
 std::optional<Circle> near_shape(const ShapePoints& of, const double tolerance) {
   return dim == 2 ? mesh::circle_near(of.points, tolerance)
-                  : mesh::round_surface_near(of.points, of.normals, tolerance);
+                  : mesh::round_surface_near(of.points, of.normals, tolerance, of.may_be);
 }
 
 /// Round curves or surfaces that have one circle.
@@ -180,6 +207,7 @@ bool have_common_nodes(const RoundGroup& one, const RoundGroup& other) {
 ShapePoints together(ShapePoints one, const ShapePoints& other) {
   one.points.insert(one.points.end(), other.points.begin(), other.points.end());
   one.normals.insert(one.normals.end(), other.normals.begin(), other.normals.end());
+  if (other.may_be == MayBe::any_shape) one.may_be = MayBe::any_shape;
   return one;
 }
 

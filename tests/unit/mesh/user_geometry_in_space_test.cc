@@ -245,5 +245,35 @@ Physical Volume("other") = {other[1]};
                  {"pipe", "other", "share the face", "AutoCoherence = 0", "OpenCASCADE"});
 }
 
+/// A quarter of a ring with a conical outside, which is so many cells long.
+std::string conical(const int cells) {
+  return fmt::format(R"(
+Point(1) = {{2, 0, 0}}; Point(2) = {{4, 0, 0}}; Point(3) = {{3, 1, 0}}; Point(4) = {{2, 1, 0}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
+Curve Loop(1) = {{1:4}}; Plane Surface(1) = {{1}};
+Transfinite Curve {{1, 3}} = 2; Transfinite Curve {{2, 4}} = {}; Transfinite Surface {{1}}; Recombine Surface {{1}};
+v[] = Extrude {{{{0, 1, 0}}, {{0, 0, 0}}, Pi / 2}} {{ Surface{{1}}; Layers{{5}}; Recombine; }};
+Physical Volume("ring") = {{v[1]}}; Physical Surface("cone") = {{v[3]}}; Physical Surface("bore") = {{v[5]}};
+)",
+                     cells + 1);
+}
+
+TEST(GeometryInSpace, OfAMeshedConeIsNoSphereThoughTwoRingsOfNodesLieOnOne) {
+  for (const int cells : {1, 2, 3}) {
+    const MeshData<3> mesh = read_in_space("mesh.msh", test::saved(conical(cells), 4.1, false, 3));
+    EXPECT_FALSE(circle_of(mesh, "cone")) << cells;
+    const auto bore = circle_of(mesh, "bore");
+    ASSERT_TRUE(bore) << cells;
+    EXPECT_NEAR(bore->radius, 2., 1e-12);
+  }
+}
+
+TEST(GeometryInSpace, OfAMeshedSphereIsRound) {
+  const auto outside =
+      circle_of(read_in_space("mesh.msh", test::saved(shell, 4.1, false, 3)), "outside");
+  ASSERT_TRUE(outside);
+  EXPECT_NEAR(outside->radius, 6., 1e-12);
+}
+
 }  // namespace
 }  // namespace geneva::mesh
