@@ -259,6 +259,16 @@ std::array<double, 3> radial(const Circle& circle, const std::array<double, 3>& 
   for (std::size_t i = 0; i < 3; ++i) arm[i] -= along * circle.axis[i];
   if (circle.ring_radius == 0.) return arm;
   const double off_axis = std::hypot(arm[0], arm[1], arm[2]);
+  if (off_axis == 0.) {  // any direction across the axis is as near
+    const std::size_t across = std::abs(circle.axis[0]) < 0.9 ? 0 : 1;
+    arm = {-circle.axis[across] * circle.axis[0], -circle.axis[across] * circle.axis[1],
+           -circle.axis[across] * circle.axis[2]};
+    arm[across] += 1.;
+    const double length = std::hypot(arm[0], arm[1], arm[2]);
+    for (std::size_t i = 0; i < 3; ++i)
+      arm[i] = along * circle.axis[i] - circle.ring_radius / length * arm[i];
+    return arm;
+  }
   for (std::size_t i = 0; i < 3; ++i)
     arm[i] += along * circle.axis[i] - circle.ring_radius / off_axis * arm[i];
   return arm;

@@ -48,9 +48,11 @@ Scale scale_of(const std::vector<Place>& points) {
   return scale;
 }
 
-std::optional<Axis> axis_that_normals_meet(const std::vector<SurfaceNormal>& normals,
-                                           const Scale& scale) {
+/// The lines that the lines of the normals come nearest to, the nearest first.
+std::vector<Axis> axes_that_normals_meet(const std::vector<SurfaceNormal>& normals,
+                                         const Scale& scale) {
   constexpr double no_axis = 1e-3;
+  constexpr Eigen::Index most = 3;
   Eigen::Matrix<double, 6, 6> gram = Eigen::Matrix<double, 6, 6>::Zero();
   for (const SurfaceNormal& normal : normals) {
     const Vector3d n = vector_at(normal.direction).normalized();
@@ -58,12 +60,16 @@ std::optional<Axis> axis_that_normals_meet(const std::vector<SurfaceNormal>& nor
     row << n, scale(normal.at).cross(n);
     gram += row * row.transpose();
   }
-  const Eigen::VectorXd line = symmetric_eigenpairs(gram).vectors.col(0);
-  const Vector3d moment = line.head<3>();
-  const Vector3d direction = line.tail<3>();
-  const double length = direction.norm();
-  if (!(length > no_axis)) return std::nullopt;
-  return Axis{direction.cross(moment) / (length * length), direction / length};
+  const Eigen::MatrixXd lines = symmetric_eigenpairs(gram).vectors;
+  std::vector<Axis> axes;
+  for (Eigen::Index i = 0; i < most; ++i) {
+    const Vector3d moment = lines.col(i).head<3>();
+    const Vector3d direction = lines.col(i).tail<3>();
+    const double length = direction.norm();
+    if (length > no_axis)
+      axes.push_back({direction.cross(moment) / (length * length), direction / length});
+  }
+  return axes;
 }
 
 /// From an axis, by the circle through the points' distances from it and places along it.
@@ -91,7 +97,9 @@ void linearise(const std::vector<Vector3d>& points, const Torus& torus,
                Eigen::MatrixXd& jacobian) {
   for (Eigen::Index i = 0; i < distances.size(); ++i) {
     const Vector3d arm = points[static_cast<std::size_t>(i)] - torus.centre;
-    const Vector3d outwards = (arm - arm.dot(torus.axis) * torus.axis).normalized();
+    const Vector3d off_axis = arm - arm.dot(torus.axis) * torus.axis;
+    const Vector3d outwards =
+        off_axis.norm() > 0. ? Vector3d(off_axis.normalized()) : Vector3d(turns.col(0));
     const Vector3d middle = torus.ring_radius * outwards;  // of the tube
     const double distance = (arm - middle).norm();
     const Vector3d normal = (arm - middle) / distance;
@@ -142,11 +150,13 @@ DifferentAngles different_angles(const std::vector<Vector3d>& points, const Toru
   }
   const auto different = [](std::vector<double>& angles) {
     constexpr double share = 1e-4;  // of their range
+    constexpr double turn = 2. * 3.14159265358979323846;
     std::sort(angles.begin(), angles.end());
     const double apart = share * (angles.back() - angles.front());
     std::size_t number = 1;
     for (std::size_t i = 1; i < angles.size(); ++i)
       if (angles[i] - angles[i - 1] > apart) ++number;
+    if (number > 1 && angles.front() + turn - angles.back() <= apart) --number;
     return number;
   };
   return {different(around_axis), different(around_tube)};
@@ -160,15 +170,33 @@ bool is_determined(const std::vector<Vector3d>& points, const Torus& torus) {
   return angles.around_axis >= fewest_around_axis && angles.around_tube >= fewest_around_tube;
 }
 
-/// Whether the points lie on it to a share of their own extent, which is 1.
+/// Whether the points lie on it to a share of their own extent, which is 1, and of the tube.
 bool has_all(const std::vector<Vector3d>& points, const Torus& torus) {
-  constexpr double rounding = 1e-8;
+  const double rounding = std::min(1e-8, 1e-7 * torus.radius);
   return std::all_of(points.begin(), points.end(), [&](const Vector3d& point) {
     const Vector3d arm = point - torus.centre;
     const double along = arm.dot(torus.axis);
     const double off_middle = (arm - along * torus.axis).norm() - torus.ring_radius;
     return std::abs(std::hypot(along, off_middle) - torus.radius) <= rounding;
   });
+}
+
+/// A tube that is much wider than the points are apart is no tube to them.
+bool is_possible(const Torus& torus) {
+  constexpr double widest = 1e5;
+  return torus.radius > 0. && torus.ring_radius > 0. && torus.radius < widest &&
+         torus.ring_radius < widest;
+}
+
+Circle circle_of(const Torus& torus, const Scale& scale) {
+  Eigen::Index leading = 0;
+  torus.axis.cwiseAbs().maxCoeff(&leading);
+  const Vector3d axis = torus.axis[leading] < 0. ? Vector3d(-torus.axis) : torus.axis;
+  const Vector3d centre = scale.origin + scale.length * torus.centre;
+  return {{centre[0], centre[1], centre[2]},
+          scale.length * torus.radius,
+          {axis[0], axis[1], axis[2]},
+          scale.length * torus.ring_radius};
 }
 
 }  // namespace
@@ -178,23 +206,16 @@ std::optional<Circle> torus_through(const std::vector<Place>& points,
   constexpr std::size_t fewest_normals = 6;
   if (normals.size() < fewest_normals) return std::nullopt;
   const Scale scale = scale_of(points);
-  const std::optional<Axis> axis = axis_that_normals_meet(normals, scale);
-  if (!axis) return std::nullopt;
   std::vector<Vector3d> scaled;
   for (const Place& point : points) scaled.push_back(scale(point));
-  const std::optional<Torus> rough = start(scaled, *axis);
-  if (!rough) return std::nullopt;
-  Torus torus = nearest(scaled, *rough);
-  const bool is_torus = torus.radius > 0. && torus.ring_radius > 0.;
-  if (!is_torus || !has_all(scaled, torus) || !is_determined(scaled, torus)) return std::nullopt;
-  Eigen::Index leading = 0;
-  torus.axis.cwiseAbs().maxCoeff(&leading);
-  if (torus.axis[leading] < 0.) torus.axis = -torus.axis;
-  const Vector3d centre = scale.origin + scale.length * torus.centre;
-  return Circle{{centre[0], centre[1], centre[2]},
-                scale.length * torus.radius,
-                {torus.axis[0], torus.axis[1], torus.axis[2]},
-                scale.length * torus.ring_radius};
+  for (const Axis& axis : axes_that_normals_meet(normals, scale)) {
+    const std::optional<Torus> rough = start(scaled, axis);
+    if (!rough) continue;
+    const Torus torus = nearest(scaled, *rough);
+    if (is_possible(torus) && has_all(scaled, torus) && is_determined(scaled, torus))
+      return circle_of(torus, scale);
+  }
+  return std::nullopt;
 }
 
 }  // namespace geneva::mesh

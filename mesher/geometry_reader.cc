@@ -154,6 +154,31 @@ void check_named_boundary(const MeshData<dim>& mesh) {
                       Kinds<dim>::boundary_entity, Kinds<dim>::body_entity));
 }
 
+/// Scaled Jacobian of cells that are not pinched.
+constexpr double unpinched_quality = 0.1;
+
+template <int dim>
+double least_quality(const MeshData<dim>& mesh) {
+  double least = 1.;
+  for (const mesh::Cell<dim>& cell : mesh.cells)
+    least = std::min(least, mesh::scaled_jacobian(mesh, cell));
+  return least;
+}
+
+/// The mesh with its vertices moved onto some circles; where that pinches cells at a torus, as
+/// coarse ones in a hollow, tori stay flat pieces.
+template <int dim>
+MeshData<dim> on_round_shapes(const MeshData<dim>& mesh, const std::set<int>& circles) {
+  MeshData<dim> moved = mesh;
+  move_onto_circles(moved, circles);
+  const double quality = least_quality(moved);
+  if (dim == 2 || quality > unpinched_quality) return moved;
+  MeshData<dim> without_tori = mesh;
+  if (!flatten_tori(without_tori, circles)) return moved;
+  move_onto_circles(without_tori, circles);
+  return least_quality(without_tori) > quality ? without_tori : moved;
+}
+
 /// The current Gmsh model with its names, after its mesh has been made or read.
 template <int dim>
 MeshData<dim> named_mesh(const double circle_tolerance) {
@@ -163,10 +188,9 @@ MeshData<dim> named_mesh(const double circle_tolerance) {
   const bool is_divided = divide_cells<dim>();
   check_bodies(read_model<dim>(labels).mesh);  // before the boundary: shared parts have two names
   const std::set<int> fitted = label_boundary<dim>(labels, round, is_divided);
-  MeshData<dim> mesh = read_model<dim>(labels).mesh;
+  const MeshData<dim> mesh = read_model<dim>(labels).mesh;
   check_named_boundary(mesh);
-  move_onto_circles(mesh, fitted);
-  return mesh;
+  return on_round_shapes(mesh, fitted);
 }
 
 bool has_pyramids() {
@@ -196,19 +220,10 @@ void mesh_current_model() {
   gmsh::model::mesh::generate(2);
 }
 
-template <int dim>
-double least_quality(const MeshData<dim>& mesh) {
-  double least = 1.;
-  for (const mesh::Cell<dim>& cell : mesh.cells)
-    least = std::min(least, mesh::scaled_jacobian(mesh, cell));
-  return least;
-}
-
 /// The mesh of parts that stand in the current model, finer where the cells of a coarser one are
 /// pinched between curved faces.
 template <int dim>
 MeshData<dim> mesh_of_parts(const mesh::GeometryTask& task) {
-  constexpr double good = 0.1;
   constexpr double millimetres = 1e3;  // of a metre
   MeshData<dim> best;
   double best_quality = -1.;
@@ -220,7 +235,7 @@ MeshData<dim> mesh_of_parts(const mesh::GeometryTask& task) {
       best = std::move(mesh);
       best_quality = quality;
     }
-    if (best_quality > good) break;
+    if (best_quality > unpinched_quality) break;
   }
   return best;
 }

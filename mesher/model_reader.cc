@@ -205,7 +205,10 @@ int circle_index(std::vector<Circle>& circles, const Circle& circle) {
     });
   };
   const auto same = [&](const Circle& other) {
-    return near(other.centre, circle.centre, circle.radius) && near(other.axis, circle.axis, 1.) &&
+    // Rounding may decide which way an axis points.
+    const std::array<double, 3> turned{-circle.axis[0], -circle.axis[1], -circle.axis[2]};
+    return near(other.centre, circle.centre, circle.radius) &&
+           (near(other.axis, circle.axis, 1.) || near(other.axis, turned, 1.)) &&
            std::abs(other.radius - circle.radius) <= same_circle * circle.radius &&
            std::abs(other.ring_radius - circle.ring_radius) <= same_circle * circle.radius;
   };

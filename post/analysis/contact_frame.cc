@@ -33,8 +33,9 @@ Tensor<2, 3> curvatures(const fem::Solution<3>& solution, const int circle, cons
                         const ContactFrame& frame) {
   Tensor<2, 3> tensor;
   if (circle < 0) return tensor;
-  const auto curvature = mesh::curvature(solution.mesh.circles[static_cast<std::size_t>(circle)],
-                                         {frame.centre[0], frame.centre[1], frame.centre[2]},
+  const mesh::Circle& shape = solution.mesh.circles[static_cast<std::size_t>(circle)];
+  if (shape.ring_radius > 0.) return tensor;  // it changes along the contact: no closed form
+  const auto curvature = mesh::curvature(shape, {frame.centre[0], frame.centre[1], frame.centre[2]},
                                          {frame.normal[0], frame.normal[1], frame.normal[2]});
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int k = 0; k < 3; ++k) tensor[i][k] = (is_convex ? 1. : -1.) * curvature[i][k];

@@ -19,6 +19,12 @@ std::string hertz_objection(const fem::Solution<dim>& solution,
         "the contact '{} -> {}' reaches over parts of different curvature: Hertz's closed form "
         "does not apply and is left out",
         contact.source, contact.target);
+  for (const int circle : {contact.source_circle, contact.target_circle})
+    if (circle >= 0 && solution.mesh.circles[static_cast<std::size_t>(circle)].ring_radius > 0.)
+      return fmt::format(
+          "the contact '{} -> {}' is one of a torus, whose curvature changes along it: Hertz's "
+          "closed form is left out",
+          contact.source, contact.target);
   const auto [flatter, rounder] =
       std::minmax({curvature(solution, contact.source_circle, contact.source_is_convex),
                    curvature(solution, contact.target_circle, contact.target_is_convex)});

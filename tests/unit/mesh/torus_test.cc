@@ -101,6 +101,13 @@ TEST(Torus, IsNotFoundInAConeNorInThreeRingsOfNodesOfAnyShape) {
   }
 }
 
+TEST(Torus, IsNotFoundInARingWithACornerOnEitherSideOfItsMiddle) {
+  for (const double noise : {-1e-13, 0., 1e-13}) {
+    const Patch part = revolved({{6., 0.}, {5., 1.}, {4., noise}, {5., -1.}});
+    EXPECT_FALSE(round_surface_through(part.points, part.normals));
+  }
+}
+
 TEST(Torus, HasTheCurvaturesOfTubeAndRing) {
   const Circle torus{{1., 2., 3.}, 3., axis, 18.};
   for (const double on_tube : {0., 1., pi / 2., 2., pi}) {

@@ -275,5 +275,83 @@ TEST(GeometryInSpace, OfAMeshedSphereIsRound) {
   EXPECT_NEAR(outside->radius, 6., 1e-12);
 }
 
+/// A quarter of a turned part from its outline: points x and y, then curves between them.
+std::string turned(const std::string& points, const std::string& curves, const int n_curves,
+                   const double cell_size) {
+  return fmt::format(R"(
+SetFactory("OpenCASCADE");
+{}
+{}
+Curve Loop(1) = {{1:{}}}; Plane Surface(1) = {{1}};
+v[] = Extrude {{{{0, 1, 0}}, {{0, 0, 0}}, Pi / 2}} {{ Surface{{1}}; }};
+Physical Volume("part") = {{v[1]}};
+For i In {{1:{}}}
+  Physical Surface(Sprintf("of curve %g", i)) = {{v[i + 1]}};
+EndFor
+Mesh.MeshSizeMax = {}; Mesh.MeshSizeMin = 1;
+)",
+                     points, curves, n_curves, n_curves, cell_size);
+}
+
+void expect_torus(const MeshData<3>& mesh, const std::string& surface, const double ring,
+                  const double tube) {
+  const auto circle = circle_of(mesh, surface);
+  ASSERT_TRUE(circle) << surface;
+  EXPECT_NEAR(circle->ring_radius, ring, 1e-9) << surface;
+  EXPECT_NEAR(circle->radius, tube, 1e-9) << surface;
+}
+
+TEST(GeometryInSpace, OfTetrahedraFollowsAFilletBetweenAPlaneAndACylinder) {
+  const MeshData<3> mesh = read_in_space(
+      "geometry.geo",
+      turned("Point(1) = {6, 0, 0}; Point(2) = {22, 0, 0}; Point(3) = {22, 20, 0}; Point(4) = {18, "
+             "20, 0}; Point(5) = {15, 23, 0}; Point(6) = {15, 40, 0}; Point(7) = {6, 40, 0}; "
+             "Point(8) = {18, 23, 0};",
+             "Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Circle(4) = {4, 8, 5}; Line(5) "
+             "= {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 1};",
+             7, 1.5));
+  expect_torus(mesh, "of curve 4", 18., 3.);
+  for (const Face<3>& face : mesh.faces) {
+    if (mesh.surfaces[face.surface] != "of curve 3") continue;
+    for (const unsigned int vertex : face.vertices)
+      EXPECT_NEAR(mesh.vertices[vertex][1], 20., 1e-9);
+  }
+}
+
+TEST(GeometryInSpace, OfTetrahedraFollowsToriThatTouchASphereAndEachOther) {
+  // A ball of 10 at a plate with a fillet of 3: the centres are 13 apart, the fillet's 3 above the
+  // plate. Then an edge rounded by 6, that goes on with 2.
+  const double ring = std::sqrt(13. * 13. - 3. * 3.);
+  const double touch = 10. / 13.;
+  const MeshData<3> ball = read_in_space(
+      "geometry.geo",
+      turned(fmt::format("Point(1) = {{18, -4, 0}}; Point(2) = {{18, 0, 0}}; Point(3) = {{{0}, 0, "
+                         "0}}; Point(4) = {{{1}, {2}, 0}}; Point(5) = {{2, {3}, 0}}; Point(6) = "
+                         "{{2, -4, 0}}; Point(7) = {{{0}, 3, 0}}; Point(8) = {{0, 0, 0}};",
+                         ring, touch * ring, touch * 3., std::sqrt(96.)),
+             "Line(1) = {1, 2}; Line(2) = {2, 3}; Circle(3) = {3, 7, 4}; Circle(4) = {4, 8, 5}; "
+             "Line(5) = {5, 6}; Line(6) = {6, 1};",
+             6, 1.5));
+  expect_torus(ball, "of curve 3", ring, 3.);
+  const auto sphere = circle_of(ball, "of curve 4");
+  ASSERT_TRUE(sphere);
+  EXPECT_NEAR(sphere->radius, 10., 1e-9);
+
+  const double half = std::sqrt(0.5);
+  const MeshData<3> edge = read_in_space(
+      "geometry.geo",
+      turned(fmt::format(
+                 "Point(1) = {{17, 15, 0}}; Point(2) = {{{0}, 15, 0}}; Point(3) = {{{0}, 20, 0}}; "
+                 "Point(4) = {{{1}, {2}, 0}}; Point(5) = {{{3}, {4}, 0}}; Point(6) = {{17, {4}, "
+                 "0}}; Point(7) = {{20, 20, 0}}; Point(8) = {{{3}, {5}, 0}};",
+                 26., 20. + 6. * half, 20. + 6. * half, 20. + 4. * half, 22. + 4. * half,
+                 20. + 4. * half),
+             "Line(1) = {1, 2}; Line(2) = {2, 3}; Circle(3) = {3, 7, 4}; Circle(4) = {4, 8, 5}; "
+             "Line(5) = {5, 6}; Line(6) = {6, 1};",
+             6, 1.2));
+  expect_torus(edge, "of curve 3", 20., 6.);
+  expect_torus(edge, "of curve 4", 20. + 4. * half, 2.);
+}
+
 }  // namespace
 }  // namespace geneva::mesh
