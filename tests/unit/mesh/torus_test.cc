@@ -129,6 +129,16 @@ TEST(Torus, HasTheCurvaturesOfTubeAndRing) {
   }
 }
 
+TEST(Torus, IsAsFarFromItsAxisInAllDirections) {
+  const Circle torus{{1., 2., 3.}, 3., axis, 2.};
+  for (const double along : {0., 1.5}) {
+    Place point{1., 2., 3.};
+    for (std::size_t c = 0; c < 3; ++c) point[c] += along * axis[c];
+    const Place arm = radial(torus, point);
+    EXPECT_NEAR(std::hypot(arm[0], arm[1], arm[2]), std::hypot(2., along), 1e-14);
+  }
+}
+
 TEST(Torus, NewPointsLieBetweenTheOthersOnIt) {
   const auto point = [](const double around, const double on_tube) {
     const Place place = on_torus(18., 3., around, on_tube);
