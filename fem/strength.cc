@@ -125,6 +125,34 @@ void set_surface(StressMaximum<dim>& maximum, const NodalStress<dim>& stress,
   }
 }
 
+/// Whether a cell is longer than half of the radius of a round that it bounds. The stress at a notch
+/// changes over lengths like its radius, in 3-D along it as well: between the nodes of such a cell
+/// it may have a maximum that none of them shows.
+template <int dim>
+bool may_hide_maximum(const StressCell<dim>& cell) {
+  constexpr double most = 0.5;
+  constexpr double slack = 1e-3;
+  if constexpr (dim == 3) {
+    const auto faces = cell->face_iterators();
+    return cell->at_boundary() && std::any_of(faces.begin(), faces.end(), [](const auto& face) {
+             return is_round(face) && length_over_radius(face) > (1. + slack) * most;
+           });
+  }
+  return false;  // chords of rounds are short in the plane
+}
+
+/// Whether such a cell is at a node.
+template <int dim>
+bool may_hide_maximum(const NodalStress<dim>& stress, const Candidate<dim>& node) {
+  const unsigned int vertex = node.cell->vertex_index(node.vertex);
+  for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
+    if (cell->is_artificial() || !may_hide_maximum<dim>(cell)) continue;
+    for (const unsigned int i : cell->vertex_indices())
+      if (cell->vertex_index(i) == vertex) return true;
+  }
+  return false;
+}
+
 template <int dim>
 StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>& stress,
                            const Candidate<dim>& node, const Measure measure) {
@@ -135,6 +163,8 @@ StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>
   set_surface(maximum, stress, node);
   maximum.error =
       measured<dim>(stress.doubt, node.cell, node.vertex, Measure::von_mises) / node.value;
+  if (has_contact(solution.problem) && maximum.is_round && may_hide_maximum(stress, node))
+    maximum.error = 1.;
   if constexpr (dim == 2)
     move_to_top(maximum, beside(stress, node, measure), solution.scales.length);
   return maximum;
@@ -270,11 +300,39 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
 
 namespace {
 
+/// Whether a node in contact is within two diameters of a cell: in the plane of its middle. In 3-D
+/// cells are long along the contact, and it is of a corner, a diameter being that of a cube of the
+/// shortest edge.
+template <int dim>
+bool is_near_contact(const Solution<dim>& solution, const StressCell<dim>& cell) {
+  constexpr double near = 2.;
+  const double diameter =
+      dim == 2 ? cell->diameter() : std::sqrt(3.) * cell->minimum_vertex_distance();
+  std::vector<Point<dim>> places;
+  if (dim == 2)
+    places.push_back(cell->center());
+  else
+    for (const unsigned int vertex : cell->vertex_indices()) places.push_back(cell->vertex(vertex));
+  const double reach = near * diameter * solution.scales.length;
+  const auto is_near = [&](const ContactNode<dim>& node) {
+    return is_closed(node.status) &&
+           std::any_of(places.begin(), places.end(), [&](const Point<dim>& place) {
+             double square = 0.;
+             for (unsigned int i = 0; i < dim; ++i)
+               square += std::pow(node.position[i] - solution.scales.length * place[i], 2);
+             return square < reach * reach;
+           });
+  };
+  return std::any_of(solution.contacts.begin(), solution.contacts.end(),
+                     [&](const ContactResult<dim>& contact) {
+                       return std::any_of(contact.nodes.begin(), contact.nodes.end(), is_near);
+                     });
+}
+
 /// Whether a cell bounds a contact surface near nodes in contact: the contact's refinement keeps
 /// its faces even. Not farther: a slot's wall ends at its bottom, where the maximum may be.
 template <int dim>
 bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& cell) {
-  constexpr double near = 2.;  // diameters of the cell
   if (!cell->at_boundary()) return false;
   const auto is_of_pair = [&](const unsigned int face) {
     if (!cell->face(face)->at_boundary()) return false;
@@ -285,15 +343,7 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
   };
   const auto faces = cell->face_indices();
   if (std::none_of(faces.begin(), faces.end(), is_of_pair)) return false;
-  const Point<dim> centre(cell->center() * solution.scales.length);
-  const double reach = near * cell->diameter() * solution.scales.length;
-  for (const ContactResult<dim>& contact : solution.contacts)
-    for (const ContactNode<dim>& node : contact.nodes) {
-      double square = 0.;
-      for (unsigned int i = 0; i < dim; ++i) square += std::pow(node.position[i] - centre[i], 2);
-      if (is_closed(node.status) && square < reach * reach) return true;
-    }
-  return false;
+  return is_near_contact(solution, cell);
 }
 
 /// Share of the greatest variation over a cell above which cells are halved. Errors go with its
@@ -319,11 +369,16 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
       limits[body] = std::min(most_share * solution.strength[body].von_mises.value,
                               share_to_halve(solution.strength[body], accuracy) *
                                   maximum_variation(solution, stress, is_outside, body));
+  const auto is_wanted = [&](const StressCell<dim>& cell) {
+    constexpr double high = 0.5;
+    const unsigned int body = cell->material_id();
+    return variation(stress, cell) > limits[body] ||
+           (of_body[body] && may_hide_maximum<dim>(cell) &&
+            maximum_von_mises(stress, cell) > high * solution.strength[body].von_mises.value);
+  };
   unsigned int flagged = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned() || cell->refine_flag_set() ||
-        variation(stress, cell) <= limits[cell->material_id()])
-      continue;
+    if (!cell->is_locally_owned() || cell->refine_flag_set() || !is_wanted(cell)) continue;
     if (!is_outside(solution, stress, cell) || belongs_to_contact(solution, cell)) continue;
     cell->set_refine_flag();
     ++flagged;

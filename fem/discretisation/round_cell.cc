@@ -29,11 +29,10 @@ std::array<unsigned int, static_cast<std::size_t>(dim - 1)> directions_in(const 
                             : 1U};
 }
 
-/// Chords that a curve between two points takes.
+/// The angle by which a curve between two points turns.
 template <int dim>
-unsigned int chords(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
-                    const Point<dim>& end) {
-  constexpr double turn = 2.5 * 3.14159265358979 / 180.;
+double angle(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
+             const Point<dim>& end) {
   const Point<dim> middle = middle_of_curve(manifold, begin, end);
   const Point<dim> of_chord = begin + 0.5 * (end - begin);
   const double length = begin.distance(end);
@@ -41,8 +40,16 @@ unsigned int chords(const dealii::Manifold<dim>& manifold, const Point<dim>& beg
   const dealii::Tensor<1, dim> along = (end - begin) / length;
   const dealii::Tensor<1, dim> offset = middle - of_chord;
   const double sagitta = (offset - (offset * along) * along).norm();
-  const double angle = 4. * std::atan(2. * sagitta / length);
-  return std::max(1U, static_cast<unsigned int>(std::ceil(angle / turn - 1e-6)));
+  return 4. * std::atan(2. * sagitta / length);
+}
+
+/// Chords that a curve between two points takes.
+template <int dim>
+unsigned int chords(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
+                    const Point<dim>& end) {
+  constexpr double turn = 2.5 * 3.14159265358979 / 180.;
+  const double turns = angle(manifold, begin, end) / turn;
+  return std::max(1U, static_cast<unsigned int>(std::ceil(turns - 1e-6)));
 }
 
 /// Bilinear weights of a face's vertices.
@@ -64,6 +71,20 @@ Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface, const Point<dim
   const std::array<double, 2> shares{0.5, 0.5};
   return surface.get_new_point(dealii::ArrayView<const Point<dim>>(ends.data(), ends.size()),
                                dealii::ArrayView<const double>(shares.data(), shares.size()));
+}
+
+double length_over_radius(const dealii::Triangulation<3>::face_iterator& face) {
+  double longest = 0.;
+  double curvature = 0.;
+  for (const unsigned int i : face->line_indices()) {
+    const Point<3> begin = face->line(i)->vertex(0);
+    const Point<3> end = face->line(i)->vertex(1);
+    const double length = begin.distance(end);
+    longest = std::max(longest, length);
+    curvature =
+        std::max(curvature, 2. * std::sin(angle(face->get_manifold(), begin, end) / 2.) / length);
+  }
+  return longest * curvature;
 }
 
 template <int dim>

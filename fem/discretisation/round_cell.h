@@ -25,6 +25,9 @@ template <int dim>
 dealii::Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface,
                                    const dealii::Point<dim>& begin, const dealii::Point<dim>& end);
 
+/// The longest line of a face of a round surface over the least radius of its lines.
+double length_over_radius(const dealii::Triangulation<3>::face_iterator& face);
+
 /// Numbers along each direction of a corner of a cell's parts; in the plane the last is 0.
 using PartCorner = std::array<unsigned int, 3>;
 

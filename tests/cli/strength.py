@@ -135,6 +135,22 @@ class Strength(CliTest):
         self.assertLess(summaries["off"]["mesh"]["dofs"], summaries["1 %"]["mesh"]["dofs"])
         self.assertGreater(look_up(summaries["off"], "strength.wheel.von_mises.error"), 0.01)
 
+    def crowned_pin(self, name, structural):
+        case = self.copy_case("crowned-pin", name)
+        geneva_cli.change_case(case, {"Accuracy": "10 %", "Structural accuracy": structural})
+        return self.run_case(case)
+
+    def test_in_3d_errors_hold_where_the_slots_bottom_is_refined_along_the_pin(self):
+        coarse, fine = self.crowned_pin("coarse", "5 %"), self.crowned_pin("fine", "0.5 %")
+        for found, truth in zip(self.stresses(coarse), self.stresses(fine)):
+            self.assertLess(found["error"], 0.05)
+            self.assertLess(truth["error"], 0.015)
+            self.assert_close(found["value"], truth["value"], found["error"] + truth["error"], "within their errors")
+
+    def test_in_3d_cells_longer_than_half_of_a_rounds_radius_give_no_error(self):
+        for found in self.stresses(self.crowned_pin("long", "off")):
+            self.assertGreaterEqual(found["error"], 1, "with cells as long as the round's radius it was off by 12 %")
+
     def test_a_block_that_stands_for_a_wheel_has_none(self):
         summary = self.run_with("block", {"Mechanism/Contact model": "local"})
         self.assertEqual(summary["strength"]["wheel"], {"von_mises": None, "tensile": None})

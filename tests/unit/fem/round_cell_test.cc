@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fem/elasticity/sliver.h"
@@ -64,6 +65,18 @@ TEST(RoundCell, OfATubeIsStraightAlongItsAxis) {
     middle[face / 2] = face % 2;
     const double radius = distance_from_axis<3>(of_cell->vertex(0));
     EXPECT_NEAR(distance_from_axis(cell.place(middle)), radius, 1e-14);
+  }
+}
+
+TEST(LengthOverRadius, OfATubeIsThatOfItsLongestLines) {
+  const mesh::MeshData<3> mesh = cell_of_tube();  // 0.5 long, which at the radius 2 is less than
+  const double chord = 2. * std::sin(pi / 12.);   // the chord over the radius
+  const Discretisation<3> grid(mesh);
+  const auto& cell = grid.triangulation->begin_active();
+  for (const auto& face : cell->face_iterators()) {
+    if (!is_round(face)) continue;
+    const double radius = distance_from_axis<3>(face->vertex(0));
+    EXPECT_NEAR(length_over_radius(face), std::max(chord, 0.5 / radius), 1e-12);
   }
 }
 
