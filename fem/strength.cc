@@ -125,9 +125,9 @@ void set_surface(StressMaximum<dim>& maximum, const NodalStress<dim>& stress,
   }
 }
 
-/// Whether a cell is longer than half of the radius of a round that it bounds. The stress at a notch
-/// changes over lengths like its radius, in 3-D along it as well: between the nodes of such a cell
-/// it may have a maximum that none of them shows.
+/// Whether a cell is longer than half of the radius of a round that it bounds. The stress at a
+/// notch changes over lengths like its radius, in 3-D along it as well: between the nodes of such a
+/// cell it may have a maximum that none of them shows.
 template <int dim>
 bool may_hide_maximum(const StressCell<dim>& cell) {
   constexpr double most = 0.5;
