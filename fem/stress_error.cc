@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/discretisation/cell_measure.h"
+#include "fem/discretisation/refined_mesh.h"
 #include "fem/stress_variation.h"
 
 namespace geneva::fem {
@@ -108,11 +109,11 @@ unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& st
                        const std::vector<SingularPlace<dim>>& singular,
                        const std::vector<bool>& of_body) {
   constexpr double bulk = 0.5;
-  constexpr int deepest = dim == 2 ? 28 : 17;  // what p4est can do
   std::vector<double> open;
   std::vector<OpenCell<dim>> cells;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned() || !of_body[cell->material_id()] || cell->level() >= deepest)
+    if (!cell->is_locally_owned() || !of_body[cell->material_id()] ||
+        cell->level() >= deepest_level<dim>)
       continue;
     cells.push_back(cell);
     open.push_back(open_by(solution, stress, singular, cell));

@@ -28,10 +28,21 @@ void RefinedMesh<dim>::number() {
   number_by_neighbours(*dof_handler);
 }
 
+namespace {
+
+template <int dim>
+void keep_deepest(dealii::Triangulation<dim>& triangulation) {
+  for (const auto& cell : triangulation.active_cell_iterators())
+    if (cell->level() >= deepest_level<dim>) cell->clear_refine_flag();
+}
+
+}  // namespace
+
 template <int dim>
 MeshFields RefinedMesh<dim>::refine(MeshFields fields) {
   fields.displacement.update_ghost_values();
   put_back(*triangulation, moved_vertices_);
+  keep_deepest<dim>(*triangulation);
   triangulation->prepare_coarsening_and_refinement();
   distribute_for_refinement(*triangulation, *dof_handler, fields);
   dealii::parallel::distributed::SolutionTransfer<dim, Vector> transfer(*dof_handler);

@@ -13,6 +13,10 @@
 
 namespace geneva::fem {
 
+/// Cells of this level stay as they are: p4est knows one level more (P4EST_QMAXLEVEL).
+template <int dim>
+constexpr int deepest_level = dim == 2 ? 28 : 17;
+
 /// A mesh that is refined in place, with its linear elements and degrees of freedom.
 template <int dim>
 class RefinedMesh {
@@ -21,7 +25,7 @@ class RefinedMesh {
   /// @param length unit of length of the triangulation [m]
   RefinedMesh(MPI_Comm communicator, const mesh::MeshData<dim>& coarse, double length);
 
-  /// Refines the flagged cells.
+  /// Refines the flagged cells, but for those of the deepest level.
   /// @param fields the displacement with room for ghosts, at least those of this rank's cells
   /// @return on the finer mesh, the displacement without ghosts
   MeshFields refine(MeshFields fields);
