@@ -72,28 +72,61 @@ std::vector<std::string> impact_notices(const model::Case& given) {
   return notices;
 }
 
+/// "is known to 3.1 %, ..." or that it is not.
+std::string known_to(const double error) {
+  if (error >= 1.) return "is not known";
+  return fmt::format("is known to {} %", error < 0.1 ? fmt::format("{:.2g}", 100. * error)
+                                                     : fmt::format("{:.0f}", 100. * error));
+}
+
+/// Why a maximum is not as accurate as asked for.
+template <int dim>
+std::string why_not(const fem::StressMaximum<dim>& maximum) {
+  if (maximum.choice > maximum.error)
+    return "it stands where the contact's own field still counts, so that it depends on what is "
+           "taken for that field";
+  return "more meshes do not help it, or none was allowed";
+}
+
 /// Stresses away from the contact that are not as accurate as asked for, and why.
+template <int dim>
+std::vector<std::string> strength_notices(const double wanted, const fem::Solution<dim>& solution) {
+  std::vector<std::string> notices;
+  for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
+    if (const double error = stress.maximum.total_error(); error > wanted)
+      notices.push_back(fmt::format(
+          "the maximum {} of '{}' away from the contact {}, 'Structural accuracy' asks for {:.2g} "
+          "%: {}",
+          stress.name, stress.body, known_to(error), 100. * wanted, why_not(stress.maximum)));
+  return notices;
+}
+
+/// Bodies whose maximum stresses away from the contact have no error by the mesh, for which no
+/// accuracy was asked.
+template <int dim>
+std::vector<std::string> notices_without_error(const fem::Solution<dim>& solution) {
+  std::vector<std::string> bodies;
+  for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
+    if (stress.is_bounded && stress.maximum.error >= 1. &&
+        (bodies.empty() || bodies.back() != stress.body))
+      bodies.push_back(stress.body);
+  std::vector<std::string> notices;
+  for (const std::string& body : bodies)
+    notices.push_back(
+        fmt::format("the maximum stresses of '{}' away from the contact have no error, since the "
+                    "cells there are long beside the round that they bound: 'Structural accuracy = "
+                    "5 %' refines them",
+                    body));
+  return notices;
+}
+
+/// What to know of the stresses away from the contact.
 template <int dim>
 std::vector<std::string> strength_notices(const model::Case& given,
                                           const fem::Solution<dim>& solution) {
+  if (!fem::has_contact(solution.problem)) return {};  // the run's own accuracy
   const auto wanted = given.settings.structural_accuracy;
-  std::vector<std::string> notices;
-  if (!fem::has_contact(solution.problem)) return notices;  // the run's own accuracy
-  for (const post::NamedStress<dim>& stress : post::named_stresses(solution)) {
-    const double error = stress.maximum.total_error();
-    if (!wanted || error <= *wanted) continue;
-    notices.push_back(fmt::format(
-        "the maximum {} of '{}' away from the contact is known to {} %, 'Structural accuracy' "
-        "asks for {:.2g} %: {}",
-        stress.name, stress.body,
-        error < 0.1 ? fmt::format("{:.2g}", 100. * error) : fmt::format("{:.0f}", 100. * error),
-        100. * *wanted,
-        stress.maximum.choice > stress.maximum.error
-            ? "it stands where the contact's own field still counts, so that it depends on what is "
-              "taken for that field"
-            : "more meshes do not help it, or none was allowed"));
-  }
-  return notices;
+  return wanted ? strength_notices(*wanted, solution) : notices_without_error(solution);
 }
 
 /// That values of a material's name are typical ones, and where they are from.

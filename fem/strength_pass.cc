@@ -106,10 +106,12 @@ bool is_stressed(const std::vector<BodyStrength<dim>>& strength) {
 
 template <int dim>
 double maximum_error(const std::vector<BodyStrength<dim>>& strength) {
+  // What is no number is not known either.
+  const auto known = [](const double error) { return error < 1. ? error : 1.; };
   double error = 0.;
   for (const BodyStrength<dim>& body : strength)
-    error = std::max({error, body.von_mises.error, body.tensile.error});
-  return std::min(error, 1.);
+    error = std::max({error, known(body.von_mises.error), known(body.tensile.error)});
+  return error;
 }
 
 namespace {

@@ -148,8 +148,12 @@ class Strength(CliTest):
             self.assert_close(found["value"], truth["value"], found["error"] + truth["error"], "within their errors")
 
     def test_in_3d_cells_longer_than_half_of_a_rounds_radius_give_no_error(self):
-        for found in self.stresses(self.crowned_pin("long", "off")):
+        summary = self.crowned_pin("long", "off")
+        for found in self.stresses(summary):
             self.assertGreaterEqual(found["error"], 1, "with cells as long as the round's radius it was off by 12 %")
+        (notice,) = [text for text in summary["notices"] if "have no error" in text]
+        self.assertIn("'wheel'", notice)
+        self.assertIn("'Structural accuracy = 5 %'", notice)
 
     def test_a_block_that_stands_for_a_wheel_has_none(self):
         summary = self.run_with("block", {"Mechanism/Contact model": "local"})
