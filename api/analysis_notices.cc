@@ -82,6 +82,9 @@ std::string known_to(const double error) {
 /// Why a maximum is not as accurate as asked for.
 template <int dim>
 std::string why_not(const fem::StressMaximum<dim>& maximum) {
+  if (maximum.may_be_hidden)
+    return "cells there are longer than half of the radius of the notch that they bound, and no "
+           "further mesh was allowed";
   if (maximum.choice > maximum.error)
     return "it stands where the contact's own field still counts, so that it depends on what is "
            "taken for that field";
@@ -101,22 +104,21 @@ std::vector<std::string> strength_notices(const double wanted, const fem::Soluti
   return notices;
 }
 
-/// Bodies whose maximum stresses away from the contact have no error by the mesh, for which no
-/// accuracy was asked.
+/// Bodies whose cells may hide a greater stress, for which no accuracy was asked.
 template <int dim>
-std::vector<std::string> notices_without_error(const fem::Solution<dim>& solution) {
+std::vector<std::string> notices_of_hidden(const fem::Solution<dim>& solution) {
   std::vector<std::string> bodies;
   for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
-    if (stress.is_bounded && stress.maximum.error >= 1. &&
+    if (stress.is_bounded && stress.maximum.may_be_hidden &&
         (bodies.empty() || bodies.back() != stress.body))
       bodies.push_back(stress.body);
   std::vector<std::string> notices;
   for (const std::string& body : bodies)
-    notices.push_back(
-        fmt::format("the maximum stresses of '{}' away from the contact have no error, since the "
-                    "cells there are long beside the round that they bound: 'Structural accuracy = "
-                    "5 %' refines them",
-                    body));
+    notices.push_back(fmt::format(
+        "the error of the maximum stress of '{}' away from the contact is not known, since cells "
+        "there are longer than half of the radius of the notch that they bound: 'Structural "
+        "accuracy = 5 %' refines them",
+        body));
   return notices;
 }
 
@@ -126,7 +128,7 @@ std::vector<std::string> strength_notices(const model::Case& given,
                                           const fem::Solution<dim>& solution) {
   if (!fem::has_contact(solution.problem)) return {};  // the run's own accuracy
   const auto wanted = given.settings.structural_accuracy;
-  return wanted ? strength_notices(*wanted, solution) : notices_without_error(solution);
+  return wanted ? strength_notices(*wanted, solution) : notices_of_hidden(solution);
 }
 
 /// That values of a material's name are typical ones, and where they are from.

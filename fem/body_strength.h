@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "fem/problem/problem.h"
@@ -20,9 +21,13 @@ struct StressMaximum {
   Components<dim> place{};
   int surface = -1;       ///< index into MeshData::surfaces; -1: inside
   bool is_round = false;  ///< whether the surface is part of a circle there
+  /// Whether the cells there are so long beside a notch that they may hide a greater stress.
+  bool may_be_hidden = false;
 
-  /// Both errors together.
-  [[nodiscard]] double total_error() const { return std::hypot(error, choice); }
+  /// Both errors together; 1 or more, if they are not known.
+  [[nodiscard]] double total_error() const {
+    return may_be_hidden ? std::max(1., std::hypot(error, choice)) : std::hypot(error, choice);
+  }
 };
 
 /// What decides whether a body holds, outside of the contacts' own field.

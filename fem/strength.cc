@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fem/discretisation/gather.h"
+#include "fem/discretisation/refined_mesh.h"
 #include "fem/discretisation/round_cell.h"
 #include "fem/elasticity/invariants.h"
 #include "fem/stress_error.h"
@@ -125,17 +126,18 @@ void set_surface(StressMaximum<dim>& maximum, const NodalStress<dim>& stress,
   }
 }
 
-/// Whether a cell is longer than half of the radius of a round that it bounds. The stress at a
-/// notch changes over lengths like its radius, in 3-D along it as well: between the nodes of such a
-/// cell it may have a maximum that none of them shows.
+/// Whether a cell is longer than half of the radius of a notch that it bounds. The stress there
+/// changes over lengths like that radius, in 3-D along the notch as well: between the nodes of such
+/// a cell it may have a maximum that none of them shows.
 template <int dim>
 bool may_hide_maximum(const StressCell<dim>& cell) {
   constexpr double most = 0.5;
   constexpr double slack = 1e-3;
   if constexpr (dim == 3) {
-    const auto faces = cell->face_iterators();
-    return cell->at_boundary() && std::any_of(faces.begin(), faces.end(), [](const auto& face) {
-             return is_round(face) && length_over_radius(face) > (1. + slack) * most;
+    const auto faces = cell->face_indices();
+    return cell->at_boundary() && std::any_of(faces.begin(), faces.end(), [&](const auto face) {
+             return is_round(cell->face(face)) &&
+                    length_over_notch_radius(cell, face) > (1. + slack) * most;
            });
   }
   return false;  // chords of rounds are short in the plane
@@ -146,9 +148,12 @@ template <int dim>
 bool may_hide_maximum(const NodalStress<dim>& stress, const Candidate<dim>& node) {
   const unsigned int vertex = node.cell->vertex_index(node.vertex);
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (cell->is_artificial() || !may_hide_maximum<dim>(cell)) continue;
-    for (const unsigned int i : cell->vertex_indices())
-      if (cell->vertex_index(i) == vertex) return true;
+    if (cell->is_artificial()) continue;
+    const auto vertices = cell->vertex_indices();
+    if (std::any_of(vertices.begin(), vertices.end(),
+                    [&](const auto i) { return cell->vertex_index(i) == vertex; }) &&
+        may_hide_maximum<dim>(cell))
+      return true;
   }
   return false;
 }
@@ -163,8 +168,8 @@ StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>
   set_surface(maximum, stress, node);
   maximum.error =
       measured<dim>(stress.doubt, node.cell, node.vertex, Measure::von_mises) / node.value;
-  if (has_contact(solution.problem) && maximum.is_round && may_hide_maximum(stress, node))
-    maximum.error = 1.;
+  maximum.may_be_hidden =
+      has_contact(solution.problem) && maximum.is_round && may_hide_maximum(stress, node);
   if constexpr (dim == 2)
     move_to_top(maximum, beside(stress, node, measure), solution.scales.length);
   return maximum;
@@ -300,20 +305,28 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
 
 namespace {
 
-/// Whether a node in contact is within two diameters of a cell: in the plane of its middle. In 3-D
-/// cells are long along the contact, and it is of a corner, a diameter being that of a cube of the
-/// shortest edge.
+/// Up to which distance from nodes in contact a cell is left to the contact: two of its diameters.
+/// In 3-D cells are long along the contact: two of a cube with their shortest edge, or half of
+/// their length, as far as a node of the other side may be.
+template <int dim>
+double reach_of_contact(const StressCell<dim>& cell) {
+  constexpr double near = 2.;
+  if constexpr (dim == 2) return near * cell->diameter();
+  double longest = 0.;
+  for (const unsigned int line : cell->line_indices())
+    longest = std::max(longest, cell->line(line)->diameter());
+  return std::max(near * std::sqrt(3.) * cell->minimum_vertex_distance(), longest / 2.);
+}
+
+/// Whether a node in contact is near a cell: in the plane its middle, in 3-D one of its corners.
 template <int dim>
 bool is_near_contact(const Solution<dim>& solution, const StressCell<dim>& cell) {
-  constexpr double near = 2.;
-  const double diameter =
-      dim == 2 ? cell->diameter() : std::sqrt(3.) * cell->minimum_vertex_distance();
   std::vector<Point<dim>> places;
   if (dim == 2)
     places.push_back(cell->center());
   else
     for (const unsigned int vertex : cell->vertex_indices()) places.push_back(cell->vertex(vertex));
-  const double reach = near * diameter * solution.scales.length;
+  const double reach = reach_of_contact<dim>(cell) * solution.scales.length;
   const auto is_near = [&](const ContactNode<dim>& node) {
     return is_closed(node.status) &&
            std::any_of(places.begin(), places.end(), [&](const Point<dim>& place) {
@@ -346,6 +359,28 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
   return is_near_contact(solution, cell);
 }
 
+/// Whether a cell may hide a maximum and has a node outside of the contacts' own field with more
+/// than half of a body's maximum.
+template <int dim>
+bool hides_high_stress(const NodalStress<dim>& stress, const BodyStrength<dim>& body,
+                       const Outside<dim>& is_outside, const double length,
+                       const StressCell<dim>& cell) {
+  constexpr double high = 0.5;
+  const auto vertices = cell->vertex_indices();
+  const auto is_high = [&](const unsigned int vertex) {
+    const auto value = [&](const Measure measure) {
+      return measured<dim>(stress.values, cell, vertex, measure);
+    };
+    const double von_mises = value(Measure::von_mises);
+    return (von_mises > high * body.von_mises.value ||
+            (body.tensile.value > 0. && value(Measure::tensile) > high * body.tensile.value)) &&
+           is_outside(Point<dim>(length * cell->vertex(vertex)), cell->material_id(), von_mises,
+                      OwnFieldShare::usual);
+  };
+  return dim == 3 && cell->at_boundary() &&
+         std::any_of(vertices.begin(), vertices.end(), is_high) && may_hide_maximum<dim>(cell);
+}
+
 /// Share of the greatest variation over a cell above which cells are halved. Errors go with its
 /// square, so that the root of accuracy over error is left; to less than a half one mesh cannot
 /// lower it.
@@ -369,17 +404,18 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
       limits[body] = std::min(most_share * solution.strength[body].von_mises.value,
                               share_to_halve(solution.strength[body], accuracy) *
                                   maximum_variation(solution, stress, is_outside, body));
-  const auto is_wanted = [&](const StressCell<dim>& cell) {
-    constexpr double high = 0.5;
-    const unsigned int body = cell->material_id();
-    return variation(stress, cell) > limits[body] ||
-           (of_body[body] && may_hide_maximum<dim>(cell) &&
-            maximum_von_mises(stress, cell) > high * solution.strength[body].von_mises.value);
-  };
   unsigned int flagged = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned() || cell->refine_flag_set() || !is_wanted(cell)) continue;
-    if (!is_outside(solution, stress, cell) || belongs_to_contact(solution, cell)) continue;
+    const unsigned int body = cell->material_id();
+    if (!cell->is_locally_owned() || !of_body[body] || cell->refine_flag_set() ||
+        cell->level() >= deepest_level<dim>)
+      continue;
+    const bool varies =
+        variation(stress, cell) > limits[body] && is_outside(solution, stress, cell);
+    if (!varies && !hides_high_stress(stress, solution.strength[body], is_outside,
+                                      solution.scales.length, cell))
+      continue;
+    if (belongs_to_contact(solution, cell)) continue;
     cell->set_refine_flag();
     ++flagged;
   }

@@ -48,6 +48,7 @@ void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& befo
     add_open(maximum, course);
   else if (!course.empty())
     add_change(maximum, course.back().value);
+  if (std::isnan(maximum.error)) maximum.error = 1.;  // nothing is known then
 }
 
 }  // namespace
@@ -72,7 +73,7 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
 template <int dim>
 bool StrengthPass<dim>::is_open(const BodyStrength<dim>& body) const {
   const auto is_worth_refining = [&](const StressMaximum<dim>& maximum) {
-    return maximum.error > std::max(*accuracy_, maximum.choice);
+    return maximum.may_be_hidden || maximum.error > std::max(*accuracy_, maximum.choice);
   };
   return accuracy_ && (is_worth_refining(body.von_mises) || is_worth_refining(body.tensile));
 }
@@ -106,12 +107,10 @@ bool is_stressed(const std::vector<BodyStrength<dim>>& strength) {
 
 template <int dim>
 double maximum_error(const std::vector<BodyStrength<dim>>& strength) {
-  // What is no number is not known either.
-  const auto known = [](const double error) { return error < 1. ? error : 1.; };
   double error = 0.;
   for (const BodyStrength<dim>& body : strength)
-    error = std::max({error, known(body.von_mises.error), known(body.tensile.error)});
-  return error;
+    error = std::max({error, body.von_mises.error, body.tensile.error});
+  return std::min(error, 1.);
 }
 
 namespace {

@@ -54,7 +54,7 @@ class StrengthPass {
 template <int dim>
 bool is_stressed(const std::vector<BodyStrength<dim>>& strength);
 
-/// The greatest of their errors, at most 1, which stands for those that are not known.
+/// The greatest of their errors, at most 1.
 template <int dim>
 double maximum_error(const std::vector<BodyStrength<dim>>& strength);
 

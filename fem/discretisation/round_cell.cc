@@ -29,17 +29,19 @@ std::array<unsigned int, static_cast<std::size_t>(dim - 1)> directions_in(const 
                             : 1U};
 }
 
-/// The angle by which a curve between two points turns.
+/// From the middle of the chord between two points to that of the curve, without the part along the
+/// chord, which is grading and not curvature.
 template <int dim>
-double angle(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
-             const Point<dim>& end) {
-  const Point<dim> middle = middle_of_curve(manifold, begin, end);
-  const Point<dim> of_chord = begin + 0.5 * (end - begin);
-  const double length = begin.distance(end);
-  // of which the part along the chord is grading, not curvature
-  const dealii::Tensor<1, dim> along = (end - begin) / length;
-  const dealii::Tensor<1, dim> offset = middle - of_chord;
-  const double sagitta = (offset - (offset * along) * along).norm();
+dealii::Tensor<1, dim> sagitta(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
+                               const Point<dim>& end) {
+  const dealii::Tensor<1, dim> along = (end - begin) / begin.distance(end);
+  const dealii::Tensor<1, dim> offset =
+      middle_of_curve(manifold, begin, end) - (begin + 0.5 * (end - begin));
+  return offset - (offset * along) * along;
+}
+
+/// The angle by which a curve of this sagitta turns.
+double angle(const double sagitta, const double length) {
   return 4. * std::atan(2. * sagitta / length);
 }
 
@@ -48,7 +50,7 @@ template <int dim>
 unsigned int chords(const dealii::Manifold<dim>& manifold, const Point<dim>& begin,
                     const Point<dim>& end) {
   constexpr double turn = 2.5 * 3.14159265358979 / 180.;
-  const double turns = angle(manifold, begin, end) / turn;
+  const double turns = angle(sagitta(manifold, begin, end).norm(), begin.distance(end)) / turn;
   return std::max(1U, static_cast<unsigned int>(std::ceil(turns - 1e-6)));
 }
 
@@ -73,16 +75,20 @@ Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface, const Point<dim
                                dealii::ArrayView<const double>(shares.data(), shares.size()));
 }
 
-double length_over_radius(const dealii::Triangulation<3>::face_iterator& face) {
+double length_over_notch_radius(const dealii::Triangulation<3>::cell_iterator& cell,
+                                const unsigned int face) {
+  const auto& round = cell->face(face);
+  const dealii::Tensor<1, 3> outwards = round->center() - cell->center();
   double longest = 0.;
   double curvature = 0.;
-  for (const unsigned int i : face->line_indices()) {
-    const Point<3> begin = face->line(i)->vertex(0);
-    const Point<3> end = face->line(i)->vertex(1);
+  for (const unsigned int i : round->line_indices()) {
+    const Point<3> begin = round->line(i)->vertex(0);
+    const Point<3> end = round->line(i)->vertex(1);
     const double length = begin.distance(end);
     longest = std::max(longest, length);
-    curvature =
-        std::max(curvature, 2. * std::sin(angle(face->get_manifold(), begin, end) / 2.) / length);
+    const dealii::Tensor<1, 3> bend = sagitta(round->get_manifold(), begin, end);
+    if (bend * outwards < 0.)
+      curvature = std::max(curvature, 2. * std::sin(angle(bend.norm(), length) / 2.) / length);
   }
   return longest * curvature;
 }

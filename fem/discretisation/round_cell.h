@@ -25,8 +25,10 @@ template <int dim>
 dealii::Point<dim> middle_of_curve(const dealii::Manifold<dim>& surface,
                                    const dealii::Point<dim>& begin, const dealii::Point<dim>& end);
 
-/// The longest line of a face of a round surface over the least radius of its lines.
-double length_over_radius(const dealii::Triangulation<3>::face_iterator& face);
+/// The longest line of a round face of a cell over the least radius of those of its lines that bend
+/// into the cell, as a notch's do; 0 if none does.
+double length_over_notch_radius(const dealii::Triangulation<3>::cell_iterator& cell,
+                                unsigned int face);
 
 /// Numbers along each direction of a corner of a cell's parts; in the plane the last is 0.
 using PartCorner = std::array<unsigned int, 3>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/elasticity/sliver.h"
 #include "mesh/extrusion.h"
@@ -68,15 +69,25 @@ TEST(RoundCell, OfATubeIsStraightAlongItsAxis) {
   }
 }
 
-TEST(LengthOverRadius, OfATubeIsThatOfItsLongestLines) {
-  const mesh::MeshData<3> mesh = cell_of_tube();  // 0.5 long, which at the radius 2 is less than
-  const double chord = 2. * std::sin(pi / 12.);   // the chord over the radius
+/// Of the inner face of a cell of a tube, whose radius is 1, and of the outer one.
+std::pair<double, double> lengths_over_notch_radius(const double length) {
+  const mesh::MeshData<3> mesh = extruded(cell_of_ring(), {{{0., length}, "z", "z"}});
   const Discretisation<3> grid(mesh);
   const auto& cell = grid.triangulation->begin_active();
-  for (const auto& face : cell->face_iterators()) {
-    if (!is_round(face)) continue;
-    const double radius = distance_from_axis<3>(face->vertex(0));
-    EXPECT_NEAR(length_over_radius(face), std::max(chord, 0.5 / radius), 1e-12);
+  std::pair<double, double> result{-1., -1.};
+  for (const unsigned int face : cell->face_indices())
+    if (is_round(cell->face(face)))
+      (distance_from_axis<3>(cell->face(face)->vertex(0)) < 1.5 ? result.first : result.second) =
+          length_over_notch_radius(cell, face);
+  return result;
+}
+
+TEST(LengthOverNotchRadius, IsThatOfTheLongestLineBesideAHoleAndNothingOutside) {
+  const double chord = 2. * std::sin(pi / 12.);
+  for (const double length : {0.2, 1.5, 7.}) {
+    const auto [inner, outer] = lengths_over_notch_radius(length);
+    EXPECT_NEAR(inner, std::max(chord, length), 1e-12);
+    EXPECT_NEAR(outer, 0., 1e-12) << "a shaft has no notch";
   }
 }
 

@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "fem/elasticity/surface_stress.h"
-#include "fem/strength_pass.h"
 #include "fem/stress_error.h"
 #include "mesh/extrusion.h"
 #include "tests/support/structured_mesh.h"
@@ -148,15 +146,6 @@ TEST(ContactsOwnField, IsInTheBodiesOfTheContactOnly) {
   const double of_second = 2. * 1e4 / (pi * place.distance(Point<2>(5., 0.)));
   EXPECT_NEAR(stress.von_mises(place, 2), of_second, 1e-9 * of_second);
   EXPECT_GT(stress.von_mises(place, 0), 100. * of_second);
-}
-
-TEST(MaximumError, IsNotKnownWhereAnyIsNoNumber) {
-  std::vector<BodyStrength<2>> strength(2);
-  strength[0].tensile.error = 0.1;
-  strength[1].von_mises.error = 0.2;
-  EXPECT_EQ(maximum_error(strength), 0.2);
-  strength[0].von_mises.error = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(maximum_error(strength), 1.);
 }
 
 TEST(SingularPlaces, AreEndsOfSupportsBesideFreeSurfaces) {
