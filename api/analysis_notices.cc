@@ -83,8 +83,8 @@ std::string known_to(const double error) {
 template <int dim>
 std::string why_not(const fem::StressMaximum<dim>& maximum) {
   if (maximum.may_be_hidden)
-    return "cells there are longer than half of the radius of the notch that they bound, and no "
-           "further mesh was allowed";
+    return "cells there are longer than half of the radius of the notch that they bound: they are "
+           "left to the contact, or no further mesh was allowed";
   if (maximum.choice > maximum.error)
     return "it stands where the contact's own field still counts, so that it depends on what is "
            "taken for that field";

@@ -4,8 +4,6 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "mesh/extrusion.h"
 #include "tests/support/structured_mesh.h"
 
