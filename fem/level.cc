@@ -13,6 +13,7 @@
 #include "fem/contact/active_set.h"
 #include "fem/contact/conditions.h"
 #include "fem/contact/mortar.h"
+#include "fem/contact/rounded_edge.h"
 #include "fem/contact/surface_in_space.h"
 #include "fem/elasticity/elasticity.h"
 #include "fem/linear/constraints.h"
@@ -149,7 +150,8 @@ std::vector<ContactInterface<dim>> make_interfaces(const Boundary<dim>& boundary
         interface.source, interface.target,
         MortarData<dim>{
             [&](const dealii::Point<dim>& point) { return out_of_plane_measure(problem, point); },
-            interface.source_share, problem.pairs[i].clearance, communicator});
+            interface.source_share, problem.pairs[i].clearance, communicator,
+            has_rounded_edge(interface.target) && !has_rounded_edge(interface.source)});
     interface.approach = approach_of(mesh, problem, problem.pairs[i]);
     interface.law = law_of<dim>(problem.pairs[i].friction);
     interface.sliding = sliding_of(interface.rows, problem.pairs[i].friction);

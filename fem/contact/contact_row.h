@@ -13,7 +13,7 @@ namespace geneva::fem {
 /// Orthonormal directions at a node of a contact.
 template <int dim>
 struct ContactFrame {
-  dealii::Tensor<1, dim> normal;  ///< of the target, outwards
+  dealii::Tensor<1, dim> normal;  ///< from the target to the source
   /// In the plane the normal turned counter-clockwise; in 3-D the first is across the axis that is
   /// farthest from the normal, and normal, first and second are right-handed.
   std::array<dealii::Tensor<1, dim>, static_cast<std::size_t>(dim - 1)> tangents;

@@ -20,6 +20,7 @@ struct MortarData {
   double source_share;  ///< of the source body in the compliance of both, 0..1
   std::function<double(double)> clearance = {};  ///< added to the gap by z, in 3-D; may be empty
   MPI_Comm communicator = MPI_COMM_SELF;         ///< ranks that share the work; all get the result
+  bool along_source_normal = false;  ///< the bodies press on each other along it, not the target's
 };
 
 /// Nodes of a face.
@@ -32,7 +33,7 @@ struct OverlapPoint {
   std::array<double, n_face_nodes<dim>> source_shapes;
   std::array<double, n_face_nodes<dim>> target_shapes;
   std::array<unsigned int, n_face_nodes<dim>> target_nodes;
-  dealii::Tensor<1, dim> normal;  ///< of the target
+  dealii::Tensor<1, dim> normal;  ///< from the target to the source
   double gap;                     ///< of the true surfaces, with what linear displacements miss
   double weight;                  ///< share of the source face's area, times the measure
 };

@@ -20,7 +20,7 @@ double bubble(const Surface<2>& surface, const SurfaceFace<2>& face, const doubl
 OverlapPoint<2> overlap_point(const Surface<2>& source, const SurfaceFace<2>& source_face,
                               const double xi, const Surface<2>& target,
                               const SurfaceFace<2>& target_face, const double weight,
-                              const double source_share) {
+                              const MortarData<2>& data) {
   const Point<2> source_point =
       true_point(source, source_face, chord_point(source, source_face, xi));
   const double eta = project_on_face(target, target_face, source_point);
@@ -28,12 +28,12 @@ OverlapPoint<2> overlap_point(const Surface<2>& source, const SurfaceFace<2>& so
       true_point(target, target_face, chord_point(target, target_face, eta));
   const Tensor<1, 2> normal = face_normal(target, target_face, eta);
   const double relative_curvature = curvature(source, source_face) + curvature(target, target_face);
-  const double missed = source_share * bubble(source, source_face, xi) +
-                        (1. - source_share) * bubble(target, target_face, eta);
+  const double missed = data.source_share * bubble(source, source_face, xi) +
+                        (1. - data.source_share) * bubble(target, target_face, eta);
   return {{1. - xi, xi},
           {1. - eta, eta},
           target_face.nodes,
-          normal,
+          data.along_source_normal ? -face_normal(source, source_face, xi) : normal,
           (source_point - target_point) * normal + relative_curvature * missed,
           weight};
 }
@@ -55,7 +55,7 @@ std::vector<OverlapPoint<2>> overlap_points(const Surface<2>& source,
       const double weight = rule.weight(q) * (overlap.end - overlap.begin) * length *
                             data.measure(chord_point(source, source_face, xi));
       points.push_back(overlap_point(source, source_face, xi, target,
-                                     target.faces[overlap.target_face], weight, data.source_share));
+                                     target.faces[overlap.target_face], weight, data));
     }
   return points;
 }

@@ -140,7 +140,7 @@ OverlapPoint<3> overlap_point(const Surface<3>& source, const SurfaceFace<3>& so
   return {bilinear_shapes(xi),
           bilinear_shapes(eta),
           target_face.nodes,
-          normal,
+          data.along_source_normal ? -face_normal(source, source_face, xi) : normal,
           (source_point - target_point) * normal + data.source_share * of_source +
               (1. - data.source_share) * of_target +
               (data.clearance ? data.clearance(source_point[2]) : 0.),

@@ -71,16 +71,21 @@ void set_normals(Surface<2>& surface) {
 
 }  // namespace
 
-std::vector<bool> corners(const Surface<2>& surface) {
+template <>
+bool leaves_smoothly(const Surface<2>& surface, const SurfaceFace<2>& face,
+                     const unsigned int node) {
   constexpr double same_direction = 1e-3;
+  const SurfaceNode<2>& there = surface.nodes[node];
+  // the node's normal is the mean of the two
+  return 2. * (true_normal(surface, face, there.position) - there.normal).norm() <= same_direction;
+}
+
+std::vector<bool> corners(const Surface<2>& surface) {
   std::vector<bool> result(surface.nodes.size(), false);
   std::vector<unsigned int> edges(surface.nodes.size(), 0);
   for (const SurfaceFace<2>& face : surface.faces)
     for (const unsigned int node : face.nodes) {
-      const SurfaceNode<2>& there = surface.nodes[node];
-      // the node's normal is the mean of the two
-      const Tensor<1, 2> off = true_normal(surface, face, there.position) - there.normal;
-      if (2. * off.norm() > same_direction) result[node] = true;
+      if (!leaves_smoothly(surface, face, node)) result[node] = true;
       ++edges[node];
     }
   for (std::size_t node = 0; node < result.size(); ++node)

@@ -69,6 +69,10 @@ Surface<2> make_surface(const Boundary<2>& boundary, unsigned int surface_id,
 /// there differ by more than a thousandth.
 std::vector<bool> corners(const Surface<2>& surface);
 
+/// Whether the true surface's normal at a node of the face is the node's own to a thousandth.
+template <int dim>
+bool leaves_smoothly(const Surface<dim>& surface, const SurfaceFace<dim>& face, unsigned int node);
+
 /// Point of the chord at xi in [0, 1].
 dealii::Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, double xi);
 

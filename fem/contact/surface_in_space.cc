@@ -64,6 +64,14 @@ Surface<3> make_surface(const Boundary<3>& boundary, const unsigned int surface_
   return surface;
 }
 
+template <>
+bool leaves_smoothly(const Surface<3>& surface, const SurfaceFace<3>& face,
+                     const unsigned int node) {
+  constexpr double same_direction = 1e-3;
+  const SurfaceNode<3>& there = surface.nodes[node];
+  return 2. * (true_normal(surface, face, there.position) - there.normal).norm() <= same_direction;
+}
+
 std::vector<unsigned int> steps_from(const Surface<3>& surface, const std::vector<bool>& marked) {
   const auto unreached = static_cast<unsigned int>(surface.nodes.size());
   std::vector<std::vector<unsigned int>> faces_of(surface.nodes.size());

@@ -26,6 +26,10 @@ ONCE_MISSED = {92: (0.02, 0.002), 97: (0.02, 0.005), 442: (0.02, 0.005), 378: (0
 # A punch so low that its rigid tie's ends, where stresses have no bound, are within three half-widths of the contact.
 LOW_PUNCH = 1162
 
+# A punch with rounded edges on a base that yields sideways by three hundredths of the edges' radius. Where flat and
+# round meet, the pressure once grew without bound.
+SHIFTED_PUNCH = 1282
+
 # Crossed cylinders in 3-D whose peak pressure with its correction is more than a thousandth above that of every node.
 ABOVE_ALL_NODES = 36
 
@@ -127,6 +131,12 @@ class Run(CliTest):
         contact = self.run_case(directory)["contact"]
         self.assertLess(number(contact["max_shear_depth"]), 0.5 * number(contact["half_width"]))
         self.assert_close(number(contact["max_shear"]), 0.36 * number(contact["peak_pressure"]), 0.03, "shear over pressure")
+
+    def test_the_pressure_is_bounded_where_a_flat_meets_its_rounded_edge(self):
+        directory = self.written("shifted-punch", random_cases.draw_case("plane", SHIFTED_PUNCH), 0.005)
+        summary = self.run_case(directory)
+        self.assertTrue(summary["solver"]["converged"])
+        self.assertLess(summary["mesh"]["dofs"], 200000)
 
     def test_a_peak_above_that_of_all_nodes_is_shown(self):
         directory = self.written("above", random_cases.draw_case("space", ABOVE_ALL_NODES), 0.05)

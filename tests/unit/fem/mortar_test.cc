@@ -269,6 +269,23 @@ TEST(Mortar, GapOfACylinderOnAFlatIsThatOfItsNodes) {
     }
 }
 
+TEST(Mortar, PressesAlongTheNormalOfTheSourceIfAsked) {
+  std::vector<double> angles;
+  for (int i = -3; i <= 3; ++i) angles.push_back(-pi / 2. + 0.1 * i);
+  const Surface<2> cylinder = arc({{0., 1.001}, 1.}, angles);
+  MortarData<2> data = plane_data();
+  const auto along_target = mortar_rows(upper_side(fine), cylinder, data);
+  data.along_source_normal = true;
+  const auto along_source = mortar_rows(upper_side(fine), cylinder, data);
+  ASSERT_EQ(along_source.size(), along_target.size());
+  ASSERT_GT(along_source.size(), 1U);
+  for (std::size_t i = 0; i < along_source.size(); ++i) {
+    EXPECT_LT((along_source[i].frame.normal - Tensor<1, 2>({0., -1.})).norm(), round_off);
+    EXPECT_EQ(along_source[i].initial_gap, along_target[i].initial_gap);
+    EXPECT_EQ(along_source[i].coupling, along_target[i].coupling);
+  }
+}
+
 TEST(Mortar, GapOfAPinInAConcentricHoleIsTheClearanceAtItsNodes) {
   // Both edges are chords of the same angle, so the relative curvature's bubble is left: the dual
   // basis averages xi (1 - xi) to 1/6, and the pin's share of it is counted.
