@@ -22,7 +22,7 @@ template <int dim>
 struct ContactNode {
   double arc_length;         ///< along the source surface [m]; in the plane
   Components<dim> position;  ///< undeformed [m]
-  Components<dim> normal;    ///< target's outward unit normal
+  Components<dim> normal;    ///< unit, from the target to the source
   double pressure;           ///< >= 0 [Pa]
   double gap;                ///< > 0 when open [m]
   double initial_gap;        ///< before loading [m]
