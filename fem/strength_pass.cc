@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/strength.h"
+#include "fem/strength_refinement.h"
 #include "fem/stress_error.h"
 
 namespace geneva::fem {
