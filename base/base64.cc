@@ -13,7 +13,9 @@ namespace iterators = boost::archive::iterators;
 std::string encoded_bytes(const std::vector<unsigned char>& bytes) {
   using Digits = iterators::base64_from_binary<
       iterators::transform_width<std::vector<unsigned char>::const_iterator, 6, 8>>;
-  std::string text(Digits(bytes.begin()), Digits(bytes.end()));
+  // room for all digits, which the text would otherwise take one by one
+  std::string text((4 * bytes.size() + 2) / 3, '\0');
+  std::copy(Digits(bytes.begin()), Digits(bytes.end()), text.begin());
   text.append((3 - bytes.size() % 3) % 3, '=');
   return text;
 }

@@ -87,11 +87,13 @@ std::optional<Pass> SlotPassing::greatest(const Place& place, const bool turns) 
   const double angle = std::atan2(place[1] - axis_y_, place[0] - pin_distance_);
   std::optional<Pass> found;
   for (const Way& way : ways_) {
+    const auto& [from, to, facing] = way;
+    const double greatest_yet = found ? found->pressure : 0.;
+    if (!(std::max(from.peak_pressure, to.peak_pressure) > greatest_yet)) continue;
     const auto share = share_of(way, place, turns, angle);
     if (!share) continue;
-    const auto& [from, to, facing] = way;
     const double pressure = from.peak_pressure + *share * (to.peak_pressure - from.peak_pressure);
-    if (!(pressure > (found ? found->pressure : 0.))) continue;
+    if (!(pressure > greatest_yet)) continue;
     found = {pressure, from.driver_angle + *share * (to.driver_angle - from.driver_angle)};
   }
   return found;

@@ -13,6 +13,14 @@ using Place = StressAt::Place;
 
 constexpr int most_steps = 8;      // of Newton's method
 constexpr double settled = 1e-10;  // of the reference cell
+/// Of the diagonal of a cell's box: as far outside of the cell a place is within it.
+constexpr double share_within = 1e-9;
+
+double distance_between(const Place& one, const Place& other) {
+  double square = 0.;
+  for (std::size_t i = 0; i < 3; ++i) square += (one[i] - other[i]) * (one[i] - other[i]);
+  return std::sqrt(square);
+}
 
 /// Solves J x = r by Cramer's rule.
 Place solved(const std::array<Place, 3>& columns, const Place& r) {
@@ -102,9 +110,8 @@ std::array<double, 6> StressAt::stress_in(const std::size_t cell, const Weights&
 }
 
 double StressAt::inside(const std::size_t cell) const {
-  constexpr double share = 1e-9;
   const Box& box = boxes_[cell];
-  return share * bg::distance(box.min_corner(), box.max_corner());
+  return share_within * bg::distance(box.min_corner(), box.max_corner());
 }
 
 StressAt::Box StressAt::box_of(const std::size_t cell) const {
@@ -117,6 +124,12 @@ StressAt::Box StressAt::box_of(const std::size_t cell) const {
       low[i] = std::min(low[i], fields_.places[node][i]);
       high[i] = std::max(high[i], fields_.places[node][i]);
     }
+  // A place on a face of the boundary is not to fall out of the box by its rounding.
+  const double margin = share_within * distance_between(low, high);
+  for (std::size_t i = 0; i < 3; ++i) {
+    low[i] -= margin;
+    high[i] += margin;
+  }
   return {Point(low[0], low[1], low[2]), Point(high[0], high[1], high[2])};
 }
 
@@ -130,8 +143,7 @@ StressAt::Place StressAt::place_at(const std::size_t cell, const Weights& weight
 
 double StressAt::distance_to(const std::size_t cell, const Weights& weights,
                              const Place& place) const {
-  const Place there = place_at(cell, weights);
-  return std::hypot(there[0] - place[0], there[1] - place[1], there[2] - place[2]);
+  return distance_between(place_at(cell, weights), place);
 }
 
 StressAt::Weights StressAt::clamped_weights(const std::size_t cell, const Place& place) const {
