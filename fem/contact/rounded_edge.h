@@ -4,8 +4,8 @@
 
 namespace geneva::fem {
 
-/// Whether the surface passes over smoothly into a part that bulges more, as a flat does into a
-/// rounded edge.
+/// Whether the surface has a part that bulges more than the next one, without a corner between
+/// them, as a flat with a rounded edge.
 template <int dim>
 bool has_rounded_edge(const Surface<dim>& surface);
 

@@ -52,16 +52,6 @@ double arc_length(const Surface<2>& surface, const SurfaceFace<2>& face) {
   return 2. * radius * std::asin(std::min(1., chord / (2. * radius)));
 }
 
-/// Normal of the true surface at a node of the face.
-Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
-                         const Point<2>& node) {
-  const Tensor<1, 2> of_chord = flat_normal(surface, face);
-  if (face.circle < 0) return of_chord;
-  const Tensor<1, 2> outwards =
-      radial(surface.circles[static_cast<std::size_t>(face.circle)], node);
-  return outwards / outwards.norm() * (outwards * of_chord > 0. ? 1. : -1.);
-}
-
 void set_normals(Surface<2>& surface) {
   for (const SurfaceFace<2>& face : surface.faces)
     for (const unsigned int node : face.nodes)
@@ -71,13 +61,13 @@ void set_normals(Surface<2>& surface) {
 
 }  // namespace
 
-template <>
-bool leaves_smoothly(const Surface<2>& surface, const SurfaceFace<2>& face,
-                     const unsigned int node) {
-  constexpr double same_direction = 1e-3;
-  const SurfaceNode<2>& there = surface.nodes[node];
-  // the node's normal is the mean of the two
-  return 2. * (true_normal(surface, face, there.position) - there.normal).norm() <= same_direction;
+Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
+                         const Point<2>& node) {
+  const Tensor<1, 2> of_chord = flat_normal(surface, face);
+  if (face.circle < 0) return of_chord;
+  const Tensor<1, 2> outwards =
+      radial(surface.circles[static_cast<std::size_t>(face.circle)], node);
+  return outwards / outwards.norm() * (outwards * of_chord > 0. ? 1. : -1.);
 }
 
 std::vector<bool> corners(const Surface<2>& surface) {

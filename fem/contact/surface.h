@@ -69,9 +69,21 @@ Surface<2> make_surface(const Boundary<2>& boundary, unsigned int surface_id,
 /// there differ by more than a thousandth.
 std::vector<bool> corners(const Surface<2>& surface);
 
-/// Whether the true surface's normal at a node of the face is the node's own to a thousandth.
+/// Outward unit normal of the true surface of a face at a node of it.
+dealii::Tensor<1, 2> true_normal(const Surface<2>& surface, const SurfaceFace<2>& face,
+                                 const dealii::Point<2>& node);
+dealii::Tensor<1, 3> true_normal(const Surface<3>& surface, const SurfaceFace<3>& face,
+                                 const dealii::Point<3>& node);
+
+/// Whether a face leaves a node without a corner: its normal there is the node's own, which is the
+/// mean of its faces', to half of a thousandth.
 template <int dim>
-bool leaves_smoothly(const Surface<dim>& surface, const SurfaceFace<dim>& face, unsigned int node);
+bool leaves_smoothly(const Surface<dim>& surface, const SurfaceFace<dim>& face,
+                     const unsigned int node) {
+  constexpr double same_direction = 1e-3;  // of two faces
+  const SurfaceNode<dim>& there = surface.nodes[node];
+  return 2. * (true_normal(surface, face, there.position) - there.normal).norm() <= same_direction;
+}
 
 /// Point of the chord at xi in [0, 1].
 dealii::Point<2> chord_point(const Surface<2>& surface, const SurfaceFace<2>& face, double xi);

@@ -19,14 +19,6 @@ double side(const Surface<3>& surface, const SurfaceFace<3>& face) {
   return radial(circle, middle) * flat_normal(surface, face) > 0. ? 1. : -1.;
 }
 
-Tensor<1, 3> true_normal(const Surface<3>& surface, const SurfaceFace<3>& face,
-                         const Point<3>& node) {
-  if (face.circle < 0) return flat_normal(surface, face);
-  const Tensor<1, 3> outwards =
-      radial(surface.circles[static_cast<std::size_t>(face.circle)], node);
-  return side(surface, face) / outwards.norm() * outwards;
-}
-
 double extent(const Surface<3>& surface) {
   Point<3> lowest = surface.nodes.front().position;
   Point<3> highest = lowest;
@@ -39,6 +31,14 @@ double extent(const Surface<3>& surface) {
 }
 
 }  // namespace
+
+Tensor<1, 3> true_normal(const Surface<3>& surface, const SurfaceFace<3>& face,
+                         const Point<3>& node) {
+  if (face.circle < 0) return flat_normal(surface, face);
+  const Tensor<1, 3> outwards =
+      radial(surface.circles[static_cast<std::size_t>(face.circle)], node);
+  return side(surface, face) / outwards.norm() * outwards;
+}
 
 Surface<3> make_surface(const Boundary<3>& boundary, const unsigned int surface_id) {
   Surface<3> surface;
@@ -62,14 +62,6 @@ Surface<3> make_surface(const Boundary<3>& boundary, const unsigned int surface_
   for (SurfaceNode<3>& node : surface.nodes) node.normal /= node.normal.norm();
   surface.length = extent(surface);
   return surface;
-}
-
-template <>
-bool leaves_smoothly(const Surface<3>& surface, const SurfaceFace<3>& face,
-                     const unsigned int node) {
-  constexpr double same_direction = 1e-3;
-  const SurfaceNode<3>& there = surface.nodes[node];
-  return 2. * (true_normal(surface, face, there.position) - there.normal).norm() <= same_direction;
 }
 
 std::vector<unsigned int> steps_from(const Surface<3>& surface, const std::vector<bool>& marked) {
