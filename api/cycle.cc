@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <boost/serialization/array.hpp>
-#include <boost/serialization/string.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
@@ -18,6 +17,7 @@
 #include <utility>
 
 #include "api/cycle_curve.h"
+#include "api/cycle_envelope.h"
 #include "api/cycle_instant.h"
 #include "api/cycle_rim.h"
 #include "api/gathered_objects.h"
@@ -33,9 +33,7 @@
 #include "model/case_header.h"
 #include "model/mechanism_state.h"
 #include "model/naming.h"
-#include "post/output/passing_field.h"
-#include "post/output/passing_mesh.h"
-#include "post/output/passing_pressure.h"
+#include "post/output/cycle_series.h"
 
 namespace geneva {
 
@@ -146,114 +144,6 @@ loads::CycleInstants instants_of(const Case& given, const model::MechanismDynami
   return loads::cycle_instants(dynamics.driven, dynamics.train, contact, given.settings.accuracy);
 }
 
-/// All but the wheel move with the pin.
-std::vector<bool> bodies_that_turn(const std::vector<post::CycleFields>& fields) {
-  unsigned int last = 0;
-  for (const unsigned int body : fields.front().fields.bodies) last = std::max(last, body);
-  std::vector<bool> turning(last + 1, true);
-  turning.front() = false;
-  return turning;
-}
-
-/// Of a pin on a block of wall those instants that have the block on the same side, the ones of the
-/// same wall; nothing of a whole wheel, whose instants all stand beside each other.
-std::optional<std::vector<post::CycleFields>> of_same_block(
-    const std::vector<post::CycleFields>& fields, const post::CycleFields& at,
-    const std::vector<CyclePoint>& points, const Case& given) {
-  if (!given.mechanism->is_local) return std::nullopt;
-  const auto wall_of = [&](const post::CycleFields& one) {
-    return std::find_if(
-               points.begin(), points.end(),
-               [&](const CyclePoint& point) { return point.instant.load.driver_angle == one.when; })
-        ->instant.load.wall;
-  };
-  std::vector<post::CycleFields> of_wall;
-  std::copy_if(fields.begin(), fields.end(), std::back_inserter(of_wall),
-               [&](const post::CycleFields& one) { return wall_of(one) == wall_of(at); });
-  return of_wall;
-}
-
-/// What the greatest tensile stresses go through, the same on all ranks.
-/// @param fields on rank 0
-std::vector<post::Swing> swings_of(const post::CycleReport& report, const Case& given,
-                                   const std::vector<post::CycleFields>& fields,
-                                   const MPI_Comm communicator) {
-  std::vector<post::Swing> swings;
-  const auto is_at = [](const post::CycleStressRange& range) {
-    return [&](const post::CycleFields& one) { return one.when == range.driver_angle; };
-  };
-  for (const post::CycleStressRange& range : post::stress_ranges(report)) {
-    const auto at = std::find_if(fields.begin(), fields.end(), is_at(range));
-    if (range.greatest.name != "tensile stress" || at == fields.end()) continue;
-    const auto of_block = of_same_block(fields, *at, report.points, given);
-    const std::vector<post::CycleFields>& others = of_block ? *of_block : fields;
-    const auto own = std::find_if(others.begin(), others.end(), is_at(range));
-    swings.push_back(post::swing_of(range.greatest, others,
-                                    static_cast<std::size_t>(own - others.begin()),
-                                    bodies_that_turn(fields)));
-  }
-  return dealii::Utilities::MPI::broadcast(communicator, swings, 0);
-}
-
-/// See post::missed_depth(), of both walls.
-double missed_depth_of(const post::CycleReport& report, const double half_width) {
-  double depth = 0.;
-  for (const loads::Wall wall : {loads::Wall::driving, loads::Wall::braking}) {
-    std::vector<double> distances;
-    for (const CyclePoint& point : report.points)
-      if (point.contact && point.instant.load.wall == wall)
-        distances.push_back(point.instant.load.pin_distance);
-    depth = std::max(depth, post::missed_depth(std::move(distances), half_width));
-  }
-  return depth;
-}
-
-/// Of pin and wall.
-post::PassingMaterials passing_materials(const model::MechanismCase& mechanism,
-                                         const std::size_t n_bodies) {
-  const model::MechanismDynamics dynamics = model::mechanism_dynamics(mechanism);
-  const loads::PinContact contact = api::pin_contact(mechanism, dynamics.sizes);
-  post::PassingMaterials materials{contact.pin_diameter / contact.contact_modulus,
-                                   dynamics.train.roller ? 0. : dynamics.train.slot_friction,
-                                   std::vector<double>(n_bodies, mechanism.pin.poissons_ratio)};
-  materials.poissons_ratios.front() = mechanism.wheel.poissons_ratio;
-  return materials;
-}
-
-double greatest_of(const std::vector<post::CycleCurvePoint>& curve) {
-  double greatest = 0.;
-  for (const post::CycleCurvePoint& point : curve)
-    if (std::isfinite(point.peak_pressure)) greatest = std::max(greatest, point.peak_pressure);
-  return greatest;
-}
-
-/// What ParaView plays, with the envelope at the nodes of an instant; of a whole wheel in the plane
-/// it also has what passes between the instants, on a mesh that shows it.
-std::map<std::string, std::string> series_of(const std::vector<post::CycleFields>& fields,
-                                             const post::CycleFields& at,
-                                             const post::CycleReport& report, const Case& given) {
-  const std::vector<bool> turning = bodies_that_turn(fields);
-  const post::SeriesOrder order{"driver_angle",
-                                base::output_unit(given.units, base::Dimension::angle).factor,
-                                "cycle", "envelope.vtu"};
-  if (given.dimension == 3 || given.mechanism->is_local || report.curve.empty()) {
-    const auto of_block = of_same_block(fields, at, report.points, given);
-    return post::cycle_series(fields, at.fields,
-                              post::envelope(at, of_block ? *of_block : fields, turning), order, {},
-                              given.units);
-  }
-  const post::PassingMaterials materials = passing_materials(*given.mechanism, turning.size());
-  const double per_pressure = materials.half_width_per_pressure;
-  const double reach = missed_depth_of(report, per_pressure * greatest_of(report.curve));
-  const post::CycleFields fine =
-      post::divided_where_passed(at, turning, report.curve, per_pressure, reach);
-  post::Envelope greatest = post::envelope(fine, fields, turning);
-  post::PassingContact passing = post::passing_contact(fine, turning, report.curve, reach);
-  post::raise_to_passing_field(greatest, fine.fields, passing, materials);
-  return post::cycle_series(fields, fine.fields, greatest, order,
-                            post::surface_pressure(std::move(passing)), given.units);
-}
-
 }  // namespace
 
 Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const mesher,
@@ -266,7 +156,7 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
     const loads::PinContact contact = api::pin_contact(*given.mechanism, dynamics.sizes);
     loads::CycleInstants chosen = instants_of(given, dynamics, contact);
     const std::vector<std::string> moved = api::keep_off_rim(chosen.instants, given, dynamics);
-    Cycle result{given, true, {}, {}};
+    Cycle result{given, true, {}, {}, {}};
     post::CycleReport& report = result.report;
     report.about = model::header_of(given);
     report.geneva_version = version;
@@ -279,8 +169,9 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
       report.points.push_back(
           {instant, loads::hertz_pressure(contact, instant.load.force), std::nullopt, ""});
     result.fields = solve_shared(report.points, given, dynamics.driven, communicator, mesher, tell);
-    report.swings = swings_of(report, given, result.fields, communicator);
+    report.swings = api::swings_of(communicator, given, report, result.fields);
     report.curve = api::curve_of(report.points, dynamics.driven, dynamics.train, contact);
+    result.envelope = api::cycle_envelope(communicator, given, report, result.fields);
     report.work = api::work_of(dynamics.driven, dynamics.train);
     report.limits = api::cycle_limits(given, contact, report);
     report.notices = notices_of(report, given);
@@ -296,19 +187,19 @@ Cycle cycle(const Case& given, const MPI_Comm communicator, mesh::Mesher* const 
 std::string table(const Cycle& cycle) { return post::cycle_table(cycle.report, cycle.given.units); }
 
 Written write(const Cycle& cycle, const std::filesystem::path& directory) {
-  const auto& [given, is_converged, report, fields] = cycle;
+  const auto& [given, is_converged, report, fields, envelope] = cycle;
   std::map<std::string, std::string> texts{
       {"cycle.json", post::cycle_summary(report).dump(2) + "\n"},
       {"cycle.csv", post::cycle_csv(report, given.units)},
       {"cycle_curve.csv", post::cycle_curve_csv(report, given.units)},
       {"mechanism.json", api::mechanism_text(*given.mechanism)}};
-  if (const CyclePoint* const greatest = post::greatest_pressure(report)) {
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const post::CycleFields& one) {
-      return one.when == greatest->instant.load.driver_angle;
-    });
-    if (at != fields.end() && given.dimension == 2)
-      texts["cycle_view.json"] = api::view_text(fields, given.units);
-    if (at != fields.end()) texts.merge(series_of(fields, *at, report, given));
+  if (envelope) {
+    if (given.dimension == 2) texts["cycle_view.json"] = api::view_text(fields, given.units);
+    texts.merge(post::cycle_series(
+        fields, envelope->nodes, envelope->greatest,
+        {"driver_angle", base::output_unit(given.units, base::Dimension::angle).factor, "cycle",
+         "envelope.vtu"},
+        envelope->pressure, given.units));
   }
   return api::write_results(directory, given, "cycle", texts);
 }

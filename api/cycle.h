@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "api/case.h"
+#include "api/cycle_envelope.h"
 #include "api/written.h"
 #include "post/output/cycle_fields.h"
 #include "post/output/cycle_output.h"
@@ -24,7 +26,8 @@ struct Cycle {
   Case given;
   bool is_converged;  ///< whether every instant has the accuracy that the case asks for
   post::CycleReport report;
-  std::vector<post::CycleFields> fields;  ///< of the instants that were solved, on rank 0
+  std::vector<post::CycleFields> fields;       ///< of the instants that were solved, on rank 0
+  std::optional<api::CycleEnvelope> envelope;  ///< on rank 0; none without a greatest pressure
 };
 
 /// Solves the contact at the instants that stand for the engagements, on whichever wall carries;

@@ -27,6 +27,7 @@
 #include "model/model.h"
 #include "model/naming.h"
 #include "post/analysis/safety.h"
+#include "post/output/cycle_series.h"
 
 namespace geneva {
 

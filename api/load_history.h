@@ -11,6 +11,7 @@
 #include "api/case.h"
 #include "api/written.h"
 #include "post/output/cycle_fields.h"
+#include "post/output/envelope.h"
 #include "post/output/load_history_output.h"
 
 namespace geneva {

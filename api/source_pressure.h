@@ -4,6 +4,7 @@
 
 #include "api/found_steps.h"
 #include "post/output/cycle_fields.h"
+#include "post/output/envelope.h"
 
 namespace geneva::api {
 

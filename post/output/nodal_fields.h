@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <boost/serialization/array_wrapper.hpp>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,7 +20,35 @@ struct NodalFields {
 
   template <class Archive>
   void serialize(Archive& archive, const unsigned int /*version*/) {
-    archive& places& displacements& stress& von_mises& cells& bodies;
+    as_block(archive, places);
+    as_block(archive, displacements);
+    as_block(archive, stress);
+    archive& von_mises;
+    std::size_t corners = cells.empty() ? 0 : cells.front().size();  // of each cell
+    std::vector<std::size_t> nodes;
+    nodes.reserve(corners * cells.size());
+    for (const std::vector<std::size_t>& cell : cells)
+      nodes.insert(nodes.end(), cell.begin(), cell.end());
+    archive& corners& nodes& bodies;
+    if constexpr (Archive::is_loading::value) {
+      cells.clear();
+      const auto width = static_cast<std::ptrdiff_t>(corners);
+      for (auto at = nodes.begin(); at != nodes.end(); at += width)
+        cells.emplace_back(at, at + width);
+    }
+  }
+
+ private:
+  /// Boost would take each array for an object of its own.
+  template <class Archive, std::size_t n>
+  static void as_block(Archive& archive, std::vector<std::array<double, n>>& values) {
+    std::size_t size = values.size();
+    archive& size;
+    values.resize(size);
+    if (size > 0) {
+      auto block = boost::serialization::make_array(values.front().data(), n * size);
+      archive& block;
+    }
   }
 };
 

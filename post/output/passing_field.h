@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "post/output/cycle_fields.h"
+#include "post/output/envelope.h"
 #include "post/output/passing_pressure.h"
 
 namespace geneva::post {

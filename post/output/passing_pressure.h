@@ -3,6 +3,8 @@
 #include <vector>
 
 #include "post/output/cycle_fields.h"
+#include "post/output/cycle_output.h"
+#include "post/output/envelope.h"
 
 namespace geneva::post {
 

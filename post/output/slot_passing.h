@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "post/output/cycle_fields.h"
+#include "post/output/cycle_output.h"
 
 namespace geneva::post {
 

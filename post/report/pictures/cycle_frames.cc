@@ -106,12 +106,9 @@ std::array<double, 2> range_beyond(const std::vector<Frame>& frames, const doubl
   return {0., greatest > 0. ? greatest : 1.};
 }
 
-}  // namespace
-
-CycleFrames wheel_frames(const json& view) {
+CycleFrames whole_frames(const std::vector<Frame>& frames) {
   constexpr double margin = 1.04;
   constexpr double left_out = 0.05;  // of the wheel's size, around the contact
-  const std::vector<Frame> frames = frames_of(view);
   const auto x = extent(frames, 0);
   const auto y = extent(frames, 1);
   const double size = margin * std::max(x[1] - x[0], y[1] - y[0]);
@@ -123,9 +120,8 @@ CycleFrames wheel_frames(const json& view) {
   return result;
 }
 
-CycleFrames contact_frames(const json& view, const double half_width) {
+CycleFrames contact_frames(const std::vector<Frame>& frames, const double half_width) {
   constexpr double half_widths_wide = 10.;
-  const std::vector<Frame> frames = frames_of(view);
   const double size = half_widths_wide * half_width;
   CycleFrames result{range_beyond(frames, 0.), {size, size}, {}};
   for (const Frame& frame : frames)
@@ -133,6 +129,13 @@ CycleFrames contact_frames(const json& view, const double half_width) {
         frame, {frame.greatest(), contact_pixels / size, contact_pixels, contact_pixels},
         result.range));
   return result;
+}
+
+}  // namespace
+
+CyclePictures cycle_pictures(const json& view, const double half_width) {
+  const std::vector<Frame> frames = frames_of(view);
+  return {whole_frames(frames), contact_frames(frames, half_width)};
 }
 
 }  // namespace geneva::post

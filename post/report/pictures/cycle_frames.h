@@ -14,14 +14,15 @@ struct CycleFrames {
   std::vector<std::string> images;  ///< PNG files in base 64
 };
 
-/// The whole wheel and the pin, in the wheel's frame; the range leaves out the contact's own
-/// stress.
-/// @param view what cycle_view.json holds
-/// @throws base::InputError if it is damaged
-CycleFrames wheel_frames(const nlohmann::json& view);
+/// Of the same instants.
+struct CyclePictures {
+  CycleFrames whole;  ///< wheel and pin, in the wheel's frame; the range without the contact's own
+  CycleFrames contact;  ///< around the greatest stress of each instant
+};
 
-/// Around the greatest stress of each instant.
+/// @param view what cycle_view.json holds
 /// @param half_width greatest of the contact, in output units, greater than 0
-CycleFrames contact_frames(const nlohmann::json& view, double half_width);
+/// @throws base::InputError if the view is damaged
+CyclePictures cycle_pictures(const nlohmann::json& view, double half_width);
 
 }  // namespace geneva::post

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace geneva::post {
@@ -44,6 +45,20 @@ const std::array<Colour, n_shades>& shades() {
 std::size_t shade_of(const double value) {
   return static_cast<std::size_t>(
       std::lround(std::clamp(value, 0., 1.) * static_cast<double>(n_shades - 1)));
+}
+
+/// Where a horizontal line enters and leaves a triangle.
+std::array<double, 2> ends_at(const double y, const std::array<Picture::Corner, 3>& corners) {
+  std::array<double, 2> ends{std::numeric_limits<double>::max(),
+                             std::numeric_limits<double>::lowest()};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Picture::Corner& one = corners[i];
+    const Picture::Corner& other = corners[(i + 1) % corners.size()];
+    if (one.y == other.y || (one.y - y) * (other.y - y) > 0.) continue;
+    const double x = one.x + (y - one.y) / (other.y - one.y) * (other.x - one.x);
+    ends = {std::min(ends[0], x), std::max(ends[1], x)};
+  }
+  return ends;
 }
 
 }  // namespace
@@ -91,18 +106,20 @@ void Picture::paint(const std::array<Corner, 3>& corners) {
   if (right < 0. || left > width_ || bottom < 0. || top > height_) return;
   const int first_row = std::max(0, static_cast<int>(std::ceil(top - 0.5)));
   const int last_row = std::min(height_ - 1, static_cast<int>(std::floor(bottom - 0.5)));
-  const int first_column = std::max(0, static_cast<int>(std::ceil(left - 0.5)));
-  const int last_column = std::min(width_ - 1, static_cast<int>(std::floor(right - 0.5)));
-  for (int row = first_row; row <= last_row; ++row)
+  for (int row = first_row; row <= last_row; ++row) {
+    const double y = row + 0.5;
+    const auto [first, last] = ends_at(y, corners);
+    const int first_column = std::max(0, static_cast<int>(std::floor(first - 0.5)));
+    const int last_column = std::min(width_ - 1, static_cast<int>(std::ceil(last - 0.5)));
     for (int column = first_column; column <= last_column; ++column) {
       const double x = column + 0.5;
-      const double y = row + 0.5;
       const double of_b = ((x - a.x) * (c.y - a.y) - (c.x - a.x) * (y - a.y)) / area;
       const double of_c = ((b.x - a.x) * (y - a.y) - (x - a.x) * (b.y - a.y)) / area;
       if (of_b < 0. || of_c < 0. || of_b + of_c > 1.) continue;
       pixels_[place_of(column, row)] = static_cast<unsigned char>(
           shade_of(a.value + of_b * (b.value - a.value) + of_c * (c.value - a.value)));
     }
+  }
 }
 
 std::vector<unsigned char> Picture::png() const {
@@ -112,6 +129,7 @@ std::vector<unsigned char> Picture::png() const {
   image.height = static_cast<png_uint_32>(height_);
   image.format = PNG_FORMAT_RGB_COLORMAP;
   image.colormap_entries = n_shades + 1;
+  image.flags = PNG_IMAGE_FLAG_FAST;
   std::vector<Colour> colours(shades().begin(), shades().end());
   colours.push_back(background_);
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);

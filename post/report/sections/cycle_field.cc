@@ -145,8 +145,7 @@ Played steps_played(const json& history, const UnitSystem units) {
 }
 
 CycleField field_of(const json& view, const Played& played) {
-  const CycleFrames whole = wheel_frames(view);
-  const CycleFrames contact = contact_frames(view, played.half_width);
+  const auto [whole, contact] = cycle_pictures(view, played.half_width);
   if (played.instants.size() != whole.images.size())
     throw base::InputError(
         "the fields to play and the document that they belong to differ in number");

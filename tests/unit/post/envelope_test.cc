@@ -1,4 +1,4 @@
-#include "post/output/cycle_fields.h"
+#include "post/output/cycle_series.h"
 
 #include <gtest/gtest.h>
 
