@@ -292,7 +292,7 @@ std::optional<double> AccuracyLoop<dim>::worth_refining() {
 /// @return by what the number of cells grows; nothing if they need none
 template <int dim>
 std::optional<double> AccuracyLoop<dim>::worth_refining_for_strength() {
-  constexpr std::ptrdiff_t most_passes = dim == 2 ? 6 : 1;  // each takes a solve
+  constexpr std::ptrdiff_t most_passes = dim == 2 ? 6 : 2;  // each takes a solve
   const auto& history = solution_.history;
   const auto last_for_contact =
       std::find_if(history.rbegin(), history.rend(),

@@ -232,11 +232,11 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
     }
     BodyStrength<dim> found{maximum_of(solution, stress, is_outside, body, Measure::von_mises),
                             maximum_of(solution, stress, is_outside, body, Measure::tensile)};
-    if (has_contact(solution.problem))
+    if (dim == 2 && has_contact(solution.problem))
       add_left_by_cells(found, maximum_variation(stress, is_outside, body));
     else
       for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
-        maximum->open = open_by_cells(solution, stress, singular, body, *maximum);
+        maximum->open = open_by_cells(solution, stress, is_outside, body, *maximum);
     result.push_back(found);
   }
   return result;

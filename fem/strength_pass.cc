@@ -23,8 +23,8 @@ namespace {
 /// relative error `accuracy`, about: at Kirsch's hole the error is 0.12 to 0.18 times the square.
 double first_share(const double accuracy) { return 2. * std::sqrt(accuracy); }
 
-/// Beside a contact: adds what the mesh before had less, since the cells around have changed the
-/// stress by so much.
+/// Beside a contact in the plane: adds what the mesh before had less, since the cells around have
+/// changed the stress by so much.
 template <int dim>
 void add_change(StressMaximum<dim>& maximum, const double before) {
   constexpr double share_left = 1. / 3.;
@@ -38,6 +38,8 @@ void add_open(StressMaximum<dim>& maximum, const std::vector<StressRecord>& befo
   maximum.error += share_of_open(before, maximum.value, maximum.open) * maximum.open;
 }
 
+/// Beside a contact in 3-D counts all that the cells leave open: meshes that still look for the
+/// contact are no measure of what cancels, and one that is finer elsewhere changes nothing.
 /// @param record of a mesh that one of the maximum
 template <int dim, typename RecordOf>
 void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& before,
@@ -47,6 +49,8 @@ void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& befo
   for (const LevelRecord& level : before) course.push_back(record(level));
   if (!has_contact)
     add_open(maximum, course);
+  else if (dim == 3)
+    maximum.error += maximum.open;
   else if (!course.empty())
     add_change(maximum, course.back().value);
   if (std::isnan(maximum.error)) maximum.error = 1.;  // nothing is known then
@@ -90,7 +94,11 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
   if (!stress_ || !is_open(solution.strength)) return 0;
   std::vector<bool> of_body;
   for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
-  if (!has_contact(solution.problem)) return flag_open(solution, *stress_, singular_, of_body);
+  if (!has_contact(solution.problem))
+    return flag_open<dim>(
+        solution, *stress_, OutsideOfContact<dim>(solution, singular_),
+        [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
+  if constexpr (dim == 3) return flag_in_space(solution, *stress_, singular_, of_body, *accuracy_);
   constexpr double finer = 0.7071;
   constexpr double minimum_share = 1e-3;
   for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)

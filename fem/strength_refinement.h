@@ -8,9 +8,9 @@
 
 namespace geneva::fem {
 
-/// Beside a contact: flags cells outside of its own field over which the stress varies by more than
-/// a share of the body's maximum von Mises stress, none that is flagged already or bounds the
-/// contact.
+/// Beside a contact in the plane: flags cells outside of its own field over which the stress varies
+/// by more than a share of the body's maximum von Mises stress, none that is flagged already or
+/// bounds the contact.
 /// @param of_body whether a body's cells are wanted finer
 /// @param most_share of the maximum; less where no cell varies by so much
 /// @param accuracy wanted relative error of the maxima, > 0
@@ -20,5 +20,14 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
                                const std::vector<SingularPlace<dim>>& singular,
                                const std::vector<bool>& of_body, double most_share,
                                double accuracy);
+
+/// Beside a contact in 3-D: flags the cells that leave most open of the bodies' maxima, see
+/// flag_open(), and those that may hide one; none that bounds the contact.
+/// @param of_body whether a body's cells are wanted finer
+/// @param accuracy wanted relative error of the maxima, > 0
+/// @return number of flagged cells on all ranks
+unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
+                           const std::vector<SingularPlace<3>>& singular,
+                           const std::vector<bool>& of_body, double accuracy);
 
 }  // namespace geneva::fem

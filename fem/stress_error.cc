@@ -19,9 +19,6 @@ double open_by_cell(const double variation, const double measure, const double s
 
 namespace {
 
-template <int dim>
-using OpenCell = typename dealii::DoFHandler<dim>::active_cell_iterator;
-
 /// What a cell leaves open, relative to a maximum of its body.
 struct OpenByCell {
   double of_maximum;  ///< of the maximum where it is
@@ -29,8 +26,8 @@ struct OpenByCell {
 };
 
 template <int dim>
-OpenByCell open_by(const NodalStress<dim>& stress, const std::vector<SingularPlace<dim>>& singular,
-                   const OpenCell<dim>& cell, const StressMaximum<dim>& maximum,
+OpenByCell open_by(const NodalStress<dim>& stress, const OutsideOfContact<dim>& is_outside,
+                   const StressCell<dim>& cell, const StressMaximum<dim>& maximum,
                    const double length) {
   // In the units of the triangulation the model's extent is 1. Farther away a figure's own field is
   // that of the body as a whole and falls no more.
@@ -45,7 +42,7 @@ OpenByCell open_by(const NodalStress<dim>& stress, const std::vector<SingularPla
   for (unsigned int i = 0; i < dim; ++i) place[i] = maximum.place[i] / length;
   constexpr double nearly = 0.95;  // lest rounding and noise choose one of many equal places
   const bool may_be_maximum = maximum_von_mises(stress, cell) + varying >= nearly * maximum.value &&
-                              !is_beside(singular, dealii::Point<dim>(length * cell->center()));
+                              is_outside(stress, cell);
   const double distance = std::min(place.distance(cell->center()), share_of_extent);
   return {at_distance(distance), may_be_maximum ? at_distance(0.) : 0.};
 }
@@ -53,12 +50,12 @@ OpenByCell open_by(const NodalStress<dim>& stress, const std::vector<SingularPla
 /// The greater of what a cell leaves open of its body's two maxima.
 template <int dim>
 double open_by(const Solution<dim>& solution, const NodalStress<dim>& stress,
-               const std::vector<SingularPlace<dim>>& singular, const OpenCell<dim>& cell) {
+               const OutsideOfContact<dim>& is_outside, const StressCell<dim>& cell) {
   const BodyStrength<dim>& body = solution.strength[cell->material_id()];
   double result = 0.;
   for (const StressMaximum<dim>* const maximum : {&body.von_mises, &body.tensile})
     if (maximum->value > 0.) {
-      const OpenByCell open = open_by(stress, singular, cell, *maximum, solution.scales.length);
+      const OpenByCell open = open_by(stress, is_outside, cell, *maximum, solution.scales.length);
       result = std::max({result, open.of_maximum, open.of_own});
     }
   return result;
@@ -88,14 +85,14 @@ double bulk_threshold(const std::vector<double>& numbers, const double share,
 
 template <int dim>
 double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                     const std::vector<SingularPlace<dim>>& singular, const unsigned int body,
+                     const OutsideOfContact<dim>& is_outside, const unsigned int body,
                      const StressMaximum<dim>& maximum) {
   if (maximum.value == 0.) return 0.;
   double sum = 0.;
   double of_own = 0.;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->material_id() != body) continue;
-    const OpenByCell open = open_by(stress, singular, cell, maximum, solution.scales.length);
+    const OpenByCell open = open_by(stress, is_outside, cell, maximum, solution.scales.length);
     sum += open.of_maximum;
     of_own = std::max(of_own, open.of_own);
   }
@@ -106,17 +103,16 @@ double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stre
 
 template <int dim>
 unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                       const std::vector<SingularPlace<dim>>& singular,
-                       const std::vector<bool>& of_body) {
-  constexpr double bulk = 0.5;
+                       const OutsideOfContact<dim>& is_outside,
+                       const std::function<bool(const StressCell<dim>&)>& may_be_finer,
+                       const double bulk) {
   std::vector<double> open;
-  std::vector<OpenCell<dim>> cells;
+  std::vector<StressCell<dim>> cells;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned() || !of_body[cell->material_id()] ||
-        cell->level() >= deepest_level<dim>)
+    if (!cell->is_locally_owned() || cell->level() >= deepest_level<dim> || !may_be_finer(cell))
       continue;
     cells.push_back(cell);
-    open.push_back(open_by(solution, stress, singular, cell));
+    open.push_back(open_by(solution, stress, is_outside, cell));
   }
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
   const double threshold = bulk_threshold(open, bulk, communicator);
@@ -149,13 +145,13 @@ double share_of_open(const std::vector<StressRecord>& before, const double value
 template double open_by_cell<2>(double, double, double, double);
 template double open_by_cell<3>(double, double, double, double);
 
-#define INSTANTIATE(dim)                                                              \
-  template double open_by_cells(const Solution<dim>&, const NodalStress<dim>&,        \
-                                const std::vector<SingularPlace<dim>>&, unsigned int, \
-                                const StressMaximum<dim>&);                           \
-  template unsigned int flag_open(const Solution<dim>&, const NodalStress<dim>&,      \
-                                  const std::vector<SingularPlace<dim>>&,             \
-                                  const std::vector<bool>&);
+#define INSTANTIATE(dim)                                                         \
+  template double open_by_cells(const Solution<dim>&, const NodalStress<dim>&,   \
+                                const OutsideOfContact<dim>&, unsigned int,      \
+                                const StressMaximum<dim>&);                      \
+  template unsigned int flag_open(const Solution<dim>&, const NodalStress<dim>&, \
+                                  const OutsideOfContact<dim>&,                  \
+                                  const std::function<bool(const StressCell<dim>&)>&, double);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

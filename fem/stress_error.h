@@ -2,10 +2,11 @@
 
 #include <deal.II/base/point.h>
 
+#include <functional>
 #include <vector>
 
 #include "fem/adaptivity/level_record.h"
-#include "fem/singular_places.h"
+#include "fem/outside_of_contact.h"
 #include "fem/solution.h"
 #include "fem/stress_recovery.h"
 
@@ -32,22 +33,23 @@ template <int dim>
 double open_by_cell(double variation, double measure, double size, double distance);
 
 /// What all cells of a body leave open of its maximum, and one cell whose own stress may be that,
-/// relative to it; beside singular places, where no maximum is looked for, no stress may be. Beyond
-/// a tenth of the model's extent r counts no more: there a figure's own field is that of the body
-/// as a whole, and falls no farther.
+/// relative to it; inside of a contact's own field and beside singular places, where no maximum is
+/// looked for, no stress may be. Beyond a tenth of the model's extent r counts no more: there a
+/// figure's own field is that of the body as a whole, and falls no farther.
 template <int dim>
 double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                     const std::vector<SingularPlace<dim>>& singular, unsigned int body,
+                     const OutsideOfContact<dim>& is_outside, unsigned int body,
                      const StressMaximum<dim>& maximum);
 
-/// Without contact: flags the cells that leave most open of their bodies' maxima, half of all
-/// together.
-/// @param of_body whether a body's cells are wanted finer
+/// Flags the cells that leave most open of their bodies' maxima.
+/// @param may_be_finer whether a cell may be flagged
+/// @param bulk share of all that they leave open together, between 0 and 1
 /// @return number of flagged cells on all ranks
 template <int dim>
 unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                       const std::vector<SingularPlace<dim>>& singular,
-                       const std::vector<bool>& of_body);
+                       const OutsideOfContact<dim>& is_outside,
+                       const std::function<bool(const StressCell<dim>&)>& may_be_finer,
+                       double bulk = 0.5);
 
 /// Which share of what the cells leave open, none of their errors cancelling, is an error: by how
 /// much the value has changed over what has been closed since earlier meshes, at most over three
