@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/vector.hpp>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 namespace geneva::post {
 namespace {
@@ -70,6 +75,38 @@ TEST(Envelope, FollowsTheWheelAndTheTurningPin) {
     EXPECT_NEAR(greatest.von_mises[node], std::sqrt(std::pow(1.5 * here, 2) + 0.03), 1e-9) << node;
     EXPECT_EQ(greatest.von_mises_when[node], 0.1) << node;
   }
+}
+
+TEST(Envelope, AtSomeNodesIsThatOfAllOfThem) {
+  const std::vector<CycleFields> instants{instant(-0.5, 2., 0., 1.), instant(0.1, 1.7, 0.4, 1.5),
+                                          instant(0.6, 1.2, 1.1, 0.5)};
+  const std::vector<bool> turning{false, true};
+  const Envelope whole = envelope(instants[1], instants, turning);
+  const std::vector<std::size_t> nodes{6, 1, 2};
+  EnvelopeOfNodes some(instants[1], turning, nodes);
+  for (const CycleFields& at : instants) some.add(at);
+  const Envelope found = std::move(some).result();
+  ASSERT_EQ(found.von_mises.size(), nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    EXPECT_EQ(found.von_mises[i], whole.von_mises[nodes[i]]);
+    EXPECT_EQ(found.first_principal_when[i], whole.first_principal_when[nodes[i]]);
+    EXPECT_EQ(found.max_shear[i], whole.max_shear[nodes[i]]);
+    EXPECT_EQ(found.tension_least[i], whole.tension_least[nodes[i]]);
+  }
+}
+
+TEST(NodalFields, TravelAsTheyAre) {
+  const NodalFields sent = instant(0.1, 2., 0.3, 1.5).fields;
+  std::stringstream stream;
+  boost::archive::binary_oarchive(stream) << sent;
+  NodalFields found;
+  boost::archive::binary_iarchive(stream) >> found;
+  EXPECT_EQ(found.places, sent.places);
+  EXPECT_EQ(found.displacements, sent.displacements);
+  EXPECT_EQ(found.stress, sent.stress);
+  EXPECT_EQ(found.von_mises, sent.von_mises);
+  EXPECT_EQ(found.cells, sent.cells);
+  EXPECT_EQ(found.bodies, sent.bodies);
 }
 
 /// As instant(), with a tension along the body's own x axis: a pin's turns with it.
