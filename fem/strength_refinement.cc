@@ -103,12 +103,10 @@ double share_to_halve(const BodyStrength<dim>& body, const double accuracy) {
 
 /// Share of what the cells leave open whose cells are to be halved. Halved, a cell leaves a
 /// quarter, so that 1 - 3/4 of the share is left; what one mesh cannot do is left to the next.
-double bulk_to_refine(const std::vector<BodyStrength<3>>& strength, const double accuracy) {
+double bulk_to_refine(const BodyStrength<3>& body, const double accuracy) {
   constexpr double least = 0.3;
   constexpr double most = 0.6;
-  double error = 0.;
-  for (const BodyStrength<3>& body : strength)
-    error = std::max({error, body.von_mises.error, body.tensile.error});
+  const double error = std::max(body.von_mises.error, body.tensile.error);
   return std::clamp((1. - accuracy / error) / 0.75, least, most);
 }
 
@@ -151,22 +149,26 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
     return of_body[cell->material_id()] && !cell->refine_flag_set() &&
            !belongs_to_contact(solution, cell);
   };
-  unsigned int flagged = 0;
+  unsigned int hiding = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->level() >= deepest_level<3> || !may_be_finer(cell) ||
         !hides_high_stress(stress, solution.strength[cell->material_id()], is_outside,
                            solution.scales.length, cell))
       continue;
     cell->set_refine_flag();
-    ++flagged;
+    ++hiding;
   }
-  return dealii::Utilities::MPI::sum(flagged, solution.dof_handler->get_communicator()) +
-         flag_open<3>(
-             solution, stress, is_outside,
-             [&](const StressCell<3>& cell) {
-               return may_be_finer(cell) && is_outside(stress, cell);
-             },
-             bulk_to_refine(solution.strength, accuracy));
+  unsigned int flagged =
+      dealii::Utilities::MPI::sum(hiding, solution.dof_handler->get_communicator());
+  for (unsigned int body = 0; body < of_body.size(); ++body)
+    if (of_body[body])
+      flagged += flag_open<3>(
+          solution, stress, is_outside,
+          [&](const StressCell<3>& cell) {
+            return cell->material_id() == body && may_be_finer(cell) && is_outside(stress, cell);
+          },
+          bulk_to_refine(solution.strength[body], accuracy));
+  return flagged;
 }
 
 #define INSTANTIATE(dim)                                                                 \
