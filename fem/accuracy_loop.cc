@@ -247,7 +247,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_strength() {
   if (refinement_.state().n_refinements >= settings_.max_levels)
     return stop_at_limit(Outcome::refinement_limit, refinement_.state().n_refinements + 1.,
                          settings_.max_levels);
-  const unsigned int flagged = strength_.flag(solution_);
+  const unsigned int flagged = strength_.flag(solution_, true);
   if (flagged == 0) return Stop{Outcome::no_progress};
   return limits_.exceeded_by_next(refinement_.choose_flagged(flagged, solution_.history),
                                   solution_.history, seconds_before_);
@@ -278,7 +278,8 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
   // Else it is not known yet whether there is a contact.
   const LevelRecord& now = solution_.history.back();
   if (now.peak_pressure > 0. && !now.cycled)
-    *growth += RefinementPass<dim>::growth_by_flagged(strength_.flag(solution_), solution_.history);
+    *growth +=
+        RefinementPass<dim>::growth_by_flagged(strength_.flag(solution_, false), solution_.history);
   return limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
 }
 
@@ -300,7 +301,7 @@ std::optional<double> AccuracyLoop<dim>::worth_refining_for_strength() {
   if (last_for_contact - history.rbegin() >= most_passes ||
       refinement_.state().n_refinements >= settings_.max_levels)
     return std::nullopt;
-  const unsigned int flagged = strength_.flag(solution_);
+  const unsigned int flagged = strength_.flag(solution_, true);
   if (flagged == 0) return std::nullopt;
   return refinement_.choose_flagged(flagged, solution_.history);
 }

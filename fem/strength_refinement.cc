@@ -101,15 +101,6 @@ double share_to_halve(const BodyStrength<dim>& body, const double accuracy) {
                     0.7071);
 }
 
-/// Share of what the cells leave open whose cells are to be halved. Halved, a cell leaves a
-/// quarter, so that 1 - 3/4 of the share is left; what one mesh cannot do is left to the next.
-double bulk_to_refine(const BodyStrength<3>& body, const double accuracy) {
-  constexpr double least = 0.3;
-  constexpr double most = 0.6;
-  const double error = std::max(body.von_mises.error, body.tensile.error);
-  return std::clamp((1. - accuracy / error) / 0.75, least, most);
-}
-
 }  // namespace
 
 template <int dim>
@@ -143,7 +134,7 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
 
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body, const double accuracy) {
+                           const std::vector<bool>& of_body, const double bulk) {
   const OutsideOfContact<3> is_outside(solution, singular);
   const auto may_be_finer = [&](const StressCell<3>& cell) {
     return of_body[cell->material_id()] && !cell->refine_flag_set() &&
@@ -167,7 +158,7 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
           [&](const StressCell<3>& cell) {
             return cell->material_id() == body && may_be_finer(cell) && is_outside(stress, cell);
           },
-          bulk_to_refine(solution.strength[body], accuracy));
+          bulk);
   return flagged;
 }
 

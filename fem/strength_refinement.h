@@ -24,10 +24,10 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
 /// Beside a contact in 3-D: flags the cells that leave most open of the bodies' maxima, see
 /// flag_open(), and those that may hide one; none that bounds the contact.
 /// @param of_body whether a body's cells are wanted finer
-/// @param accuracy wanted relative error of the maxima, > 0
+/// @param bulk share of what a body's cells leave open together, between 0 and 1
 /// @return number of flagged cells on all ranks
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body, double accuracy);
+                           const std::vector<bool>& of_body, double bulk);
 
 }  // namespace geneva::fem
