@@ -103,16 +103,18 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool i
     return flag_open<dim>(
         solution, *stress_, OutsideOfContact<dim>(solution, singular_),
         [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
-  if constexpr (dim == 3)
+  if constexpr (dim == 3) {
     return flag_in_space(solution, *stress_, singular_, of_body,
                          is_alone ? bulk_alone : bulk_beside);
-  constexpr double finer = 0.7071;
-  constexpr double minimum_share = 1e-3;
-  for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
-    if (const unsigned int flagged =
-            flag_for_strength(solution, *stress_, singular_, of_body, share, *accuracy_))
-      return flagged;
-  return 0;
+  } else {
+    constexpr double finer = 0.7071;
+    constexpr double minimum_share = 1e-3;
+    for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
+      if (const unsigned int flagged =
+              flag_in_plane(solution, *stress_, singular_, of_body, share, *accuracy_))
+        return flagged;
+    return 0;
+  }
 }
 
 template <int dim>

@@ -72,43 +72,40 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
 
 /// Whether a cell may hide a maximum and has a node outside of the contacts' own field with more
 /// than half of a body's maximum.
-template <int dim>
-bool hides_high_stress(const NodalStress<dim>& stress, const BodyStrength<dim>& body,
-                       const OutsideOfContact<dim>& is_outside, const double length,
-                       const StressCell<dim>& cell) {
+bool hides_high_stress(const NodalStress<3>& stress, const BodyStrength<3>& body,
+                       const OutsideOfContact<3>& is_outside, const double length,
+                       const StressCell<3>& cell) {
   constexpr double high = 0.5;
   const auto vertices = cell->vertex_indices();
   const auto is_high = [&](const unsigned int vertex) {
     const auto value = [&](const Measure measure) {
-      return measured<dim>(stress.values, cell, vertex, measure);
+      return measured<3>(stress.values, cell, vertex, measure);
     };
     const double von_mises = value(Measure::von_mises);
     return (von_mises > high * body.von_mises.value ||
             (body.tensile.value > 0. && value(Measure::tensile) > high * body.tensile.value)) &&
-           is_outside(Point<dim>(length * cell->vertex(vertex)), cell->material_id(), von_mises,
+           is_outside(Point<3>(length * cell->vertex(vertex)), cell->material_id(), von_mises,
                       OwnFieldShare::usual);
   };
-  return dim == 3 && cell->at_boundary() &&
-         std::any_of(vertices.begin(), vertices.end(), is_high) && may_hide_maximum<dim>(cell);
+  return cell->at_boundary() && std::any_of(vertices.begin(), vertices.end(), is_high) &&
+         may_hide_maximum<3>(cell);
 }
 
 /// Share of the greatest variation over a cell above which cells are halved. Errors go with its
 /// square, so that the root of accuracy over error is left; to less than a half one mesh cannot
 /// lower it.
-template <int dim>
-double share_to_halve(const BodyStrength<dim>& body, const double accuracy) {
+double share_to_halve(const BodyStrength<2>& body, const double accuracy) {
   return std::clamp(std::sqrt(accuracy / std::max(body.von_mises.error, body.tensile.error)), 0.5,
                     0.7071);
 }
 
 }  // namespace
 
-template <int dim>
-unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                               const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, const double most_share,
-                               const double accuracy) {
-  const OutsideOfContact<dim> is_outside(solution, singular);
+unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& stress,
+                           const std::vector<SingularPlace<2>>& singular,
+                           const std::vector<bool>& of_body, const double most_share,
+                           const double accuracy) {
+  const OutsideOfContact<2> is_outside(solution, singular);
   std::vector<double> limits(of_body.size(), std::numeric_limits<double>::max());
   for (unsigned int body = 0; body < of_body.size(); ++body)
     if (of_body[body])
@@ -119,13 +116,10 @@ unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     const unsigned int body = cell->material_id();
     if (!cell->is_locally_owned() || !of_body[body] || cell->refine_flag_set() ||
-        cell->level() >= deepest_level<dim>)
+        cell->level() >= deepest_level<2>)
       continue;
     const bool varies = variation(stress, cell) > limits[body] && is_outside(stress, cell);
-    if (!varies && !hides_high_stress(stress, solution.strength[body], is_outside,
-                                      solution.scales.length, cell))
-      continue;
-    if (belongs_to_contact(solution, cell)) continue;
+    if (!varies || belongs_to_contact(solution, cell)) continue;
     cell->set_refine_flag();
     ++flagged;
   }
@@ -161,13 +155,5 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
           bulk);
   return flagged;
 }
-
-#define INSTANTIATE(dim)                                                                 \
-  template unsigned int flag_for_strength(const Solution<dim>&, const NodalStress<dim>&, \
-                                          const std::vector<SingularPlace<dim>>&,        \
-                                          const std::vector<bool>&, double, double);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
 
 }  // namespace geneva::fem

@@ -15,11 +15,9 @@ namespace geneva::fem {
 /// @param most_share of the maximum; less where no cell varies by so much
 /// @param accuracy wanted relative error of the maxima, > 0
 /// @return number of flagged cells on all ranks
-template <int dim>
-unsigned int flag_for_strength(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                               const std::vector<SingularPlace<dim>>& singular,
-                               const std::vector<bool>& of_body, double most_share,
-                               double accuracy);
+unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& stress,
+                           const std::vector<SingularPlace<2>>& singular,
+                           const std::vector<bool>& of_body, double most_share, double accuracy);
 
 /// Beside a contact in 3-D: flags the cells that leave most open of the bodies' maxima, see
 /// flag_open(), and those that may hide one; none that bounds the contact.
