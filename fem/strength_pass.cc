@@ -90,12 +90,7 @@ bool StrengthPass<dim>::is_open(const std::vector<BodyStrength<dim>>& strength) 
 }
 
 template <int dim>
-unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool is_alone) const {
-  // In 3-D: a mesh for the maxima alone costs a whole solve, and takes nearly all. Before the
-  // contact is found so much would be refined where it is not wanted (johnson-optimum-3d: twice the
-  // unknowns).
-  constexpr double bulk_alone = 0.95;
-  constexpr double bulk_beside = 0.5;
+unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
   if (!stress_ || !is_open(solution.strength)) return 0;
   std::vector<bool> of_body;
   for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
@@ -104,8 +99,7 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool i
         solution, *stress_, OutsideOfContact<dim>(solution, singular_),
         [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
   if constexpr (dim == 3) {
-    return flag_in_space(solution, *stress_, singular_, of_body,
-                         is_alone ? bulk_alone : bulk_beside);
+    return flag_in_space(solution, *stress_, singular_, of_body);
   } else {
     constexpr double finer = 0.7071;
     constexpr double minimum_share = 1e-3;

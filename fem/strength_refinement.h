@@ -22,10 +22,9 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 /// Beside a contact in 3-D: flags the cells that leave most open of the bodies' maxima, see
 /// flag_open(), and those that may hide one; none that bounds the contact.
 /// @param of_body whether a body's cells are wanted finer
-/// @param bulk share of what a body's cells leave open together, between 0 and 1
 /// @return number of flagged cells on all ranks
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body, double bulk);
+                           const std::vector<bool>& of_body);
 
 }  // namespace geneva::fem
