@@ -247,7 +247,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_strength() {
   if (refinement_.state().n_refinements >= settings_.max_levels)
     return stop_at_limit(Outcome::refinement_limit, refinement_.state().n_refinements + 1.,
                          settings_.max_levels);
-  const unsigned int flagged = strength_.flag(solution_);
+  const unsigned int flagged = strength_.flag(solution_, true);
   if (flagged == 0) return Stop{Outcome::no_progress};
   return limits_.exceeded_by_next(refinement_.choose_flagged(flagged, solution_.history),
                                   solution_.history, seconds_before_);
@@ -265,7 +265,9 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
   if (const auto stop = why()) {
     if (!is_success(stop->outcome)) return stop;
     const auto growth = worth_refining_for_strength();
-    return growth ? limits_.exceeded_by_next(*growth, solution_.history, seconds_before_) : stop;
+    const bool is_possible =
+        growth && !limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
+    return is_possible ? std::nullopt : stop;
   }
   std::optional<double> growth = worth_refining();
   if (!growth) {  // only the zone's part of the error is left
@@ -275,11 +277,10 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
     if (const auto stop = why()) return stop;
     growth = worth_refining();
   }
-  // In 3-D they have meshes of their own, lest finer cells near the contact draw its own along.
   // Else it is not known yet whether there is a contact.
   const LevelRecord& now = solution_.history.back();
-  if (dim == 2 && now.peak_pressure > 0. && !now.cycled)
-    *growth += RefinementPass<dim>::growth_by_flagged(strength_.flag(solution_), solution_.history);
+  if (now.peak_pressure > 0. && !now.cycled)
+    *growth += refinement_.take_along(strength_.flag(solution_, false), solution_.history);
   return limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
 }
 
@@ -301,7 +302,7 @@ std::optional<double> AccuracyLoop<dim>::worth_refining_for_strength() {
   if (last_for_contact - history.rbegin() >= most_passes ||
       refinement_.state().n_refinements >= settings_.max_levels)
     return std::nullopt;
-  const unsigned int flagged = strength_.flag(solution_);
+  const unsigned int flagged = strength_.flag(solution_, true);
   if (flagged == 0) return std::nullopt;
   return refinement_.choose_flagged(flagged, solution_.history);
 }

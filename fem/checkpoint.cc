@@ -125,6 +125,7 @@ void visit_state(State& state, const Visit& visit) {
   visit("open_gap", state.open_gap);
   visit("same_open_gaps", state.same_open_gaps);
   visit("unevenness_levelled", state.unevenness_levelled);
+  visit("cells_beside", state.cells_beside);
 }
 
 json written(const StrengthRecord& record) {

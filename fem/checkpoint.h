@@ -19,6 +19,7 @@ struct RefinementState {
   double open_gap = std::numeric_limits<double>::max();  ///< least gap of the last open mesh
   unsigned int same_open_gaps = 0;                       ///< meshes in a row that left it as it was
   double unevenness_levelled = std::numeric_limits<double>::max();  ///< before the last levelling
+  unsigned int cells_beside = 0;  ///< more cells for the stresses away from the contacts, at least
 };
 
 /// All that the nested iteration needs to go on from a mesh that it has solved.

@@ -144,7 +144,8 @@ double RefinementPass<dim>::choose_flagged(const unsigned int flagged, const His
 }
 
 template <int dim>
-double RefinementPass<dim>::growth_by_flagged(const unsigned int flagged, const History& history) {
+double RefinementPass<dim>::take_along(const unsigned int flagged, const History& history) {
+  state_.cells_beside += ((1U << dim) - 1U) * flagged;
   return growth_by<dim>(flagged, history) - 1.;
 }
 
@@ -167,7 +168,7 @@ double RefinementPass<dim>::level_off(const Equilibrium<dim>& equilibrium, const
 }
 
 /// Whether the part of the surroundings is still to be measured, on a mesh where the pressure is of
-/// use or because a finer zone is dear.
+/// use or because a finer zone is dear beside the cells that are there for the contact.
 template <int dim>
 bool RefinementPass<dim>::surroundings_come_first(const Equilibrium<dim>& equilibrium,
                                                   const LevelState& found, const History& history,
@@ -179,8 +180,10 @@ bool RefinementPass<dim>::surroundings_come_first(const Equilibrium<dim>& equili
   if (dim == 2 || is_measured || !is_resolved(history)) return false;
   if (error.zone < 1.) return true;
   refined_ = Refined::zone;
-  const bool result =
-      growth_by<dim>(flag(equilibrium, found.displacement, history), history) > dear;
+  LevelRecord for_contact = history.back();
+  for_contact.cells -= state_.cells_beside;
+  const double flagged = flag(equilibrium, found.displacement, history);
+  const bool result = growth_by<dim>(flagged, {for_contact}) > dear;
   for (const auto& cell : equilibrium.mesh().triangulation->active_cell_iterators())
     cell->clear_refine_flag();
   return result;

@@ -98,6 +98,19 @@ bool is_free(const BoundaryTractions<dim>& tractions, const CoarseFace& face) {
   return kind == TractionKind::given || kind == TractionKind::contact;
 }
 
+/// Where a face that is held along its normal alone goes on as one that is not: a plane of symmetry
+/// there would have a crack beside it.
+template <int dim>
+const CoarseFace* end_of_normal_support(const std::vector<CoarseFace>& faces,
+                                        const BoundaryTractions<dim>& tractions) {
+  for (const CoarseFace& one : faces)
+    for (const CoarseFace& other : faces)
+      if (tractions.surfaces[one.surface].kind == TractionKind::mirrored &&
+          is_free(tractions, other) && is_smooth(one, other))
+        return &one;
+  return nullptr;
+}
+
 /// What makes the stress singular at a ridge, and the surface that it belongs to.
 template <int dim>
 std::optional<std::pair<Singularity, unsigned int>> singularity(
@@ -108,6 +121,8 @@ std::optional<std::pair<Singularity, unsigned int>> singularity(
                                     [&](const auto& face) { return is_free(tractions, face); });
   if (held != faces.end() && has_free)
     return std::make_pair(Singularity::end_of_support, held->surface);
+  if (const CoarseFace* const mirrored = end_of_normal_support(faces, tractions))
+    return std::make_pair(Singularity::end_of_support, mirrored->surface);
   if (is_re_entrant(faces))
     return std::make_pair(Singularity::re_entrant_corner, faces.front().surface);
   return std::nullopt;

@@ -31,28 +31,16 @@ void add_change(StressMaximum<dim>& maximum, const double before) {
   if (before > 0.) maximum.error += share_left * std::abs(before / maximum.value - 1.);
 }
 
-/// Without contact: adds what the cells leave open, as much of it as earlier meshes have shown to
-/// be so.
+/// Without contact and in 3-D counts all that the cells leave open: how much of it cancels does not
+/// show in what earlier meshes have closed, since near cells are finer first.
+/// @param before value on the mesh before; 0: there was none
 template <int dim>
-void add_open(StressMaximum<dim>& maximum, const std::vector<StressRecord>& before) {
-  maximum.error += share_of_open(before, maximum.value, maximum.open) * maximum.open;
-}
-
-/// Beside a contact in 3-D counts all that the cells leave open: meshes that still look for the
-/// contact are no measure of what cancels, and one that is finer elsewhere changes nothing.
-/// @param record of a mesh that one of the maximum
-template <int dim, typename RecordOf>
-void add_error(StressMaximum<dim>& maximum, const std::vector<LevelRecord>& before,
-               const bool has_contact, const RecordOf& record) {
+void add_error(StressMaximum<dim>& maximum, const bool has_contact, const double before) {
   if (maximum.value == 0.) return;
-  std::vector<StressRecord> course;
-  for (const LevelRecord& level : before) course.push_back(record(level));
-  if (!has_contact)
-    add_open(maximum, course);
-  else if (dim == 3)
+  if (dim == 3 || !has_contact)
     maximum.error += maximum.open;
-  else if (!course.empty())
-    add_change(maximum, course.back().value);
+  else
+    add_change(maximum, before);
   if (std::isnan(maximum.error)) maximum.error = 1.;  // nothing is known then
 }
 
@@ -66,11 +54,11 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
   singular_ = by_geometry_;
   for (const SingularPlace<dim>& place : grown_places(mesh_, before)) singular_.push_back(place);
   std::vector<BodyStrength<dim>> found = strength(solution, *stress_, singular_);
+  const bool with_contact = has_contact(solution.problem);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    add_error(found[i].von_mises, before, has_contact(solution.problem),
-              [i](const LevelRecord& level) { return level.strength[i].von_mises; });
-    add_error(found[i].tensile, before, has_contact(solution.problem),
-              [i](const LevelRecord& level) { return level.strength[i].tensile; });
+    const StrengthRecord last = before.empty() ? StrengthRecord{} : before.back().strength[i];
+    add_error(found[i].von_mises, with_contact, last.von_mises.value);
+    add_error(found[i].tensile, with_contact, last.tensile.value);
   }
   return found;
 }
@@ -90,7 +78,7 @@ bool StrengthPass<dim>::is_open(const std::vector<BodyStrength<dim>>& strength) 
 }
 
 template <int dim>
-unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
+unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool is_alone) const {
   if (!stress_ || !is_open(solution.strength)) return 0;
   std::vector<bool> of_body;
   for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
@@ -99,7 +87,7 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution) const {
         solution, *stress_, OutsideOfContact<dim>(solution, singular_),
         [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
   if constexpr (dim == 3) {
-    return flag_in_space(solution, *stress_, singular_, of_body);
+    return flag_in_space(solution, *stress_, singular_, of_body, *accuracy_, is_alone);
   } else {
     constexpr double finer = 0.7071;
     constexpr double minimum_share = 1e-3;

@@ -99,6 +99,17 @@ double share_to_halve(const BodyStrength<2>& body, const double accuracy) {
                     0.7071);
 }
 
+/// Share of what is open that the next mesh must take for the accuracy and a reserve, since halved
+/// cells still leave a quarter. Meshes for the contact take at most a half, for there are more of
+/// them; one that is made for the maxima alone costs a whole solve, and takes more.
+double share_to_refine(const BodyStrength<3>& body, const double accuracy, const bool is_alone) {
+  constexpr double closed = 0.75;
+  constexpr double reserve = 0.3;
+  const double error = std::max(body.von_mises.error, body.tensile.error);
+  const double wanted = (1. - (1. - reserve) * accuracy / error) / closed;
+  return is_alone ? std::clamp(wanted, 0.5, 0.95) : std::clamp(wanted, 0.1, 0.5);
+}
+
 }  // namespace
 
 unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& stress,
@@ -128,8 +139,8 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body) {
-  constexpr double bulk = 0.95;  // a mesh for the maxima costs a whole solve, and takes nearly all
+                           const std::vector<bool>& of_body, const double accuracy,
+                           const bool is_alone) {
   const OutsideOfContact<3> is_outside(solution, singular);
   const auto may_be_finer = [&](const StressCell<3>& cell) {
     return of_body[cell->material_id()] && !cell->refine_flag_set() &&
@@ -153,7 +164,7 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
           [&](const StressCell<3>& cell) {
             return cell->material_id() == body && may_be_finer(cell) && is_outside(stress, cell);
           },
-          bulk);
+          share_to_refine(solution.strength[body], accuracy, is_alone));
   return flagged;
 }
 

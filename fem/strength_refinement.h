@@ -22,9 +22,11 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 /// Beside a contact in 3-D: flags the cells that leave most open of the bodies' maxima, see
 /// flag_open(), and those that may hide one; none that bounds the contact.
 /// @param of_body whether a body's cells are wanted finer
+/// @param accuracy wanted relative error of the maxima, > 0
+/// @param is_alone whether the next mesh is for the maxima alone
 /// @return number of flagged cells on all ranks
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body);
+                           const std::vector<bool>& of_body, double accuracy, bool is_alone);
 
 }  // namespace geneva::fem

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "fem/discretisation/cell_measure.h"
+#include "fem/discretisation/cell_parts.h"
 #include "fem/discretisation/refined_mesh.h"
 #include "fem/stress_variation.h"
 
@@ -33,30 +34,34 @@ OpenByCell open_by(const NodalStress<dim>& stress, const OutsideOfContact<dim>& 
   // that of the body as a whole and falls no more.
   constexpr double share_of_extent = 0.1;
   const double varying = variation(stress, cell);
-  const double measure = cell_measure<dim>(cell);
-  const double size = std::pow(measure, 1. / dim);
-  const auto at_distance = [&](const double distance) {
-    return open_by_cell<dim>(varying, measure, size, distance) / maximum.value;
+  const CellParts<dim> parts = parts_of<dim>(cell);
+  const double size = std::pow(parts.measure, 1. / dim);
+  const auto at_place = [&](const dealii::Point<dim>& place) {
+    double sum = 0.;
+    for (const dealii::Point<dim>& centre : parts.centres)
+      sum += open_by_cell<dim>(varying, parts.measure, size,
+                               std::min(place.distance(centre), share_of_extent));
+    return sum / maximum.value;
   };
   dealii::Point<dim> place;
   for (unsigned int i = 0; i < dim; ++i) place[i] = maximum.place[i] / length;
   constexpr double nearly = 0.95;  // lest rounding and noise choose one of many equal places
   const bool may_be_maximum = maximum_von_mises(stress, cell) + varying >= nearly * maximum.value &&
                               is_outside(stress, cell);
-  const double distance = std::min(place.distance(cell->center()), share_of_extent);
-  return {at_distance(distance), may_be_maximum ? at_distance(0.) : 0.};
+  return {at_place(place), may_be_maximum ? at_place(cell->center()) : 0.};
 }
 
 /// The greater of what a cell leaves open of its body's two maxima.
 template <int dim>
-double open_by(const Solution<dim>& solution, const NodalStress<dim>& stress,
-               const OutsideOfContact<dim>& is_outside, const StressCell<dim>& cell) {
+OpenByCell open_by(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                   const OutsideOfContact<dim>& is_outside, const StressCell<dim>& cell) {
   const BodyStrength<dim>& body = solution.strength[cell->material_id()];
-  double result = 0.;
+  OpenByCell result{0., 0.};
   for (const StressMaximum<dim>* const maximum : {&body.von_mises, &body.tensile})
     if (maximum->value > 0.) {
       const OpenByCell open = open_by(stress, is_outside, cell, *maximum, solution.scales.length);
-      result = std::max({result, open.of_maximum, open.of_own});
+      result.of_maximum = std::max(result.of_maximum, open.of_maximum);
+      result.of_own = std::max(result.of_own, open.of_own);
     }
   return result;
 }
@@ -106,40 +111,28 @@ unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& st
                        const OutsideOfContact<dim>& is_outside,
                        const std::function<bool(const StressCell<dim>&)>& may_be_finer,
                        const double bulk) {
-  std::vector<double> open;
+  constexpr double matters = 0.1;
   std::vector<StressCell<dim>> cells;
+  std::vector<double> of_maximum, of_own;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->level() >= deepest_level<dim> || !may_be_finer(cell))
       continue;
+    const OpenByCell open = open_by(solution, stress, is_outside, cell);
     cells.push_back(cell);
-    open.push_back(open_by(solution, stress, is_outside, cell));
+    of_maximum.push_back(open.of_maximum);
+    of_own.push_back(open.of_own);
   }
   const MPI_Comm communicator = solution.dof_handler->get_communicator();
-  const double threshold = bulk_threshold(open, bulk, communicator);
+  const double sum = dealii::Utilities::MPI::sum(
+      std::accumulate(of_maximum.begin(), of_maximum.end(), 0.), communicator);
+  const double threshold = bulk_threshold(of_maximum, bulk, communicator);
   unsigned int flagged = 0;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    if (open[i] > threshold) {
+    if (of_maximum[i] > threshold || of_own[i] > matters * sum) {
       cells[i]->set_refine_flag();
       ++flagged;
     }
   return dealii::Utilities::MPI::sum(flagged, communicator);
-}
-
-double share_of_open(const std::vector<StressRecord>& before, const double value,
-                     const double open) {
-  constexpr double clearly_more = 1.15;
-  constexpr int most_meshes = 3;
-  constexpr double least = 0.25;
-  constexpr double most = 2.;
-  double share = 0.;
-  int meshes = 0;
-  for (auto earlier = before.rbegin(); earlier != before.rend() && meshes < most_meshes;
-       ++earlier) {
-    if (earlier->value == 0. || earlier->open < clearly_more * open) continue;
-    share = std::max(share, std::abs(1. - earlier->value / value) / (earlier->open - open));
-    ++meshes;
-  }
-  return meshes == 0 ? 1. : std::clamp(share, least, most);
 }
 
 template double open_by_cell<2>(double, double, double, double);

@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "fem/adaptivity/level_record.h"
 #include "fem/outside_of_contact.h"
 #include "fem/solution.h"
 #include "fem/stress_recovery.h"
@@ -24,7 +23,8 @@ namespace geneva::fem {
 ///
 ///   c v h V / r^(dim + 1),  c = 1/(6 pi) in the plane, 1/(16 pi) in 3-D,
 ///
-/// where r is not less than h.
+/// where r is not less than h. A long cell counts as parts that are as long as wide: what varies
+/// across it beside the place is as near as they.
 /// @param variation v, from its mean, of the stress over the cell [Pa]
 /// @param measure V of the cell: area or volume
 /// @param size h
@@ -41,7 +41,8 @@ double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stre
                      const OutsideOfContact<dim>& is_outside, unsigned int body,
                      const StressMaximum<dim>& maximum);
 
-/// Flags the cells that leave most open of their bodies' maxima.
+/// Flags the cells that leave most open of their bodies' maxima where these are, and those whose
+/// own stress may be the maximum and is left open by more than a tenth of that.
 /// @param may_be_finer whether a cell may be flagged
 /// @param bulk share of all that they leave open together, between 0 and 1
 /// @return number of flagged cells on all ranks
@@ -50,13 +51,5 @@ unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& st
                        const OutsideOfContact<dim>& is_outside,
                        const std::function<bool(const StressCell<dim>&)>& may_be_finer,
                        double bulk = 0.5);
-
-/// Which share of what the cells leave open, none of their errors cancelling, is an error: by how
-/// much the value has changed over what has been closed since earlier meshes, at most over three
-/// of them; between a quarter and twice; all if no earlier mesh had clearly more open.
-/// @param before on the meshes before, the newest last
-/// @param value on this mesh [Pa], > 0
-/// @param open on this mesh, relative
-double share_of_open(const std::vector<StressRecord>& before, double value, double open);
 
 }  // namespace geneva::fem

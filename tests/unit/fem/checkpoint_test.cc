@@ -127,7 +127,7 @@ Checkpoint<2> checkpoint() {
   Checkpoint<2> result{saved(), {{{0.1, 0.2}}, {{0.3, 0.4}}}, {{{1. / 7., 0.}, {0., 1.}}}, {}, {}};
   const auto cells = static_cast<unsigned int>(result.field.cells.size());
   result.history = {record(cells / 2), record(cells)};
-  result.refinement = {7, true, 0.25, 2, std::numeric_limits<double>::max()};
+  result.refinement = {7, true, 0.25, 2, std::numeric_limits<double>::max(), 40};
   return result;
 }
 

@@ -176,6 +176,23 @@ TEST(SingularPlaces, AreNoneAtPlanesOfSymmetry) {
       << "what is pulled along the normal is not mirrored";
 }
 
+/// One that ends within a face would have a crack beside it.
+TEST(SingularPlaces, AreEndsOfASupportAlongItsNormalWithinAFlatFace) {
+  mesh::MeshData<2> mesh = empty_mesh();
+  add_rectangle(mesh, "block", {0., 0.2, 1.}, {0., 0.2, 1.}, {"slides", "", "", ""});
+  for (mesh::Face<2>& face : mesh.faces)
+    if (mesh.vertices[face.vertices[0]][1] == 0. && mesh.vertices[face.vertices[1]][1] == 0. &&
+        mesh.vertices[face.vertices[0]][0] + mesh.vertices[face.vertices[1]][0] > 1.)
+      face.surface = mesh::index_of(mesh.surfaces, "");
+  Problem<2> problem;
+  problem.bodies.push_back({"block", steel, {}});
+  problem.supports = {{"slides", {std::nullopt, 0.}}};
+  const auto places = singular_places(mesh, boundary_tractions(mesh, problem, {1., 1.}, {}));
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places.front().begin, (Components<2>{0.2, 0.}));
+  EXPECT_EQ(places.front().why, Singularity::end_of_support);
+}
+
 TEST(SingularPlaces, AreEndsOfASurfaceThatTwoSupportsHold) {
   mesh::MeshData<2> mesh = empty_mesh();
   add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"foot", "", "", ""});
@@ -252,18 +269,6 @@ TEST(OpenByCell, FallsWithTheDistanceFromItsOwnSizeOn) {
   EXPECT_NEAR((open_by_cell<2>(3., 0.04, 0.2, 0.)), 3. / (6. * pi), 1e-15);
   EXPECT_NEAR((open_by_cell<2>(3., 0.04, 0.2, 0.4)), 3. / (6. * pi) / 8., 1e-15);
   EXPECT_NEAR((open_by_cell<3>(3., 0.008, 0.2, 0.4)), 3. / (16. * pi) / 16., 1e-15);
-}
-
-TEST(ShareOfOpen, IsTheGreatestThatEarlierMeshesHaveShown) {
-  const auto record = [](const double value, const double open) {
-    return StressRecord{value, open, {}, false};
-  };
-  EXPECT_EQ(share_of_open({}, 1., 0.1), 1.) << "nothing is known";
-  EXPECT_EQ(share_of_open({record(0.9, 0.11)}, 1., 0.1), 1.) << "hardly more was open";
-  EXPECT_NEAR(share_of_open({record(0.96, 0.2)}, 1., 0.1), 0.4, 1e-12);
-  EXPECT_NEAR(share_of_open({record(0.95, 0.2), record(0.999, 0.12)}, 1., 0.1), 0.5, 1e-12);
-  EXPECT_EQ(share_of_open({record(0.999, 0.2)}, 1., 0.1), 0.25);
-  EXPECT_EQ(share_of_open({record(0.1, 0.2)}, 1., 0.1), 2.);
 }
 
 }  // namespace
