@@ -88,7 +88,8 @@ std::string why_not(const fem::StressMaximum<dim>& maximum) {
   if (maximum.choice > maximum.error)
     return "it stands where the contact's own field still counts, so that it depends on what is "
            "taken for that field";
-  return "more meshes do not help it, or none was allowed";
+  return "the meshes that it may have are used up, or the next one would pass a limit such as "
+         "'Maximum unknowns'";
 }
 
 /// Stresses away from the contact that are not as accurate as asked for, and why.

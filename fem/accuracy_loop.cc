@@ -229,6 +229,7 @@ bool AccuracyLoop<dim>::make_next_mesh() {
     state_ = refinement_.refine(*equilibrium_, *found_, std::move(state_), solution_.history);
     is_ahead_ = true;
     stop = limits_.exceeded_by(solution_.dof_handler->n_dofs());
+    if (stop && contact_is_done_) stop = contact_is_done_;
   }
   if (stop) solution_.stop = *stop;
   return !stop;
@@ -265,9 +266,10 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
   if (const auto stop = why()) {
     if (!is_success(stop->outcome)) return stop;
     const auto growth = worth_refining_for_strength();
-    const bool is_possible =
-        growth && !limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
-    return is_possible ? std::nullopt : stop;
+    if (!growth || limits_.exceeded_by_next(*growth, solution_.history, seconds_before_))
+      return stop;
+    contact_is_done_ = stop;
+    return std::nullopt;
   }
   std::optional<double> growth = worth_refining();
   if (!growth) {  // only the zone's part of the error is left
@@ -279,9 +281,27 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
   }
   // Else it is not known yet whether there is a contact.
   const LevelRecord& now = solution_.history.back();
-  if (now.peak_pressure > 0. && !now.cycled)
-    *growth += refinement_.take_along(strength_.flag(solution_, false), solution_.history);
+  if (now.peak_pressure > 0. && !now.cycled) *growth += take_strength_along(*growth);
   return limits_.exceeded_by_next(*growth, solution_.history, seconds_before_);
+}
+
+/// Flags cells for the maxima of stress as well, unless a limit stands in their way alone.
+/// @param growth of the number of cells by those for the contact
+/// @return by how much more it grows
+template <int dim>
+double AccuracyLoop<dim>::take_strength_along(const double growth) {
+  std::vector<bool> for_contact;
+  for (const auto& cell : solution_.triangulation->active_cell_iterators())
+    for_contact.push_back(cell->refine_flag_set());
+  const unsigned int flagged = strength_.flag(solution_, false);
+  const double more = RefinementPass<dim>::growth_by_flagged(flagged, solution_.history);
+  if (limits_.exceeded_by_next(growth + more, solution_.history, seconds_before_)) {
+    for (const auto& cell : solution_.triangulation->active_cell_iterators())
+      if (!for_contact[cell->active_cell_index()]) cell->clear_refine_flag();
+    return 0.;
+  }
+  refinement_.take_along(flagged);
+  return more;
 }
 
 template <int dim>

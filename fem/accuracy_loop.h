@@ -39,6 +39,7 @@ class AccuracyLoop {
   std::optional<Stop> choose_for_contact();
   std::optional<Stop> choose_for_strength();
   std::optional<double> worth_refining();
+  double take_strength_along(double growth);
   std::optional<double> worth_refining_for_strength();
   void take_result();
   void tell(Work work);
@@ -64,9 +65,10 @@ class AccuracyLoop {
   State<dim> state_;                 ///< on the present mesh
   std::optional<LevelState> found_;  ///< on the last mesh that was solved
   PressureError error_;
-  LastMesh<dim> last_mesh_;     ///< on one rank
-  double seconds_before_ = 0.;  ///< of the runs that this one continues
-  bool is_ahead_ = false;       ///< whether the mesh is finer than that of solution_.displacement
+  LastMesh<dim> last_mesh_;              ///< on one rank
+  double seconds_before_ = 0.;           ///< of the runs that this one continues
+  std::optional<Stop> contact_is_done_;  ///< why, where meshes are made for the stresses alone
+  bool is_ahead_ = false;  ///< whether the mesh is finer than that of solution_.displacement
 };
 
 }  // namespace geneva::fem

@@ -144,8 +144,7 @@ double RefinementPass<dim>::choose_flagged(const unsigned int flagged, const His
 }
 
 template <int dim>
-double RefinementPass<dim>::take_along(const unsigned int flagged, const History& history) {
-  state_.cells_beside += ((1U << dim) - 1U) * flagged;
+double RefinementPass<dim>::growth_by_flagged(const unsigned int flagged, const History& history) {
   return growth_by<dim>(flagged, history) - 1.;
 }
 

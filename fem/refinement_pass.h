@@ -33,9 +33,11 @@ class RefinementPass {
   /// @return by what the number of cells grows
   double choose_flagged(unsigned int flagged, const std::vector<LevelRecord>& history);
 
+  /// By how much further flagged cells make the number of cells grow.
+  static double growth_by_flagged(unsigned int flagged, const std::vector<LevelRecord>& history);
+
   /// Takes further flagged cells along, for the stresses away from the contacts.
-  /// @return by how much they make the number of cells grow
-  double take_along(unsigned int flagged, const std::vector<LevelRecord>& history);
+  void take_along(unsigned int flagged) { state_.cells_beside += ((1U << dim) - 1U) * flagged; }
 
   /// Refines the flagged cells; while the load still acts on single nodes, whose pressure is of no
   /// use, the zone around them is refined once more before the next solve.

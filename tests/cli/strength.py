@@ -147,6 +147,15 @@ class Strength(CliTest):
             # on meshes of 276 000 unknowns and more
             self.assert_close(found["value"], truth * PSI, found["error"], "within its error")
 
+    def test_in_3d_the_contact_has_the_meshes_that_it_has_without_them(self):
+        contacts = []
+        for structural in ("off", "5 %"):
+            case = self.copy_case("johnson-optimum-3d", structural.split()[0])
+            geneva_cli.change_case(case, {"Accuracy": "20 %", "Structural accuracy": structural})
+            contacts.append(self.run_case(case)["contact"])
+        self.assertEqual(contacts[0]["active_nodes"], contacts[1]["active_nodes"])
+        self.assert_close(number(contacts[1]["peak_pressure"]["value"]), number(contacts[0]["peak_pressure"]["value"]), 0.02, "peak")
+
     def test_in_3d_the_error_is_not_known_where_cells_are_longer_than_half_of_the_notchs_radius(self):
         summary = self.crowned_pin("long", "off")
         for found in self.stresses(summary):
