@@ -242,6 +242,16 @@ bool is_beside(const std::vector<SingularPlace<dim>>& singular, const dealii::Po
   });
 }
 
+template <int dim>
+bool is_clear(const std::vector<SingularPlace<dim>>& singular, const Components<dim>& place) {
+  constexpr double near = 1.5;
+  std::vector<SingularPlace<dim>> surroundings = singular;
+  for (SingularPlace<dim>& other : surroundings) other.radius *= near;
+  return !is_beside(surroundings, point_of<dim>(place));
+}
+
+template bool is_clear(const std::vector<SingularPlace<2>>&, const Components<2>&);
+template bool is_clear(const std::vector<SingularPlace<3>>&, const Components<3>&);
 template bool is_beside(const std::vector<SingularPlace<2>>&, const dealii::Point<2>&);
 template bool is_beside(const std::vector<SingularPlace<3>>&, const dealii::Point<3>&);
 template std::vector<SingularPlace<2>> grown_places(const mesh::MeshData<2>&,

@@ -29,4 +29,9 @@ std::vector<SingularPlace<dim>> grown_places(const mesh::MeshData<dim>& mesh,
 template <int dim>
 bool is_beside(const std::vector<SingularPlace<dim>>& singular, const dealii::Point<dim>& place);
 
+/// Whether a maximum there [m] stands clear of what is left out around them. Else it depends on how
+/// far that reaches, and no mesh makes it certain.
+template <int dim>
+bool is_clear(const std::vector<SingularPlace<dim>>& singular, const Components<dim>& place);
+
 }  // namespace geneva::fem

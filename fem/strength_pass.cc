@@ -12,7 +12,8 @@ namespace geneva::fem {
 template <int dim>
 StrengthPass<dim>::StrengthPass(const mesh::MeshData<dim>& mesh, const Problem<dim>& problem,
                                 const std::optional<double> accuracy)
-    : accuracy_(accuracy),
+    : has_contact_(has_contact(problem)),
+      accuracy_(accuracy),
       mesh_(mesh),
       by_geometry_(
           singular_places(mesh, boundary_tractions(mesh, problem, scales_of(problem, mesh), {}))) {}
@@ -66,6 +67,7 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
 template <int dim>
 bool StrengthPass<dim>::is_open(const BodyStrength<dim>& body) const {
   const auto is_worth_refining = [&](const StressMaximum<dim>& maximum) {
+    if (has_contact_ && !is_clear(singular_, maximum.place)) return false;
     return maximum.may_be_hidden || maximum.error > std::max(*accuracy_, maximum.choice);
   };
   return accuracy_ && (is_worth_refining(body.von_mises) || is_worth_refining(body.tensile));

@@ -23,7 +23,8 @@ class StrengthPass {
                                       const std::vector<LevelRecord>& before);
 
   /// Whether an error by the mesh is greater than wanted, and than what the choice of the contacts'
-  /// own field leaves open, which no mesh lowers.
+  /// own field leaves open, which no mesh lowers; beside a contact only of a maximum that stands
+  /// clear of what is left out around singular places.
   [[nodiscard]] bool is_open(const std::vector<BodyStrength<dim>>& strength) const;
 
   /// Flags the cells that count most of bodies of which is_open() holds. The maxima
@@ -44,6 +45,7 @@ class StrengthPass {
  private:
   [[nodiscard]] bool is_open(const BodyStrength<dim>& body) const;
 
+  bool has_contact_;
   std::optional<double> accuracy_;
   mesh::MeshData<dim> mesh_;
   std::vector<SingularPlace<dim>> by_geometry_;

@@ -44,21 +44,6 @@ std::string where(const fem::Solution<dim>& solution, const fem::StressMaximum<d
 
 }  // namespace
 
-namespace {
-
-/// Whether a maximum stands clear of the places that are left out, which it otherwise depends on.
-template <int dim>
-bool is_clear(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
-  constexpr double near = 1.5;
-  std::vector<fem::SingularPlace<dim>> surroundings = solution.singular;
-  for (fem::SingularPlace<dim>& place : surroundings) place.radius *= near;
-  dealii::Point<dim> at;
-  for (unsigned int i = 0; i < dim; ++i) at[i] = maximum.place[i];
-  return !fem::is_beside(surroundings, at);
-}
-
-}  // namespace
-
 template <int dim>
 std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution) {
   std::vector<NamedStress<dim>> result;
@@ -67,10 +52,12 @@ std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution)
     const std::string& name = solution.problem.bodies[i].name;
     if (body.von_mises.value > 0.)
       result.push_back({name, "von Mises stress", body.von_mises, where(solution, body.von_mises),
-                        is_beside_contact(body.von_mises), is_clear(solution, body.von_mises)});
+                        is_beside_contact(body.von_mises),
+                        fem::is_clear(solution.singular, body.von_mises.place)});
     if (body.tensile.value > 0.)
       result.push_back({name, "tensile stress", body.tensile, where(solution, body.tensile),
-                        is_beside_contact(body.tensile), is_clear(solution, body.tensile)});
+                        is_beside_contact(body.tensile),
+                        fem::is_clear(solution.singular, body.tensile.place)});
   }
   return result;
 }

@@ -153,8 +153,8 @@ class Strength(CliTest):
             case = self.copy_case("johnson-optimum-3d", structural.split()[0])
             geneva_cli.change_case(case, {"Accuracy": "20 %", "Structural accuracy": structural})
             contacts.append(self.run_case(case)["contact"])
-        self.assertEqual(contacts[0]["active_nodes"], contacts[1]["active_nodes"])
-        self.assert_close(number(contacts[1]["peak_pressure"]["value"]), number(contacts[0]["peak_pressure"]["value"]), 0.02, "peak")
+        for name in ("active_nodes", "peak_pressure"):
+            self.assert_close(number(contacts[1][name]), number(contacts[0][name]), 0.01, name)
 
     def test_in_3d_the_error_is_not_known_where_cells_are_longer_than_half_of_the_notchs_radius(self):
         summary = self.crowned_pin("long", "off")
