@@ -256,6 +256,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_strength() {
 
 template <int dim>
 std::optional<Stop> AccuracyLoop<dim>::choose_for_contact() {
+  contact_is_done_.reset();
   const auto why = [&] {
     return why_to_stop(solution_.history,
                        {solution_.error_estimate, solution_.edge,

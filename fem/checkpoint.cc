@@ -86,11 +86,9 @@ json written(const std::vector<Value>& values) {
 template <typename Record, typename Visit>
 void visit_strength(Record& record, const Visit& visit) {
   visit("von_mises", record.von_mises.value);
-  visit("von_mises_open", record.von_mises.open);
   visit("von_mises_place", record.von_mises.place);
   visit("von_mises_is_round", record.von_mises.is_round);
   visit("tensile", record.tensile.value);
-  visit("tensile_open", record.tensile.open);
   visit("tensile_place", record.tensile.place);
   visit("tensile_is_round", record.tensile.is_round);
 }

@@ -55,11 +55,10 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
   singular_ = by_geometry_;
   for (const SingularPlace<dim>& place : grown_places(mesh_, before)) singular_.push_back(place);
   std::vector<BodyStrength<dim>> found = strength(solution, *stress_, singular_);
-  const bool with_contact = has_contact(solution.problem);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const StrengthRecord last = before.empty() ? StrengthRecord{} : before.back().strength[i];
-    add_error(found[i].von_mises, with_contact, last.von_mises.value);
-    add_error(found[i].tensile, with_contact, last.tensile.value);
+    add_error(found[i].von_mises, has_contact_, last.von_mises.value);
+    add_error(found[i].tensile, has_contact_, last.tensile.value);
   }
   return found;
 }
@@ -84,7 +83,7 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool i
   if (!stress_ || !is_open(solution.strength)) return 0;
   std::vector<bool> of_body;
   for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
-  if (!has_contact(solution.problem))
+  if (!has_contact_)
     return flag_open<dim>(
         solution, *stress_, OutsideOfContact<dim>(solution, singular_),
         [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
@@ -119,7 +118,7 @@ namespace {
 
 template <int dim>
 StressRecord record_of(const StressMaximum<dim>& maximum) {
-  StressRecord record{maximum.value, maximum.open, {}, maximum.is_round};
+  StressRecord record{maximum.value, {}, maximum.is_round};
   for (unsigned int i = 0; i < dim; ++i) record.place[i] = maximum.place[i];
   return record;
 }

@@ -15,7 +15,6 @@ enum class Refined {
 /// A maximum stress on a mesh.
 struct StressRecord {
   double value;                 ///< [Pa]; 0 if there is no place for it
-  double open;                  ///< relative, see StressMaximum
   std::array<double, 3> place;  ///< [m]; z is 0 in the plane
   bool is_round;                ///< whether the surface is round there
 };

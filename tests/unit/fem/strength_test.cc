@@ -227,7 +227,7 @@ TEST(SingularPlaces, AreNoneAroundAHole) {
 LevelRecord record_with(const double stress, const std::array<double, 3>& place,
                         const bool is_round = false) {
   LevelRecord record{};
-  record.strength.push_back({{stress, 0., place, is_round}, {stress, 0., place, is_round}});
+  record.strength.push_back({{stress, place, is_round}, {stress, place, is_round}});
   return record;
 }
 
