@@ -85,6 +85,8 @@ std::string why_not(const fem::StressMaximum<dim>& maximum) {
   if (maximum.may_be_hidden)
     return "cells there are longer than half of the radius of the notch that they bound: they are "
            "left to the contact, or no further mesh was allowed";
+  if (maximum.is_minor)
+    return "it is less than a tenth of the von Mises stress, so that no cells are spent on it";
   if (maximum.choice > maximum.error)
     return "it stands where the contact's own field still counts, so that it depends on what is "
            "taken for that field";

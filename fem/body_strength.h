@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "fem/problem/problem.h"
 
@@ -23,6 +24,15 @@ struct StressMaximum {
   bool is_round = false;  ///< whether the surface is part of a circle there
   /// Whether the cells there are so long beside a notch that they may hide a greater stress.
   bool may_be_hidden = false;
+  /// Whether it is a tensile stress so far below the von Mises stress that it decides nothing: no
+  /// cells are spent on it beside a contact in 3-D, where they are dear.
+  bool is_minor = false;
+
+  /// Whether what is taken for the contacts' own field decides on it: it is not away from them.
+  [[nodiscard]] bool is_beside_contact() const {
+    constexpr double most = 0.1;
+    return choice > most;
+  }
 
   /// Both errors together; 1 or more, if they are not known.
   [[nodiscard]] double total_error() const {
@@ -36,6 +46,10 @@ struct BodyStrength {
   StressMaximum<dim> von_mises;
   StressMaximum<dim> tensile;  ///< the first principal stress, where it is positive
 };
+
+/// By body the maxima for which cells are refined.
+template <int dim>
+using WantedMaxima = std::vector<std::vector<const StressMaximum<dim>*>>;
 
 /// Why the stress of linear elasticity has no bound at a place.
 enum class Singularity {

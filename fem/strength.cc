@@ -207,6 +207,14 @@ StressMaximum<dim> maximum_of(const Solution<dim>& solution, const NodalStress<d
   return maximum;
 }
 
+/// The fatigue strength of materials is a third of their yield strength or more (bearing steel):
+/// with a tenth of the von Mises stress the tensile stress is three times as safe.
+template <int dim>
+bool is_minor(const BodyStrength<dim>& found) {
+  constexpr double share = 0.1;
+  return found.tensile.value < share * found.von_mises.value;
+}
+
 /// Adds what a mesh leaves of maxima over whose cells the stress varies by a share of them,
 /// wherever they are. A linear field that stands for one that decays leaves an eighth of the
 /// square; measured at slot bottoms: up to a sixth.
@@ -237,6 +245,7 @@ std::vector<BodyStrength<dim>> strength(const Solution<dim>& solution,
     else
       for (StressMaximum<dim>* const maximum : {&found.von_mises, &found.tensile})
         maximum->open = open_by_cells(solution, stress, is_outside, body, *maximum);
+    found.tensile.is_minor = dim == 3 && has_contact(solution.problem) && is_minor(found);
     result.push_back(found);
   }
   return result;

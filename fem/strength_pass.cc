@@ -64,37 +64,41 @@ std::vector<BodyStrength<dim>> StrengthPass<dim>::find(const Solution<dim>& solu
 }
 
 template <int dim>
-bool StrengthPass<dim>::is_open(const BodyStrength<dim>& body) const {
+std::vector<const StressMaximum<dim>*> StrengthPass<dim>::wanted(
+    const BodyStrength<dim>& body) const {
+  std::vector<const StressMaximum<dim>*> result;
+  if (!accuracy_) return result;
   const auto is_worth_refining = [&](const StressMaximum<dim>& maximum) {
-    if (has_contact_ && !is_clear(singular_, maximum.place)) return false;
+    if (maximum.is_minor || maximum.is_beside_contact() ||
+        (has_contact_ && !is_clear(singular_, maximum.place)))
+      return false;
     return maximum.may_be_hidden || maximum.error > std::max(*accuracy_, maximum.choice);
   };
-  return accuracy_ && (is_worth_refining(body.von_mises) || is_worth_refining(body.tensile));
-}
-
-template <int dim>
-bool StrengthPass<dim>::is_open(const std::vector<BodyStrength<dim>>& strength) const {
-  return std::any_of(strength.begin(), strength.end(),
-                     [&](const BodyStrength<dim>& body) { return is_open(body); });
+  for (const StressMaximum<dim>* const maximum : {&body.von_mises, &body.tensile})
+    if (is_worth_refining(*maximum)) result.push_back(maximum);
+  if (!has_contact_ && !result.empty()) return {&body.von_mises, &body.tensile};
+  return result;
 }
 
 template <int dim>
 unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool is_alone) const {
-  if (!stress_ || !is_open(solution.strength)) return 0;
-  std::vector<bool> of_body;
-  for (const BodyStrength<dim>& body : solution.strength) of_body.push_back(is_open(body));
+  if (!stress_) return 0;
+  WantedMaxima<dim> of_bodies;
+  for (const BodyStrength<dim>& body : solution.strength) of_bodies.push_back(wanted(body));
+  if (std::all_of(of_bodies.begin(), of_bodies.end(),
+                  [](const auto& maxima) { return maxima.empty(); }))
+    return 0;
   if (!has_contact_)
-    return flag_open<dim>(
-        solution, *stress_, OutsideOfContact<dim>(solution, singular_),
-        [&](const StressCell<dim>& cell) { return of_body[cell->material_id()]; });
+    return flag_open<dim>(solution, *stress_, OutsideOfContact<dim>(solution, singular_), of_bodies,
+                          [](const StressCell<dim>&) { return true; });
   if constexpr (dim == 3) {
-    return flag_in_space(solution, *stress_, singular_, of_body, *accuracy_, is_alone);
+    return flag_in_space(solution, *stress_, singular_, of_bodies, *accuracy_, is_alone);
   } else {
     constexpr double finer = 0.7071;
     constexpr double minimum_share = 1e-3;
     for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
       if (const unsigned int flagged =
-              flag_in_plane(solution, *stress_, singular_, of_body, share, *accuracy_))
+              flag_in_plane(solution, *stress_, singular_, of_bodies, share, *accuracy_))
         return flagged;
     return 0;
   }

@@ -22,13 +22,8 @@ class StrengthPass {
   std::vector<BodyStrength<dim>> find(const Solution<dim>& solution,
                                       const std::vector<LevelRecord>& before);
 
-  /// Whether an error by the mesh is greater than wanted, and than what the choice of the contacts'
-  /// own field leaves open, which no mesh lowers; beside a contact only of a maximum that stands
-  /// clear of what is left out around singular places.
-  [[nodiscard]] bool is_open(const std::vector<BodyStrength<dim>>& strength) const;
-
-  /// Flags the cells that count most of bodies of which is_open() holds. The maxima
-  /// found on this mesh must be `solution`'s.
+  /// Flags the cells that count most of the maxima that are not as accurate as wanted. Those found
+  /// on this mesh must be `solution`'s.
   /// @param is_alone whether the next mesh is for the maxima alone
   /// @return number of flagged cells on all ranks
   unsigned int flag(const Solution<dim>& solution, bool is_alone) const;
@@ -43,7 +38,11 @@ class StrengthPass {
   void forget_stress() { stress_.reset(); }
 
  private:
-  [[nodiscard]] bool is_open(const BodyStrength<dim>& body) const;
+  /// Those whose error by the mesh is greater than wanted, and than what the choice of the
+  /// contacts' own field leaves open, which no mesh lowers; beside a contact none that is minor or
+  /// that this choice decides, nor one that does not stand clear of what is left out around
+  /// singular places. Without contact both if any.
+  [[nodiscard]] std::vector<const StressMaximum<dim>*> wanted(const BodyStrength<dim>& body) const;
 
   bool has_contact_;
   std::optional<double> accuracy_;

@@ -71,7 +71,7 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
 }
 
 /// Whether a cell may hide a maximum and has a node outside of the contacts' own field with more
-/// than half of a body's maximum.
+/// than half of a body's maximum that is not minor.
 bool hides_high_stress(const NodalStress<3>& stress, const BodyStrength<3>& body,
                        const OutsideOfContact<3>& is_outside, const double length,
                        const StressCell<3>& cell) {
@@ -83,7 +83,8 @@ bool hides_high_stress(const NodalStress<3>& stress, const BodyStrength<3>& body
     };
     const double von_mises = value(Measure::von_mises);
     return (von_mises > high * body.von_mises.value ||
-            (body.tensile.value > 0. && value(Measure::tensile) > high * body.tensile.value)) &&
+            (body.tensile.value > 0. && !body.tensile.is_minor &&
+             value(Measure::tensile) > high * body.tensile.value)) &&
            is_outside(Point<3>(length * cell->vertex(vertex)), cell->material_id(), von_mises,
                       OwnFieldShare::usual);
   };
@@ -102,31 +103,33 @@ double share_to_halve(const BodyStrength<2>& body, const double accuracy) {
 /// Share of what is open that the next mesh must take for the accuracy and a reserve, since halved
 /// cells still leave a quarter. Meshes for the contact take at most a half, for there are more of
 /// them; one that is made for the maxima alone costs a whole solve, and takes more.
-double share_to_refine(const BodyStrength<3>& body, const double accuracy, const bool is_alone) {
+double share_to_refine(const std::vector<const StressMaximum<3>*>& wanted, const double accuracy,
+                       const bool is_alone) {
   constexpr double closed = 0.75;
   constexpr double reserve = 0.3;
-  const double error = std::max(body.von_mises.error, body.tensile.error);
-  const double wanted = (1. - (1. - reserve) * accuracy / error) / closed;
-  return is_alone ? std::clamp(wanted, 0.5, 0.95) : std::clamp(wanted, 0.1, 0.5);
+  double error = 0.;
+  for (const StressMaximum<3>* const maximum : wanted) error = std::max(error, maximum->error);
+  const double share = (1. - (1. - reserve) * accuracy / error) / closed;
+  return is_alone ? std::clamp(share, 0.5, 0.95) : std::clamp(share, 0.1, 0.75);
 }
 
 }  // namespace
 
 unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& stress,
                            const std::vector<SingularPlace<2>>& singular,
-                           const std::vector<bool>& of_body, const double most_share,
+                           const WantedMaxima<2>& wanted, const double most_share,
                            const double accuracy) {
   const OutsideOfContact<2> is_outside(solution, singular);
-  std::vector<double> limits(of_body.size(), std::numeric_limits<double>::max());
-  for (unsigned int body = 0; body < of_body.size(); ++body)
-    if (of_body[body])
+  std::vector<double> limits(wanted.size(), std::numeric_limits<double>::max());
+  for (unsigned int body = 0; body < wanted.size(); ++body)
+    if (!wanted[body].empty())
       limits[body] = std::min(most_share * solution.strength[body].von_mises.value,
                               share_to_halve(solution.strength[body], accuracy) *
                                   maximum_variation(stress, is_outside, body));
   unsigned int flagged = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     const unsigned int body = cell->material_id();
-    if (!cell->is_locally_owned() || !of_body[body] || cell->refine_flag_set() ||
+    if (!cell->is_locally_owned() || wanted[body].empty() || cell->refine_flag_set() ||
         cell->level() >= deepest_level<2>)
       continue;
     const bool varies = variation(stress, cell) > limits[body] && is_outside(stress, cell);
@@ -139,11 +142,11 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const std::vector<bool>& of_body, const double accuracy,
+                           const WantedMaxima<3>& wanted, const double accuracy,
                            const bool is_alone) {
   const OutsideOfContact<3> is_outside(solution, singular);
   const auto may_be_finer = [&](const StressCell<3>& cell) {
-    return of_body[cell->material_id()] && !cell->refine_flag_set() &&
+    return !wanted[cell->material_id()].empty() && !cell->refine_flag_set() &&
            !belongs_to_contact(solution, cell);
   };
   unsigned int hiding = 0;
@@ -157,14 +160,14 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
   }
   unsigned int flagged =
       dealii::Utilities::MPI::sum(hiding, solution.dof_handler->get_communicator());
-  for (unsigned int body = 0; body < of_body.size(); ++body)
-    if (of_body[body])
+  for (unsigned int body = 0; body < wanted.size(); ++body)
+    if (!wanted[body].empty())
       flagged += flag_open<3>(
-          solution, stress, is_outside,
+          solution, stress, is_outside, wanted,
           [&](const StressCell<3>& cell) {
             return cell->material_id() == body && may_be_finer(cell) && is_outside(stress, cell);
           },
-          share_to_refine(solution.strength[body], accuracy, is_alone));
+          share_to_refine(wanted[body], accuracy, is_alone));
   return flagged;
 }
 

@@ -51,13 +51,13 @@ OpenByCell open_by(const NodalStress<dim>& stress, const OutsideOfContact<dim>& 
   return {at_place(place), may_be_maximum ? at_place(cell->center()) : 0.};
 }
 
-/// The greater of what a cell leaves open of its body's two maxima.
+/// The greatest of what a cell leaves open of its body's wanted maxima.
 template <int dim>
 OpenByCell open_by(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                   const OutsideOfContact<dim>& is_outside, const StressCell<dim>& cell) {
-  const BodyStrength<dim>& body = solution.strength[cell->material_id()];
+                   const OutsideOfContact<dim>& is_outside, const WantedMaxima<dim>& wanted,
+                   const StressCell<dim>& cell) {
   OpenByCell result{0., 0.};
-  for (const StressMaximum<dim>* const maximum : {&body.von_mises, &body.tensile})
+  for (const StressMaximum<dim>* const maximum : wanted[cell->material_id()])
     if (maximum->value > 0.) {
       const OpenByCell open = open_by(stress, is_outside, cell, *maximum, solution.scales.length);
       result.of_maximum = std::max(result.of_maximum, open.of_maximum);
@@ -108,16 +108,17 @@ double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stre
 
 template <int dim>
 unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                       const OutsideOfContact<dim>& is_outside,
+                       const OutsideOfContact<dim>& is_outside, const WantedMaxima<dim>& wanted,
                        const std::function<bool(const StressCell<dim>&)>& may_be_finer,
                        const double bulk) {
   constexpr double matters = 0.1;
   std::vector<StressCell<dim>> cells;
   std::vector<double> of_maximum, of_own;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
-    if (!cell->is_locally_owned() || cell->level() >= deepest_level<dim> || !may_be_finer(cell))
+    if (!cell->is_locally_owned() || cell->level() >= deepest_level<dim> ||
+        wanted[cell->material_id()].empty() || !may_be_finer(cell))
       continue;
-    const OpenByCell open = open_by(solution, stress, is_outside, cell);
+    const OpenByCell open = open_by(solution, stress, is_outside, wanted, cell);
     cells.push_back(cell);
     of_maximum.push_back(open.of_maximum);
     of_own.push_back(open.of_own);
@@ -138,12 +139,12 @@ unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& st
 template double open_by_cell<2>(double, double, double, double);
 template double open_by_cell<3>(double, double, double, double);
 
-#define INSTANTIATE(dim)                                                         \
-  template double open_by_cells(const Solution<dim>&, const NodalStress<dim>&,   \
-                                const OutsideOfContact<dim>&, unsigned int,      \
-                                const StressMaximum<dim>&);                      \
-  template unsigned int flag_open(const Solution<dim>&, const NodalStress<dim>&, \
-                                  const OutsideOfContact<dim>&,                  \
+#define INSTANTIATE(dim)                                                                  \
+  template double open_by_cells(const Solution<dim>&, const NodalStress<dim>&,            \
+                                const OutsideOfContact<dim>&, unsigned int,               \
+                                const StressMaximum<dim>&);                               \
+  template unsigned int flag_open(const Solution<dim>&, const NodalStress<dim>&,          \
+                                  const OutsideOfContact<dim>&, const WantedMaxima<dim>&, \
                                   const std::function<bool(const StressCell<dim>&)>&, double);
 INSTANTIATE(2)
 INSTANTIATE(3)

@@ -41,14 +41,14 @@ double open_by_cells(const Solution<dim>& solution, const NodalStress<dim>& stre
                      const OutsideOfContact<dim>& is_outside, unsigned int body,
                      const StressMaximum<dim>& maximum);
 
-/// Flags the cells that leave most open of their bodies' maxima where these are, and those whose
-/// own stress may be the maximum and is left open by more than a tenth of that.
+/// Flags the cells that leave most open of their bodies' wanted maxima where these are, and those
+/// whose own stress may be the maximum and is left open by more than a tenth of that.
 /// @param may_be_finer whether a cell may be flagged
 /// @param bulk share of all that they leave open together, between 0 and 1
 /// @return number of flagged cells on all ranks
 template <int dim>
 unsigned int flag_open(const Solution<dim>& solution, const NodalStress<dim>& stress,
-                       const OutsideOfContact<dim>& is_outside,
+                       const OutsideOfContact<dim>& is_outside, const WantedMaxima<dim>& wanted,
                        const std::function<bool(const StressCell<dim>&)>& may_be_finer,
                        double bulk = 0.5);
 

@@ -100,12 +100,12 @@ bool has_contact(const Case& given) {
                     given.geometry->problem);
 }
 
-std::optional<double> read_structural_accuracy(const CaseSection& section,
-                                               const bool is_off_by_default) {
+/// In 3-D beside a contact cells for it are dear.
+std::optional<double> read_structural_accuracy(const CaseSection& section, const Case& given) {
   const std::string name = "Structural accuracy";
-  const auto given = section.optional_value(name);
-  if (given || section.text(name) == "off" || is_off_by_default) return given;
-  return 0.02;
+  if (section.text(name) == "off") return std::nullopt;
+  return section.optional_value(name).value_or(given.dimension == 3 && has_contact(given) ? 0.05
+                                                                                          : 0.02);
 }
 
 /// Of the contact pressure; without contact that of the maxima of stress counts alone, and with
@@ -123,8 +123,7 @@ double read_accuracy(const CaseSection& section, const Case& given,
 
 fem::Settings read_settings(const CaseSection& section, const Case& given) {
   fem::Settings settings;
-  settings.structural_accuracy =
-      read_structural_accuracy(section, given.dimension == 3 && has_contact(given));
+  settings.structural_accuracy = read_structural_accuracy(section, given);
   settings.accuracy = read_accuracy(section, given, settings.structural_accuracy);
   settings.max_levels = static_cast<unsigned int>(section.value("Maximum refinement levels"));
   settings.max_dofs = static_cast<unsigned int>(section.value("Maximum unknowns"));

@@ -56,7 +56,7 @@ std::vector<Parameter> settings_parameters() {
        "Wanted relative error of the bodies' maximum stresses away from the contact, such as at a "
        "slot's bottom: the mesh is refined there, too, until their estimates are smaller. 'off': "
        "they are reported as the mesh for the contact has them, without contact as the coarse mesh "
-       "has them. 'by dimension': 2 % in the plane and without contact, off beside a contact in "
+       "has them. 'by dimension': 2 % in the plane and without contact, 5 % beside a contact in "
        "3-D, where such cells are dear."},
       {{},
        "Maximum refinement levels",

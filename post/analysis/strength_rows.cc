@@ -21,13 +21,6 @@ const std::map<std::pair<std::string, bool>, std::string> drawn_places{
     {{"slots", false}, "wall of another slot"},
     {{"locking arcs", true}, "locking arc"}};
 
-/// Whether what is taken for the contact's own field decides on a maximum: it is not away from it.
-template <int dim>
-bool is_beside_contact(const fem::StressMaximum<dim>& maximum) {
-  constexpr double most = 0.1;  // relative
-  return maximum.choice > most;
-}
-
 template <int dim>
 std::string surface_at(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
   if (maximum.surface < 0) return "inside";
@@ -39,7 +32,8 @@ std::string surface_at(const fem::Solution<dim>& solution, const fem::StressMaxi
 
 template <int dim>
 std::string where(const fem::Solution<dim>& solution, const fem::StressMaximum<dim>& maximum) {
-  return surface_at(solution, maximum) + (is_beside_contact(maximum) ? ", beside the contact" : "");
+  return surface_at(solution, maximum) +
+         (maximum.is_beside_contact() ? ", beside the contact" : "");
 }
 
 }  // namespace
@@ -52,11 +46,11 @@ std::vector<NamedStress<dim>> named_stresses(const fem::Solution<dim>& solution)
     const std::string& name = solution.problem.bodies[i].name;
     if (body.von_mises.value > 0.)
       result.push_back({name, "von Mises stress", body.von_mises, where(solution, body.von_mises),
-                        is_beside_contact(body.von_mises),
+                        body.von_mises.is_beside_contact(),
                         fem::is_clear(solution.singular, body.von_mises.place)});
     if (body.tensile.value > 0.)
       result.push_back({name, "tensile stress", body.tensile, where(solution, body.tensile),
-                        is_beside_contact(body.tensile),
+                        body.tensile.is_beside_contact(),
                         fem::is_clear(solution.singular, body.tensile.place)});
   }
   return result;

@@ -148,6 +148,77 @@ TEST(ContactsOwnField, IsInTheBodiesOfTheContactOnly) {
   EXPECT_GT(stress.von_mises(place, 0), 100. * of_second);
 }
 
+/// Far away many nodes count in groups.
+TEST(ContactsOwnField, IsThatOfEveryNodeBesideThem) {
+  Solution<2> solution = loaded_at_origin(PlaneKind::plane_stress);
+  auto& nodes = solution.contacts.front().nodes;
+  nodes.resize(640, nodes.front());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    nodes[i].position = {1e-3 * static_cast<double>(i), 0.};
+  const ContactsOwnField<2> stress(solution);
+  const double of_next = 2. * 1e4 / (pi * 1e-4);
+  for (const std::size_t node : {0U, 9U, 325U, 639U})
+    EXPECT_GT(stress.von_mises(Point<2>(nodes[node].position[0], -1e-4), 0), (1. - 1e-9) * of_next);
+  const double of_all = 2. * 640. * 1e4 / (pi * 100.);
+  EXPECT_NEAR(stress.von_mises(Point<2>(0.32, -100.), 0), of_all, 1e-4 * of_all);
+}
+
+/// Contact nodes that carry 1 N each, between "lower", from z = 0 to 1, and "upper", which reaches
+/// beyond.
+Solution<3> pressed_at(const std::vector<Components<3>>& places, const double tributary) {
+  mesh::MeshData<2> plane = empty_mesh();
+  add_rectangle(plane, "lower", {0., 1.}, {-1., 0.}, {"", "", "", "lower side"});
+  add_rectangle(plane, "upper", {0., 1.}, {0., 1.}, {"", "", "upper side", ""});
+  Solution<3> solution;
+  solution.mesh = extruded(plane, {{{0., 1.}, "", ""}, {{-1., 2.}, "", ""}});
+  for (const char* const name : {"lower", "upper"})
+    solution.problem.bodies.push_back({name, steel, {}});
+  ContactResult<3> contact{};
+  contact.source = "upper side";
+  contact.target = "lower side";
+  for (const Components<3>& place : places) {
+    ContactNode<3> node{};
+    node.position = place;
+    node.normal = {0., 1., 0.};
+    node.tributary = tributary;
+    node.pressure = 1. / tributary;
+    node.status = NodeStatus::slip;
+    contact.nodes.push_back(node);
+  }
+  solution.contacts.push_back(contact);
+  return solution;
+}
+
+std::vector<Components<3>> row_along_z(const double end) {
+  std::vector<Components<3>> places;
+  for (int i = 0; i <= 20; ++i) places.push_back({0.5, 0., end * i / 20.});
+  return places;
+}
+
+TEST(ContactsOwnField, HasImagesInAFaceAtWhichABodyEnds) {
+  std::vector<Components<3>> places = row_along_z(1.);
+  const ContactsOwnField<3> row(pressed_at(places, 1e-4));
+  for (const Components<3>& place : row_along_z(1.)) places.push_back({0.5, 0., 2. - place[2]});
+  const ContactsOwnField<3> with_image(pressed_at(places, 1e-4));
+  const Point<3> on_face(0.5, -0.05, 1.);
+  const double expected = with_image.von_mises(on_face, 1);
+  EXPECT_NEAR(row.von_mises(on_face, 0), expected, 0.02 * expected);
+  EXPECT_GT(expected, 1.5 * row.von_mises(on_face, 1));
+}
+
+TEST(ContactsOwnField, HasNoImagesWhereTheContactEndsWithinABody) {
+  const ContactsOwnField<3> row(pressed_at(row_along_z(0.5), 1e-4));
+  const Point<3> at_end(0.5, -0.05, 0.5);
+  EXPECT_NEAR(row.von_mises(at_end, 0) / row.von_mises(at_end, 1), 1., 0.03);
+}
+
+TEST(ContactsOwnField, IsThatOfAreasThatAreLongIn3D) {
+  const ContactsOwnField<3> layer(
+      pressed_at({{0.499, 0., 0.5}, {0.5, 0., 0.5}, {0.501, 0., 0.5}}, 1e-3 * 0.02));
+  EXPECT_GT(layer.von_mises(Point<3>(0.5, -5e-4, 0.508), 0),
+            0.5 * layer.von_mises(Point<3>(0.5, -5e-4, 0.5), 0));
+}
+
 TEST(SingularPlaces, AreEndsOfSupportsBesideFreeSurfaces) {
   mesh::MeshData<2> mesh = empty_mesh();
   add_rectangle(mesh, "block", {0., 0.5, 1.}, {0., 0.2, 1.}, {"held", "", "", ""});
