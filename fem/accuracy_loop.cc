@@ -24,6 +24,12 @@ bool remembers(const Level<dim>& level) {
                      [](const auto& interface) { return interface.may_stick(); });
 }
 
+/// Whether it is known how far the contact reaches along its length: in the plane it has none.
+template <int dim>
+bool knows_contact(const LevelRecord& now) {
+  return dim == 2 || now.nodes_across >= nodes_for_grading;
+}
+
 }  // namespace
 
 template <int dim>
@@ -248,7 +254,7 @@ std::optional<Stop> AccuracyLoop<dim>::choose_for_strength() {
   if (refinement_.state().n_refinements >= settings_.max_levels)
     return stop_at_limit(Outcome::refinement_limit, refinement_.state().n_refinements + 1.,
                          settings_.max_levels);
-  const unsigned int flagged = strength_.flag(solution_, true);
+  const unsigned int flagged = strength_.flag(solution_, MeshFor::stresses);
   if (flagged == 0) return Stop{Outcome::no_progress};
   return limits_.exceeded_by_next(refinement_.choose_flagged(flagged, solution_.history),
                                   solution_.history, seconds_before_);
@@ -294,7 +300,9 @@ double AccuracyLoop<dim>::take_strength_along(const double growth) {
   std::vector<bool> for_contact;
   for (const auto& cell : solution_.triangulation->active_cell_iterators())
     for_contact.push_back(cell->refine_flag_set());
-  const unsigned int flagged = strength_.flag(solution_, false);
+  const unsigned int flagged = strength_.flag(
+      solution_,
+      knows_contact<dim>(solution_.history.back()) ? MeshFor::contact : MeshFor::unknown_contact);
   const double more = RefinementPass<dim>::growth_by_flagged(flagged, solution_.history);
   if (limits_.exceeded_by_next(growth + more, solution_.history, seconds_before_)) {
     for (const auto& cell : solution_.triangulation->active_cell_iterators())
@@ -323,7 +331,7 @@ std::optional<double> AccuracyLoop<dim>::worth_refining_for_strength() {
   if (last_for_contact - history.rbegin() >= most_passes ||
       refinement_.state().n_refinements >= settings_.max_levels)
     return std::nullopt;
-  const unsigned int flagged = strength_.flag(solution_, true);
+  const unsigned int flagged = strength_.flag(solution_, MeshFor::stresses);
   if (flagged == 0) return std::nullopt;
   return refinement_.choose_flagged(flagged, solution_.history);
 }

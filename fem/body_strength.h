@@ -51,6 +51,15 @@ struct BodyStrength {
 template <int dim>
 using WantedMaxima = std::vector<std::vector<const StressMaximum<dim>*>>;
 
+/// What the next mesh is for, beside the maxima of stress.
+enum class MeshFor {
+  unknown_contact,  ///< one of which it is not known how far it reaches: other cells beside it
+                    ///< would make its own uneven, and in 3-D only those that may hide a maximum
+                    ///< are halved
+  contact,
+  stresses  ///< alone
+};
+
 /// Why the stress of linear elasticity has no bound at a place.
 enum class Singularity {
   end_of_support,     ///< a support or rigid tie ends where the surface beside it is free

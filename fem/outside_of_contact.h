@@ -42,8 +42,8 @@ double maximum_variation(const NodalStress<dim>& stress, const OutsideOfContact<
 
 /// Whether a cell is longer than half of the radius of a notch that it bounds. The stress there
 /// changes over lengths like that radius, in 3-D along the notch as well: between the nodes of such
-/// a cell it may have a maximum that none of them shows.
+/// a cell it may have a maximum that none of them shows. What a support or a tie holds is no notch.
 template <int dim>
-bool may_hide_maximum(const StressCell<dim>& cell);
+bool may_hide_maximum(const Solution<dim>& solution, const StressCell<dim>& cell);
 
 }  // namespace geneva::fem

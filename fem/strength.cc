@@ -121,14 +121,15 @@ void set_surface(StressMaximum<dim>& maximum, const NodalStress<dim>& stress,
 
 /// Whether a cell that may hide a maximum is at a node.
 template <int dim>
-bool touches_hiding_cell(const NodalStress<dim>& stress, const Candidate<dim>& node) {
+bool touches_hiding_cell(const Solution<dim>& solution, const NodalStress<dim>& stress,
+                         const Candidate<dim>& node) {
   const unsigned int vertex = node.cell->vertex_index(node.vertex);
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (cell->is_artificial()) continue;
     const auto vertices = cell->vertex_indices();
     if (std::any_of(vertices.begin(), vertices.end(),
                     [&](const auto i) { return cell->vertex_index(i) == vertex; }) &&
-        may_hide_maximum<dim>(cell))
+        may_hide_maximum<dim>(solution, cell))
       return true;
   }
   return false;
@@ -144,8 +145,8 @@ StressMaximum<dim> of_node(const Solution<dim>& solution, const NodalStress<dim>
   set_surface(maximum, stress, node);
   maximum.error =
       measured<dim>(stress.doubt, node.cell, node.vertex, Measure::von_mises) / node.value;
-  maximum.may_be_hidden =
-      has_contact(solution.problem) && maximum.is_round && touches_hiding_cell(stress, node);
+  maximum.may_be_hidden = has_contact(solution.problem) && maximum.is_round &&
+                          touches_hiding_cell(solution, stress, node);
   if constexpr (dim == 2)
     move_to_top(maximum, beside(stress, node, measure), solution.scales.length);
   return maximum;

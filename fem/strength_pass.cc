@@ -81,7 +81,7 @@ std::vector<const StressMaximum<dim>*> StrengthPass<dim>::wanted(
 }
 
 template <int dim>
-unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool is_alone) const {
+unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const MeshFor next) const {
   if (!stress_) return 0;
   WantedMaxima<dim> of_bodies;
   for (const BodyStrength<dim>& body : solution.strength) of_bodies.push_back(wanted(body));
@@ -92,7 +92,7 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const bool i
     return flag_open<dim>(solution, *stress_, OutsideOfContact<dim>(solution, singular_), of_bodies,
                           [](const StressCell<dim>&) { return true; });
   if constexpr (dim == 3) {
-    return flag_in_space(solution, *stress_, singular_, of_bodies, *accuracy_, is_alone);
+    return flag_in_space(solution, *stress_, singular_, of_bodies, *accuracy_, next);
   } else {
     constexpr double finer = 0.7071;
     constexpr double minimum_share = 1e-3;

@@ -24,9 +24,8 @@ class StrengthPass {
 
   /// Flags the cells that count most of the maxima that are not as accurate as wanted. Those found
   /// on this mesh must be `solution`'s.
-  /// @param is_alone whether the next mesh is for the maxima alone
   /// @return number of flagged cells on all ranks
-  unsigned int flag(const Solution<dim>& solution, bool is_alone) const;
+  unsigned int flag(const Solution<dim>& solution, MeshFor next) const;
 
   /// On the last mesh; nothing after forget_stress().
   [[nodiscard]] const std::optional<NodalStress<dim>>& stress() const { return stress_; }

@@ -72,9 +72,9 @@ bool belongs_to_contact(const Solution<dim>& solution, const StressCell<dim>& ce
 
 /// Whether a cell may hide a maximum and has a node outside of the contacts' own field with more
 /// than half of a body's maximum that is not minor.
-bool hides_high_stress(const NodalStress<3>& stress, const BodyStrength<3>& body,
-                       const OutsideOfContact<3>& is_outside, const double length,
-                       const StressCell<3>& cell) {
+bool hides_high_stress(const Solution<3>& solution, const NodalStress<3>& stress,
+                       const OutsideOfContact<3>& is_outside, const StressCell<3>& cell) {
+  const BodyStrength<3>& body = solution.strength[cell->material_id()];
   constexpr double high = 0.5;
   const auto vertices = cell->vertex_indices();
   const auto is_high = [&](const unsigned int vertex) {
@@ -85,11 +85,11 @@ bool hides_high_stress(const NodalStress<3>& stress, const BodyStrength<3>& body
     return (von_mises > high * body.von_mises.value ||
             (body.tensile.value > 0. && !body.tensile.is_minor &&
              value(Measure::tensile) > high * body.tensile.value)) &&
-           is_outside(Point<3>(length * cell->vertex(vertex)), cell->material_id(), von_mises,
-                      OwnFieldShare::usual);
+           is_outside(Point<3>(solution.scales.length * cell->vertex(vertex)), cell->material_id(),
+                      von_mises, OwnFieldShare::usual);
   };
   return cell->at_boundary() && std::any_of(vertices.begin(), vertices.end(), is_high) &&
-         may_hide_maximum<3>(cell);
+         may_hide_maximum(solution, cell);
 }
 
 /// Share of the greatest variation over a cell above which cells are halved. Errors go with its
@@ -104,13 +104,13 @@ double share_to_halve(const BodyStrength<2>& body, const double accuracy) {
 /// cells still leave a quarter. Meshes for the contact take at most a half, for there are more of
 /// them; one that is made for the maxima alone costs a whole solve, and takes more.
 double share_to_refine(const std::vector<const StressMaximum<3>*>& wanted, const double accuracy,
-                       const bool is_alone) {
+                       const MeshFor next) {
   constexpr double closed = 0.75;
   constexpr double reserve = 0.3;
   double error = 0.;
   for (const StressMaximum<3>* const maximum : wanted) error = std::max(error, maximum->error);
   const double share = (1. - (1. - reserve) * accuracy / error) / closed;
-  return is_alone ? std::clamp(share, 0.5, 0.95) : std::clamp(share, 0.1, 0.75);
+  return next == MeshFor::stresses ? std::clamp(share, 0.5, 0.95) : std::clamp(share, 0.1, 0.75);
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
                            const WantedMaxima<3>& wanted, const double accuracy,
-                           const bool is_alone) {
+                           const MeshFor next) {
   const OutsideOfContact<3> is_outside(solution, singular);
   const auto may_be_finer = [&](const StressCell<3>& cell) {
     return !wanted[cell->material_id()].empty() && !cell->refine_flag_set() &&
@@ -152,14 +152,14 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
   unsigned int hiding = 0;
   for (const auto& cell : stress.dof_handler->active_cell_iterators()) {
     if (!cell->is_locally_owned() || cell->level() >= deepest_level<3> || !may_be_finer(cell) ||
-        !hides_high_stress(stress, solution.strength[cell->material_id()], is_outside,
-                           solution.scales.length, cell))
+        !hides_high_stress(solution, stress, is_outside, cell))
       continue;
     cell->set_refine_flag();
     ++hiding;
   }
   unsigned int flagged =
       dealii::Utilities::MPI::sum(hiding, solution.dof_handler->get_communicator());
+  if (next == MeshFor::unknown_contact) return flagged;
   for (unsigned int body = 0; body < wanted.size(); ++body)
     if (!wanted[body].empty())
       flagged += flag_open<3>(
@@ -167,7 +167,7 @@ unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& st
           [&](const StressCell<3>& cell) {
             return cell->material_id() == body && may_be_finer(cell) && is_outside(stress, cell);
           },
-          share_to_refine(wanted[body], accuracy, is_alone));
+          share_to_refine(wanted[body], accuracy, next));
   return flagged;
 }
 

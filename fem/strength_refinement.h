@@ -22,10 +22,9 @@ unsigned int flag_in_plane(const Solution<2>& solution, const NodalStress<2>& st
 /// Beside a contact in 3-D: flags the cells that leave most open of the bodies' wanted maxima,
 /// see flag_open(), and those that may hide one; none that bounds the contact.
 /// @param accuracy wanted relative error of the maxima, > 0
-/// @param is_alone whether the next mesh is for the maxima alone
 /// @return number of flagged cells on all ranks
 unsigned int flag_in_space(const Solution<3>& solution, const NodalStress<3>& stress,
                            const std::vector<SingularPlace<3>>& singular,
-                           const WantedMaxima<3>& wanted, double accuracy, bool is_alone);
+                           const WantedMaxima<3>& wanted, double accuracy, MeshFor next);
 
 }  // namespace geneva::fem
