@@ -147,6 +147,17 @@ class Strength(CliTest):
             # on meshes of 276 000 unknowns and more
             self.assert_close(found["value"], truth * PSI, found["error"], "within its error")
 
+    def test_in_3d_a_limit_that_only_the_stresses_would_pass_ends_a_run_as_converged(self):
+        case = self.copy_case("crowned-pin", "limited")
+        geneva_cli.change_case(case, {"Accuracy": "5 %", "Structural accuracy": "2 %", "Maximum unknowns": 77000})
+        summary = self.run_case(case)
+        self.assertTrue(summary["solver"]["converged"])
+        self.assertLessEqual(summary["mesh"]["dofs"], 77000)
+        self.assertTrue(all(found["error"] > 0.02 for found in self.stresses(summary)))
+        notices = [text for text in summary["notices"] if "'wheel' away from the contact is known to" in text]
+        self.assertEqual(len(notices), 2)
+        self.assertIn("'Maximum unknowns'", notices[0])
+
     def test_in_3d_the_contact_has_the_meshes_that_it_has_without_them(self):
         contacts = []
         for structural in ("off", "5 %"):
