@@ -94,12 +94,13 @@ std::string why_not(const fem::StressMaximum<dim>& maximum) {
          "'Maximum unknowns'";
 }
 
-/// Stresses away from the contact that are not as accurate as asked for, and why.
+/// Stresses away from the contact that are not as accurate as asked for, and why. Of one that is
+/// not bounded the closing table says so.
 template <int dim>
 std::vector<std::string> strength_notices(const double wanted, const fem::Solution<dim>& solution) {
   std::vector<std::string> notices;
   for (const post::NamedStress<dim>& stress : post::named_stresses(solution))
-    if (const double error = stress.maximum.total_error(); error > wanted)
+    if (const double error = stress.maximum.total_error(); stress.is_bounded && error > wanted)
       notices.push_back(fmt::format(
           "the maximum {} of '{}' away from the contact {}, 'Structural accuracy' asks for {:.2g} "
           "%: {}",

@@ -153,8 +153,9 @@ void Slivers<dim>::add_stiffness(const Cell& cell, dealii::FullMatrix<double>& s
     sum.setZero();
     for (const FacePoint& point : points(cell, face)) {
       const FaceStrains strains = Slivers::strains(point);
-      const FaceStrains stresses = surface_tangent(tangent, point.normal) * strains;
-      sum += point.volume * (strains.transpose() * stresses);
+      FaceStrains stresses = surface_tangent(tangent, point.normal) * strains;
+      stresses *= point.volume;
+      sum.noalias() += strains.transpose() * stresses;
     }
     for (int j = 0; j < n_face_dofs; ++j)
       for (int i = 0; i < n_face_dofs; ++i)

@@ -189,6 +189,11 @@ class Strength(CliTest):
         notices = [text for text in summary["notices"] if "less than a tenth of the von Mises stress" in text]
         self.assertEqual(len(notices), 2, "one for each body")
 
+    def test_in_3d_nothing_is_said_of_the_accuracy_of_a_stress_that_is_not_bounded(self):
+        summary = self.run_case(self.copy_case("tilted-pin", "root"))
+        self.assertFalse(look_up(summary, "strength.pin.von_mises.bounded"), "it stands beside the clamped root")
+        self.assertFalse([text for text in summary["notices"] if "'Structural accuracy' asks for" in text])
+
     def test_a_block_that_stands_for_a_wheel_has_none(self):
         summary = self.run_with("block", {"Mechanism/Contact model": "local"})
         self.assertEqual(summary["strength"]["wheel"], {"von_mises": None, "tensile": None})
