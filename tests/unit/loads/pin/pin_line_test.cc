@@ -348,7 +348,7 @@ RC_GTEST_PROP(PinLine, FindsTheBalanceOfAnyPin, ()) {
   RC_ASSERT(contact.peak_place >= contact.begin && contact.peak_place <= contact.end);
 }
 
-/// Finite elements find 326 to 328 ksi (doc/theory.md, 3.7), a grid of Love's rectangles 319 ksi.
+/// Finite elements find 326 to 328 ksi (doc/theory.md, 3.7), a grid of Love's rectangles 317 ksi.
 TEST(PinLine, FindsThePeakAtARoundedEdge) {
   PinLine pin = johnson();
   pin.clearance.wall_edge = {EdgeBreak::Kind::rounded, 0.01 * inch};
