@@ -5,88 +5,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
-#include <stdexcept>
 
 #include "loads/contact_limits.h"
 #include "post/analysis/friction.h"
 #include "post/analysis/material_limits.h"
-#include "post/analysis/safety.h"
 #include "post/analysis/strength_rows.h"
-#include "tests/support/line_contact.h"
-#include "tests/support/solving.h"
+#include "tests/unit/post/cylinder_on_a_block.h"
 
 namespace geneva::post {
 namespace {
-
-constexpr double accuracy = 0.01;
-
-/// A run with the errors that it estimates of its figures.
-struct Cylinder {
-  Cylinder(const test::LineContact& contact, const fem::Friction& friction) {
-    fem::Problem<2> problem = test::problem_of(contact);
-    problem.pairs.front().friction = friction;
-    std::vector<RunFigures> meshes;
-    fem::Progress<2> progress;
-    progress.solution = [&](const fem::Solution<2>& on_mesh) {
-      meshes.push_back(contact_figures(on_mesh, analyse(on_mesh).cells));
-    };
-    solution = fem::solve_contact(MPI_COMM_WORLD, test::mesh_of(contact), problem,
-                                  test::with_accuracy(accuracy), progress);
-    results = analyse(solution);
-    errors.errors = figure_errors(solution, meshes);
-  }
-
-  [[nodiscard]] ComparisonRow row(const std::string& quantity, const RunReport& report) const {
-    const auto rows = comparison(solution, results, report);
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const ComparisonRow& one) {
-      return one.quantity == quantity;
-    });
-    if (found == rows.end()) throw std::out_of_range(quantity);
-    return *found;
-  }
-
-  [[nodiscard]] ComparisonRow row(const std::string& quantity) const {
-    return row(quantity, errors);
-  }
-
-  [[nodiscard]] std::optional<SafetyRow> limit(const std::string& quantity,
-                                               const RunReport& report) const {
-    for (const SafetyRow& row : safety(solution, results, report))
-      if (row.quantity == quantity) return row;
-    return std::nullopt;
-  }
-
-  [[nodiscard]] double peak() const { return solution.contacts.front().peak_pressure; }
-
-  fem::Solution<2> solution;
-  Results<2> results;
-  RunReport errors{};  ///< a report with nothing but them
-};
-
-constexpr double mu = 0.3;
-
-/// Solved once, and gone before MPI is.
-class CylinderOnABlock : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    pressed_ = std::make_unique<Cylinder>(test::LineContact{}, fem::Friction{});
-    sliding_ = std::make_unique<Cylinder>(test::LineContact{}, fem::Friction{mu, {1., 0., 0.}});
-  }
-  static void TearDownTestSuite() {
-    pressed_.reset();
-    sliding_.reset();
-  }
-
-  static const Cylinder& pressed() { return *pressed_; }
-  static const Cylinder& sliding() { return *sliding_; }  ///< towards +x
-
- private:
-  static inline std::unique_ptr<Cylinder> pressed_;
-  static inline std::unique_ptr<Cylinder> sliding_;
-};
 
 void expect_within_its_error(const ComparisonRow& row, const double most_error = 0.1) {
   ASSERT_TRUE(row.computed && row.closed_form && row.error) << row.quantity;
