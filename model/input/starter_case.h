@@ -26,8 +26,8 @@ std::vector<std::string> starter_types();
 
 /// A commented case that runs as it is: case.prm, and of a geometry its file. The mechanisms are
 /// some 100 mm large; numbers are in the units of the system.
-/// @throws base::InputError unless the type is one of starter_types() and such a wheel can have
-/// that many stations
+/// @throws base::InputError unless the type is one of starter_types(), and for stations of a
+/// geometry
 std::vector<StarterFile> starter_case(const Starter& starter);
 
 }  // namespace geneva::model
