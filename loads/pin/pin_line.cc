@@ -238,9 +238,11 @@ std::vector<double> half_of_edges(const double end, const double even, const boo
   constexpr double growth = 1.25;
   constexpr int on_round = 16;
   std::vector<double> places{end};
-  for (double size = is_edge ? fine : even; places.back() > size;
-       size = std::min(growth * size, even))
+  double size = is_edge ? fine : even;
+  while (places.back() > size) {
     places.push_back(places.back() - size);
+    size = std::min(growth * size, even);
+  }
   std::reverse(places.begin(), places.end());
   if (places.size() > 1) places.front() = 0.;
   for (int i = 1; is_edge && i <= on_round && end + i * fine < wall; ++i)
