@@ -105,8 +105,8 @@ std::vector<dealii::Point<3>> spread(const ContactNode<3>& node, const dealii::P
   const dealii::Tensor<1, 3> along =
       node.tributary / (width * width) * dealii::cross_product_3d(normal, across);
   std::vector<dealii::Point<3>> places;
-  for (double part = 0.5; part < parts; ++part)
-    places.push_back(place + (part / parts - 0.5) * along);
+  for (int i = 0; i < static_cast<int>(parts); ++i)
+    places.push_back(place + ((i + 0.5) / parts - 0.5) * along);
   return places;
 }
 

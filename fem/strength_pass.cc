@@ -96,11 +96,13 @@ unsigned int StrengthPass<dim>::flag(const Solution<dim>& solution, const MeshFo
   } else {
     constexpr double finer = 0.7071;
     constexpr double minimum_share = 1e-3;
-    for (double share = first_share(*accuracy_); share > minimum_share; share *= finer)
-      if (const unsigned int flagged =
-              flag_in_plane(solution, *stress_, singular_, of_bodies, share, *accuracy_))
-        return flagged;
-    return 0;
+    unsigned int flagged = 0;
+    double share = first_share(*accuracy_);
+    while (flagged == 0 && share > minimum_share) {
+      flagged = flag_in_plane(solution, *stress_, singular_, of_bodies, share, *accuracy_);
+      share *= finer;
+    }
+    return flagged;
   }
 }
 

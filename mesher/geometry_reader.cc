@@ -244,7 +244,7 @@ MeshData<dim> mesh_of_parts(const mesh::GeometryTask& task) {
 std::vector<std::string> errors_of(GmshSession& session,
                                    const std::vector<std::function<void()>>& actions) {
   for (const auto& action : actions)
-    if (const auto errors = session.errors_of(action); !errors.empty()) return errors;
+    if (auto errors = session.errors_of(action); !errors.empty()) return errors;
   return {};
 }
 

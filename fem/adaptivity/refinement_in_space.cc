@@ -89,8 +89,7 @@ unsigned int flag_zone(dealii::DoFHandler<3>& dof_handler,
                        const SurfaceIds& /*surface_ids*/, const ZonePart part) {
   const bool only_uneven = part == ZonePart::uneven;
   unsigned int flagged = 0;
-  for (std::size_t i = 0; i < interfaces.size(); ++i) {
-    const ContactInterface<3>& interface = interfaces[i];
+  for (const ContactInterface<3>& interface : interfaces) {
     // A contact without an open node has no width: its zone is the whole surface in any case.
     const auto margin =
         1 + static_cast<unsigned int>(margin_of_width * std::min(nodes_across(interface), 400U));

@@ -23,7 +23,8 @@ double contact_end(const std::vector<ContactNode<2>>& nodes, const std::size_t e
                    const int inwards, const std::size_t count) {
   constexpr std::size_t many = 24;
   const auto place = [&](const int steps) {
-    return nodes[static_cast<std::size_t>(static_cast<int>(edge) + inwards * steps)].arc_length;
+    const auto at = static_cast<std::ptrdiff_t>(edge) + std::ptrdiff_t{inwards} * steps;
+    return nodes[static_cast<std::size_t>(at)].arc_length;
   };
   const std::optional<FreeEnd> end = free_end(nodes, edge, inwards, count);
   if (!end) return place(0);
