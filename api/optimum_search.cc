@@ -201,7 +201,8 @@ OptimumSearch::Found OptimumSearch::polished(Found best) {
   constexpr double last_step = 1e-6;
   constexpr int most_moves = 20;  // with one step
   const std::vector<Place> directions = directions_all_round(best.place.size());
-  for (double step = first_step; step > last_step; step /= 2.) {
+  double step = first_step;
+  while (step > last_step) {
     bool has_moved = true;
     for (int move = 0; has_moved && move < most_moves; ++move) {
       has_moved = false;
@@ -216,6 +217,7 @@ OptimumSearch::Found OptimumSearch::polished(Found best) {
         has_moved = true;
       }
     }
+    step /= 2.;
   }
   return best;
 }

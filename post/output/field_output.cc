@@ -265,14 +265,15 @@ class StressOutput : public dealii::DataPostprocessor<dim> {
   /// @param place [m]
   void renew(std::vector<double>& values, const std::size_t begin, const unsigned int body,
              const Point<dim>& place) const {
+    constexpr std::size_t width = dim;
     const auto row = [&](const unsigned int i, const unsigned int j) {
-      return values[begin + i * dim + j] / factor_;
+      return values[begin + i * width + j] / factor_;
     };
     Stress<dim> stress;
     if constexpr (dim == 2) {
       for (unsigned int i = 0; i < 2; ++i)
         for (unsigned int j = i; j < 2; ++j) stress.in_plane[i][j] = row(i, j);
-      stress.out_of_plane = values[begin + dim * dim] / factor_;
+      stress.out_of_plane = values[begin + width * width] / factor_;
     } else {
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = i; j < 3; ++j) stress[i][j] = row(i, j);

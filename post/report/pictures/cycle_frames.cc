@@ -67,7 +67,7 @@ struct FrameWindow {
 std::string painted_frame(const Frame& frame, const FrameWindow& window,
                           const std::array<double, 2>& range) {
   Picture picture(window.width, window.height, {255, 255, 255});
-  const auto corner = [&](const std::uint32_t point) {
+  const auto corner = [&](const std::size_t point) {
     return Picture::Corner{
         0.5 * window.width + window.pixels * (frame.points[2 * point] - window.middle[0]),
         0.5 * window.height - window.pixels * (frame.points[2 * point + 1] - window.middle[1]),
